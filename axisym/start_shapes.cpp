@@ -1,0 +1,91 @@
+#include "axisym/start_shapes.h"
+
+#include "axisym/curvature.h"
+#include "axisym/redistribute.h"
+
+#include <boost/math/special_functions/legendre.hpp>
+#include <boost/math/tools/roots.hpp>
+#include <cmath>
+#include <fmt/format.h>
+#include <numbers>
+#include <stdexcept>
+
+namespace sbeh::axisym {
+
+using std::numbers::pi;
+
+Nodes nodes_on(const std::function<Eigen::Vector2d(double)>& curve, int elements, double grading) {
+  // A fine curve, uniform in θ, tells where the nodes belong; θ itself rides along as its field.
+  const int fine = 8 * elements;
+  State dense{.X = Nodes(2, 3 * fine + 1), .beta = Field::LinSpaced(3 * fine + 1, 0, pi)};
+  for (Eigen::Index i = 0; i < dense.X.cols(); ++i) dense.X.col(i) = curve(dense.beta[i]);
+  dense.X(0, 0) = dense.X(0, dense.X.cols() - 1) = 0;
+  const State placed = redistribute(dense, grading, elements);
+  Nodes X(2, placed.X.cols());
+  for (Eigen::Index i = 0; i < X.cols(); ++i) X.col(i) = curve(placed.beta[i]);
+  X(0, 0) = X(0, X.cols() - 1) = 0;
+  return X * std::sqrt(4 * pi / area(X));
+}
+
+Nodes spheroid(double equatorial, double polar, int elements, double grading) {
+  if (!(equatorial > 0 && polar > 0))
+    throw std::invalid_argument("spheroid: both semi-axes must be > 0");
+  return nodes_on(
+    [=](double theta) {
+      return Eigen::Vector2d(equatorial * std::sin(theta), polar * std::cos(theta));
+    },
+    elements, grading);
+}
+
+namespace {
+// Reduced volume of the spheroid with polar/equatorial = q, from its closed-form area.
+double spheroid_reduced_volume(double q) {
+  const double e = std::sqrt(std::abs(1 - q * q));
+  double area = 4 * pi;
+  if (e > 1e-6)
+    area = q < 1 ? 2 * pi * (1 + q * q / e * std::atanh(e))
+                 : 2 * pi * (1 + q * q / e * std::atan(e));
+  return 6 * std::sqrt(pi) * (4 * pi / 3 * q) / std::pow(area, 1.5);
+}
+}  // namespace
+
+Nodes spheroid(double v, bool prolate, int elements, double grading) {
+  if (!(v > 0 && v <= 1))
+    throw std::invalid_argument(fmt::format("spheroid: reduced volume {}: must be in 0 < V_r <= 1", v));
+  const auto miss = [v](double log_q) { return spheroid_reduced_volume(std::exp(log_q)) - v; };
+  double q = 1;
+  if (v < 1 - 1e-12) {
+    const double low = prolate ? 0 : -30, high = prolate ? 30 : 0;
+    std::uintmax_t iterations = 200;
+    const auto bracket = boost::math::tools::toms748_solve(
+      miss, low, high, boost::math::tools::eps_tolerance<double>(50), iterations);
+    q = std::exp(bracket.first);
+  }
+  Nodes X = spheroid(1, q, elements, grading);
+  correct_area_volume(X, 4 * pi, 4 * pi / 3 * v);
+  return X;
+}
+
+double zonal_sum(std::span<const Mode> modes, double theta) {
+  double sum = 0;
+  for (const Mode& mode : modes) {
+    if (mode.l < 0) throw std::invalid_argument(fmt::format("harmonic: l = {}: must be >= 0", mode.l));
+    sum += mode.amplitude * std::sqrt((2 * mode.l + 1) / (4 * pi))
+         * boost::math::legendre_p(mode.l, std::cos(theta));
+  }
+  return sum;
+}
+
+Nodes harmonic_sphere(std::span<const Mode> modes, int elements, double grading) {
+  return nodes_on(
+    [modes](double theta) {
+      const double radius = 1 + zonal_sum(modes, theta);
+      if (!(radius > 0))
+        throw std::invalid_argument(
+          fmt::format("harmonic sphere: r = {:.3g} at theta = {:.3g}: must be > 0", radius, theta));
+      return Eigen::Vector2d(radius * std::sin(theta), radius * std::cos(theta));
+    },
+    elements, grading);
+}
+
+}  // namespace sbeh::axisym

@@ -1,0 +1,53 @@
+// Stationary states by Newton's method: critical points of the energy at fixed area and volume.
+//
+// The discrete Lagrangian is the energy of model/energy_density.h on the P3 curve, with the mean
+// curvature a P3 field H bound to the curve by the scheme's curvature equation (H1):
+//   𝓛 = U(X, β, H) + [(H ν, Λ) + (1, Div_C Λ)] + Σ (A − A₀) − P (V − V₀).
+// The curve moves along its node normals, X + Σ d_i φ_i n_i, and the multiplier is Λ = Σ Λ_i φ_i n_i;
+// the north pole is held to fix the position along the axis. All derivatives come from automatic
+// differentiation of the one pointwise density, so that residual and matrix cannot disagree, the
+// matrix is symmetric, and dU/dL = U_EL/L holds exactly on the discrete branch.
+#pragma once
+
+#include "axisym/time_step.h"
+
+namespace sbeh::axisym {
+
+/// A critical point of the Lagrangian (or a guess of one).
+struct StationaryState {
+  State state;
+  Field H;         // nodes, mean curvature
+  Field Lambda;    // nodes, multiplier of the curvature equation, about −(κ(H − H₀) + κ_G B_φφ)
+  double tension;  ///< Σ = −∂U/∂A
+  double pressure; ///< P = ∂U/∂V
+};
+
+enum class NewtonStatus { converged, diverged, singular };
+
+struct NewtonResult {
+  NewtonStatus status;
+  StationaryState solution;  ///< the last iterate
+  int iterations;
+  int determinant_sign;  ///< of the bordered matrix; constant along a branch, flips at a fold
+};
+
+struct NewtonOptions {
+  int iterations = 12;         ///< at most
+  double tolerance = 1e-8;     ///< on the largest change of position and order; as Newton converges
+                               ///< quadratically, the error left is about its square
+  double longest_step = 0.15;  ///< larger displacements are shortened to it
+};
+
+/// Completes position and order to a guess: H from the curve, Λ from H, tension and pressure by least
+/// squares on the force balance.
+StationaryState guess_from(const model::Material& material, const State& state);
+
+/// Largest force (normal) or order residual per area of its node: 0 at an exact solution.
+double residual_of(const model::Material& material, model::Model model, const StationaryState& s);
+
+/// Newton on the Lagrangian at the area and volume of `target`, starting from `guess`.
+NewtonResult solve_stationary(const model::Material& material, model::Model model,
+                              const Target& target, const StationaryState& guess,
+                              const NewtonOptions& options = {});
+
+}  // namespace sbeh::axisym

@@ -1,0 +1,62 @@
+// One time step of the ALE scheme: velocity, pressure, curvature and mesh motion, then the order.
+#pragma once
+
+#include "axisym/curve.h"
+#include "model/material.h"
+
+#include <memory>
+
+namespace sbeh::axisym {
+
+/// The area and volume that a run keeps.
+struct Target {
+  double area;
+  double volume;
+};
+
+/// What a step computes besides the next state.
+struct StepFields {
+  Nodes V;        // 2 x nodes, velocity on the old surface
+  Nodes Y;        // 2 x nodes, displacement of the mesh
+  Field H;        // nodes, curvature of the next surface as the scheme knows it
+  Field p;        // 2 elements + 1, surface pressure
+  double lambda;  ///< volume multiplier
+};
+
+/// Rates of dissipation: dU/dt = −(friction + order + viscous).
+struct Dissipation {
+  double friction = 0;  ///< ∫ γ_∥|PV|² + γ_⊥(V·ν)² dS
+  double order = 0;     ///< ∫ (3/2)(M + μξ²/2) β̇² dS
+  double viscous = 0;   ///< ∫ (η/2)|σ(V)|² dS
+  double total() const { return friction + order + viscous; }
+};
+
+/// Result of a step; `ok` is false when a linear solve failed or the new curve is degenerate, and
+/// then nothing else holds.
+struct StepResult {
+  bool ok = false;
+  State state;
+  StepFields fields;
+  Dissipation dissipation;
+};
+
+/// First-order semi-implicit step (MODEL: coupled step, then the order with its velocity, so that a
+/// step is a function of position and order alone). Keeps its matrices between steps.
+class TimeStepper {
+ public:
+  TimeStepper(const model::Material& material, model::Model model, int elements);
+  ~TimeStepper();
+  TimeStepper(TimeStepper&&) noexcept;
+  TimeStepper& operator=(TimeStepper&&) noexcept;
+
+  /// Advances by tau > 0. The curve must have the number of elements given to the constructor.
+  StepResult step(const State& old, const Target& target, double tau);
+
+ private:
+  struct Workspace;
+  model::Material material_;
+  model::Model model_;
+  std::unique_ptr<Workspace> work_;
+};
+
+}  // namespace sbeh::axisym

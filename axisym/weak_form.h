@@ -1,0 +1,128 @@
+// The weak form of one time step at a point of the curve, in the labels of model/equations.md.
+//
+// The unknowns of the coupled step are linear in it, so the same function gives residual (numbers)
+// and matrix (automatic differentiation).
+#pragma once
+
+#include "axisym/curve.h"
+#include "model/terms.h"
+
+#include <array>
+
+namespace sbeh::axisym {
+
+/// Fields of the coupled step at a point: (r, z) components, ' = derivative by the element's
+/// coordinate. For the unknowns these are values; for the result of `coupled_step_point` they are
+/// the factors of the test functions W (for V), q (p), G (H) and Z (Y).
+template <class T>
+struct CoupledData {
+  Eigen::Matrix<T, 2, 1> V, dV;  // velocity
+  T p;                           // surface pressure
+  T H, dH;                       // mean curvature of the next surface
+  Eigen::Matrix<T, 2, 1> Y, dY;  // displacement of the mesh
+};
+inline constexpr std::size_t coupled_data_size = 11;
+
+/// What the coupled step reads of the old state at a point.
+struct OldPoint {
+  CurvePoint geometry;
+  double beta, beta_s;  ///< order and its derivative by arc length
+  double H;             ///< discrete mean curvature of the old surface
+};
+
+/// Choices of the step which every point sees.
+struct StepParameters {
+  double tau;              ///< time step
+  double area_rate;        ///< (A₀ − A)/(τA), the drift correction of (P1)
+  double lambda_scale = 1; ///< 0 when the volume multiplier is switched off
+};
+
+/// ∇_C W in the frame (t, e_φ, ν) of a field W with values W and derivative dW.
+template <class T>
+model::Gradient<T> surface_gradient(const CurvePoint& x, const Eigen::Matrix<T, 2, 1>& W,
+                                    const Eigen::Matrix<T, 2, 1>& dW) {
+  model::Gradient<T> grad = model::Gradient<T>::Zero();
+  grad(0, 0) = (dW[0] * x.t[0] + dW[1] * x.t[1]) / x.stretch;
+  grad(1, 1) = W[0] / x.x[0];
+  grad(2, 0) = (dW[0] * x.nu[0] + dW[1] * x.nu[1]) / x.stretch;
+  return grad;
+}
+
+/// Adds (S, ∇_C W) to the factors of W and dW: the transpose of surface_gradient.
+template <class T>
+void test_with_gradient(const CurvePoint& x, const model::Gradient<T>& S,
+                        Eigen::Matrix<T, 2, 1>& W, Eigen::Matrix<T, 2, 1>& dW) {
+  for (int k = 0; k < 2; ++k) dW[k] += (S(0, 0) * x.t[k] + S(2, 0) * x.nu[k]) / x.stretch;
+  W[0] += S(1, 1) / x.x[0];
+}
+
+/// The shape operator diag(H − B_φφ, B_φφ) of a curve whose mean curvature is known.
+inline model::ShapeOperator<double> shape_operator(double H, double B_phi) {
+  model::ShapeOperator<double> B;
+  B << H - B_phi, 0, 0, B_phi;
+  return B;
+}
+
+/// Momentum (V1)–(V10) without (V4), incompressibility (P1), normal motion (Y1) and curvature (H1).
+template <class T>
+CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
+                                  const StepParameters& step, const CoupledData<T>& u) {
+  using Vector2 = Eigen::Matrix<T, 2, 1>;
+  const CurvePoint& x = old.geometry;
+  const auto dot = [](const Vector2& a, const Eigen::Vector2d& b) -> T {
+    return a[0] * b[0] + a[1] * b[1];
+  };
+
+  const model::Gradient<T> grad_V = surface_gradient(x, u.V, u.dV);
+  const model::ElasticPoint<double, T> elastic{
+    .beta = old.beta,
+    .grad_beta = {old.beta_s, 0},
+    .B = shape_operator(old.H, x.B_phi),
+    .H = u.H,
+    .grad_H = {u.dH / x.stretch, T(0)},
+  };
+
+  model::Gradient<T> stress = -model::elastic_stress(m, elastic);          // (V5) … (V10)
+  stress.template topRows<2>() += model::rate_of_strain(grad_V) * T(m.eta(old.beta));  // (V1)
+  stress(0, 0) -= u.p;                                                     // (V3)
+  stress(1, 1) -= u.p;
+
+  const T V_t = dot(u.V, x.t) * m.friction_tangential;                     // (V2)
+  const T V_n = dot(u.V, x.nu);
+  const T friction_n = V_n * m.friction_normal;
+
+  CoupledData<T> g;
+  for (int k = 0; k < 2; ++k) {
+    g.V[k] = V_t * x.t[k] + friction_n * x.nu[k];
+    g.dV[k] = T(0);
+  }
+  test_with_gradient(x, stress, g.V, g.dV);
+
+  g.p = model::divergence(grad_V) - step.area_rate;                        // (P1)
+  g.H = dot(u.Y, x.nu) - step.tau * V_n;                                   // (Y1)
+  g.dH = T(0);
+
+  for (int k = 0; k < 2; ++k) {                                            // (H1)
+    g.Y[k] = u.H * x.nu[k];
+    g.dY[k] = (u.dY[k] + x.dx[k]) / (x.stretch * x.stretch);
+  }
+  g.Y[0] += (u.Y[0] + x.x[0]) / (x.x[0] * x.x[0]);
+  return g;
+}
+
+/// What the order step reads at a point: the old order, the discrete curvature and the velocity of
+/// the material relative to the mesh along the tangent, V·t − Y·t/τ.
+struct OrderPoint {
+  CurvePoint geometry;
+  double beta_old, H, slip;
+};
+
+/// The order equation (B1)–(B5) at a point, linear in β: factors of ψ and of its derivative.
+/// The potential enters as u'(0) + [(u'(βⁿ⁻¹) − u'(0))/βⁿ⁻¹] βⁿ.
+struct OrderData {
+  double matrix[2][2];  ///< row: ψ, ψ'; column: β, β'
+  double rhs;           ///< of ψ
+};
+OrderData order_step_point(const model::Material& m, const OrderPoint& x, double tau);
+
+}  // namespace sbeh::axisym

@@ -1,0 +1,41 @@
+#include "model/material.h"
+
+#include <cmath>
+#include <fmt/format.h>
+#include <stdexcept>
+
+namespace sbeh::model {
+
+const char* name(Model model) { return model == Model::SBEH ? "SBEH" : "SSH"; }
+
+Material Material::with_L(double L) const {
+  Material copy = *this;
+  copy.L1 = L;
+  copy.L2 = copy.L3 = 0;
+  return copy;
+}
+
+namespace {
+void require(bool holds, const char* name, double value, const char* constraint) {
+  if (!holds || !std::isfinite(value))
+    throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, value, constraint));
+}
+}  // namespace
+
+void Material::validate() const {
+  require(std::isfinite(L1) && std::isfinite(L2) && std::isfinite(L3), "L1, L2, L3", L1, "finite");
+  require(l1() > 0, "6 L1 + L2 + L3", 4 * l1(), "> 0 (distortion energy)");
+  require(splay() >= 0, "2 L1 + L2 + L3", splay() / 2.25, ">= 0 (bending energy)");
+  require(viscosity >= 0, "viscosity", viscosity, ">= 0");
+  require(immobility > 0, "immobility", immobility, "> 0");
+  require(friction_tangential >= 0, "friction_tangential", friction_tangential, ">= 0");
+  require(friction_normal >= 0, "friction_normal", friction_normal, ">= 0");
+  require(viscosity + friction_tangential > 0, "viscosity + friction_tangential",
+          viscosity + friction_tangential, "> 0 (else nothing resists the flow)");
+  require(std::isfinite(order_viscosity), "order_viscosity", order_viscosity, "finite");
+  require(residual_stiffness >= 0, "residual_stiffness", residual_stiffness, ">= 0");
+  require(std::isfinite(spontaneous_curvature), "spontaneous_curvature", spontaneous_curvature,
+          "finite");
+}
+
+}  // namespace sbeh::model

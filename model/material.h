@@ -1,0 +1,78 @@
+// The physics of one membrane: elastic moduli, potential, viscosities, frictions.
+#pragma once
+
+#include "model/potential.h"
+
+namespace sbeh::model {
+
+/// Which equations of motion: SBEH has a free order β, SSH keeps β = 2/3 (surface Stokes–Helfrich).
+enum class Model { SBEH, SSH };
+
+/// "SBEH" or "SSH".
+const char* name(Model model);
+
+/// The fully ordered state.
+inline constexpr double full_order = 2.0 / 3.0;
+
+/// The material parameters; all dimensionless, lengths in radii of the sphere of equal area.
+/// The defaults are the paper's. MODEL: energy of the source paper, eq. (EL), (TH), with a residual
+/// bending stiffness k0 and a spontaneous curvature H0 added.
+struct Material {
+  double L1 = 0.05;  ///< elastic constants of the Q-tensor; one-constant approximation: L1 = L,
+  double L2 = 0;     ///< L2 = L3 = 0
+  double L3 = 0;
+  Potential potential;       ///< u(β)
+  double viscosity = 1;      ///< μ >= 0, of the surface flow
+  double immobility = 1;     ///< M > 0, resistance of the order to change
+  double friction_tangential = 0.1;  ///< γ_∥ >= 0, against the surroundings
+  double friction_normal = 0.1;      ///< γ_⊥ >= 0
+  double order_viscosity = 0;        ///< ξ, how the order changes the viscosity
+  double residual_stiffness = 0;     ///< k0 >= 0, bending stiffness at vanishing order
+  double spontaneous_curvature = 0;  ///< H0, same sign as the trace H (−2 on the unit sphere)
+
+  /// l₁ of the distortion energy (l₁/2)|∇β|².
+  double l1() const { return (6 * L1 + L2 + L3) / 4; }
+
+  /// κ(β) = (9/4)β²(2L₁ + L₂ + L₃) + k₀ of the bending energy (κ/2)(H − H₀)².
+  template <class T>
+  T kappa(const T& beta) const {
+    return splay() * beta * beta + residual_stiffness;
+  }
+  /// κ'(β)
+  template <class T>
+  T kappa_slope(const T& beta) const {
+    return 2 * splay() * beta;
+  }
+  /// κ_G(β) = −(9/4)β²(2L₁ + L₃) of the Gaussian energy κ_G K.
+  template <class T>
+  T kappa_gauss(const T& beta) const {
+    return -saddle_splay() * beta * beta;
+  }
+  /// κ_G'(β)
+  template <class T>
+  T kappa_gauss_slope(const T& beta) const {
+    return -2 * saddle_splay() * beta;
+  }
+  /// η(β) = μ(1 + ξβ/2)² of the viscous stress ησ(V).
+  double eta(double beta) const {
+    const double factor = 1 + order_viscosity * beta / 2;
+    return viscosity * factor * factor;
+  }
+  /// (3/2)(M + μξ²/2), what multiplies β̇ in the order equation.
+  double order_drag() const {
+    return 1.5 * (immobility + viscosity * order_viscosity * order_viscosity / 2);
+  }
+
+  /// One-constant approximation with elastic constant L, the rest as here.
+  Material with_L(double L) const;
+
+  /// Throws std::invalid_argument with name, value and constraint unless the energy is bounded
+  /// below in the gradients (l₁ > 0, splay and stiffness >= 0) and the dissipation is positive.
+  void validate() const;
+
+ private:
+  double splay() const { return 2.25 * (2 * L1 + L2 + L3); }
+  double saddle_splay() const { return 2.25 * (2 * L1 + L3); }
+};
+
+}  // namespace sbeh::model

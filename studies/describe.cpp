@@ -1,0 +1,179 @@
+#include "studies/describe.h"
+
+#include "studies/spelling.h"
+#include "studies/toml_reader.h"
+
+#include <fmt/format.h>
+
+namespace sbeh::studies {
+
+namespace {
+
+constexpr std::size_t list_width = 80;  // and the key before it
+
+// ---- values -------------------------------------------------------------------------------------
+
+std::string as_toml(double value) { return fmt::format("{}", value); }  // shortest exact
+std::string as_toml(int value) { return fmt::format("{}", value); }
+std::string as_toml(bool value) { return value ? "true" : "false"; }
+std::string as_toml(const std::string& text) { return in_quotes(text); }
+std::string as_toml(model::Model model) { return in_quotes(name(model)); }
+std::string as_toml(Method method) { return in_quotes(name(method)); }
+std::string as_toml(const std::pair<int, double>& mode) {
+  return fmt::format("[{}, {}]", mode.first, mode.second);
+}
+
+/// A list, broken into lines that are not too long.
+template <class List>
+std::string list_as_toml(const List& list) {
+  std::string text = "[", separator;
+  std::size_t line_start = 0;
+  for (const auto& element : list) {
+    const std::string next = as_toml(element);
+    if (text.size() + separator.size() + next.size() - line_start > list_width) {
+      separator = ",\n  ";
+      line_start = text.size() + 2;
+    }
+    text += separator + next;
+    separator = ", ";
+  }
+  return text + "]";
+}
+template <class T>
+std::string as_toml(const std::vector<T>& list) {
+  return list_as_toml(list);
+}
+std::string as_toml(const std::array<double, 2>& list) { return list_as_toml(list); }
+
+/// The text that grows table by table and line by line.
+class TomlText {
+ public:
+  explicit TomlText(std::string_view version)
+      : text_(fmt::format("# sbeh {}: every parameter of this run; can be run again\n", version)) {}
+
+  void table(const char* name) { text_ += fmt::format("\n[{}]\n", name); }
+  template <class T>
+  void value(const char* key, const T& value) {
+    text_ += fmt::format("{} = {}\n", key, as_toml(value));
+  }
+  const std::string& text() const { return text_; }
+
+ private:
+  std::string text_;
+};
+
+// ---- tables -------------------------------------------------------------------------------------
+
+enum class Elasticity { with_L, without_L };
+
+/// The binding names every member, so that a new one is not forgotten here.
+void write_material(TomlText& toml, const model::Material& material, Elasticity elasticity) {
+  const auto& [L1, L2, L3, potential, viscosity, immobility, friction_tangential, friction_normal,
+               order_viscosity, residual_stiffness, spontaneous_curvature] = material;
+  toml.table("material");
+  if (elasticity == Elasticity::with_L) {
+    toml.value("L1", L1);
+    toml.value("L2", L2);
+    toml.value("L3", L3);
+  }
+  toml.value("potential", potential.coefficients());
+  toml.value("viscosity", viscosity);
+  toml.value("immobility", immobility);
+  toml.value("friction_tangential", friction_tangential);
+  toml.value("friction_normal", friction_normal);
+  toml.value("order_viscosity", order_viscosity);
+  toml.value("residual_stiffness", residual_stiffness);
+  toml.value("spontaneous_curvature", spontaneous_curvature);
+}
+
+void write_numerics(TomlText& toml, const axisym::Numerics& numerics) {
+  const auto& [elements, grading, tolerance, first_step, smallest_step, largest_step, extrapolate,
+               rest_speed] = numerics;
+  toml.table("numerics");
+  toml.value("elements", elements);
+  toml.value("grading", grading);
+  toml.value("tolerance", tolerance);
+  toml.value("first_step", first_step);
+  toml.value("smallest_step", smallest_step);
+  toml.value("largest_step", largest_step);
+  toml.value("extrapolate", extrapolate);
+  toml.value("rest_speed", rest_speed);
+}
+
+void write_shape(TomlText& toml, const Ellipsoid& ellipsoid) {
+  toml.value("shape", std::string("ellipsoid"));
+  if (ellipsoid.axes) toml.value("axes", *ellipsoid.axes);
+  if (ellipsoid.reduced_volume) {
+    toml.value("reduced_volume", *ellipsoid.reduced_volume);
+    toml.value("kind", std::string(ellipsoid.prolate ? "prolate" : "oblate"));
+  }
+}
+
+void write_shape(TomlText& toml, const Harmonics& harmonics) {
+  toml.value("shape", std::string("harmonics"));
+  if (!harmonics.shape.empty()) toml.value("modes", harmonics.shape);
+  if (harmonics.order) toml.value("order", *harmonics.order);
+  if (!harmonics.order_modes.empty()) toml.value("order_modes", harmonics.order_modes);
+}
+
+void write_shape(TomlText& toml, const ScanRow& row) {
+  toml.value("shape", std::string("scan"));
+  toml.value("folder", row.folder);
+  toml.value("model", row.model);
+  toml.value("branch", row.branch);
+  toml.value("reduced_volume", row.reduced_volume);
+  toml.value("L", row.L);
+}
+
+void write_start(TomlText& toml, const RelaxInput& input) {
+  toml.table("start");
+  std::visit([&toml](const auto& shape) { write_shape(toml, shape); }, input.start);
+  if (std::holds_alternative<Ellipsoid>(input.start) && input.model == model::Model::SBEH)
+    toml.value("order", input.initial_order);
+}
+
+void write_time(TomlText& toml, const RelaxInput& input) {
+  toml.table("time");
+  toml.value("end", input.end_time);
+  toml.value("output", input.output_times);
+  toml.value("profiles", input.profile_times);
+  toml.value("stop_at_rest", input.stop_at_rest);
+}
+
+}  // namespace
+
+InputKind kind_of(const std::filesystem::path& path) {
+  const TomlTable file = TomlFile::parse(path);
+  const bool scan = file.has("scan"), relax = file.has("start");
+  if (scan == relax)
+    throw InputError(fmt::format("{}: must have {}[scan] (a scan) or [start] (one evolution){}",
+                                 path.string(), scan ? "only one of " : "a table ",
+                                 scan ? "" : "; it has neither"));
+  return scan ? InputKind::scan : InputKind::relax;
+}
+
+std::string describe(const ScanInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.table("scan");
+  toml.value("reduced_volume", input.reduced_volume);
+  toml.value("L", input.L);
+  toml.value("models", input.models);
+  toml.value("branches", input.branches);
+  toml.value("method", input.method);
+  if (input.method == Method::flow) toml.value("end_time", input.flow_end_time);
+  write_material(toml, input.material, Elasticity::without_L);
+  write_numerics(toml, input.numerics);
+  return toml.text();
+}
+
+std::string describe(const RelaxInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.value("model", input.model);
+  write_start(toml, input);
+  write_material(toml, input.material, Elasticity::with_L);
+  write_numerics(toml, input.numerics);
+  write_time(toml, input);
+  return toml.text();
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,26 @@
+// Inputs as text: which kind a file is, and a resolved input written back as TOML.
+#pragma once
+
+#include "studies/relax_input.h"
+#include "studies/scan_input.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+namespace sbeh::studies {
+
+enum class InputKind {
+  scan,  ///< has a table [scan]: read_scan
+  relax  ///< has a table [start]: read_relax
+};
+
+/// Throws InputError (toml_reader.h) if the file cannot be read or is neither or both.
+InputKind kind_of(const std::filesystem::path& path);
+
+/// The whole input, defaults included, as TOML under a comment with the program's version. Numbers
+/// have as many digits as they need: reading the text gives the same input, bit for bit.
+std::string describe(const ScanInput& input, std::string_view version);
+std::string describe(const RelaxInput& input, std::string_view version);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,120 @@
+#include "studies/material_input.h"
+
+namespace sbeh::studies {
+
+namespace {
+
+void read_elastic_constants(const TomlTable& table, model::Material& material) {
+  if (table.has("L")) {
+    for (const char* key : {"L1", "L2", "L3"})
+      table.refuse(key, "must not be given together with L, which means L1 = L, L2 = L3 = 0");
+    material = material.with_L(table.number("L", above(0)));
+  }
+  material.L1 = table.number("L1", {}, material.L1);
+  material.L2 = table.number("L2", {}, material.L2);
+  material.L3 = table.number("L3", {}, material.L3);
+}
+
+void read_friction(const TomlTable& table, model::Material& material) {
+  if (table.has("friction")) {
+    for (const char* key : {"friction_tangential", "friction_normal"})
+      table.refuse(key, "must not be given together with friction, which sets both");
+    material.friction_tangential = material.friction_normal = table.number("friction", at_least(0));
+  }
+  material.friction_tangential =
+      table.number("friction_tangential", {}, material.friction_tangential);
+  material.friction_normal = table.number("friction_normal", {}, material.friction_normal);
+}
+
+bool bounded_below(const std::vector<double>& coefficients) {
+  std::size_t degree = coefficients.size();
+  while (degree > 0 && coefficients[degree - 1] == 0) --degree;  // one more than the power
+  return degree <= 1 || (degree % 2 == 1 && coefficients[degree - 1] > 0);
+}
+
+/// The potential that `key` describes.
+model::Potential read_potential(const TomlTable& table, const std::string& key) {
+  try {
+    if (key == "potential") return model::Potential(table.numbers(key));
+    const TomlTable abc = table.table(key);
+    const double a = abc.number("a"), b = abc.number("b"), c = abc.number("c");
+    abc.reject_unknown_keys();
+    return model::Potential::landau_de_gennes(a, b, c);
+  } catch (const std::invalid_argument&) {
+    table.fail(key, "coefficients must be smaller");
+  }
+}
+
+void read_potential(const TomlTable& table, model::Material& material) {
+  if (table.has("potential"))
+    table.refuse("landau_de_gennes", "must not be given together with potential");
+  for (const char* key : {"potential", "landau_de_gennes"}) {
+    if (!table.has(key)) continue;
+    material.potential = read_potential(table, key);
+    if (!bounded_below(material.potential.coefficients()))
+      table.fail(key, "must be bounded below: its highest power even, with a coefficient > 0");
+  }
+}
+
+/// All but the elastic constants. Ranges are those of Material::validate().
+model::Material read_rest(const TomlTable& table, model::Material material) {
+  material.viscosity = table.number("viscosity", {}, material.viscosity);
+  material.immobility = table.number("immobility", {}, material.immobility);
+  read_friction(table, material);
+  material.order_viscosity = table.number("order_viscosity", {}, material.order_viscosity);
+  material.residual_stiffness = table.number("residual_stiffness", {}, material.residual_stiffness);
+  material.spontaneous_curvature =
+      table.number("spontaneous_curvature", {}, material.spontaneous_curvature);
+  read_potential(table, material);
+  table.reject_unknown_keys();
+  try {
+    material.validate();
+  } catch (const std::invalid_argument& error) {
+    table.fail_from(error);
+  }
+  return material;
+}
+
+}  // namespace
+
+model::Material read_material(const TomlTable& table, model::Material absent) {
+  read_elastic_constants(table, absent);
+  return read_rest(table, absent);
+}
+
+model::Material read_material_without_L(const TomlTable& table) {
+  for (const char* key : {"L", "L1", "L2", "L3"})
+    table.refuse(key, "must not be given in a scan, where L comes from [scan]");
+  return read_rest(table, {});
+}
+
+axisym::Numerics read_numerics(const TomlTable& table) {
+  constexpr int any = std::numeric_limits<int>::max();
+  axisym::Numerics numerics;
+  numerics.elements = table.integer("elements", -any, any, numerics.elements);
+  numerics.grading = table.number("grading", {}, numerics.grading);
+  numerics.tolerance = table.number("tolerance", {}, numerics.tolerance);
+  numerics.first_step = table.number("first_step", {}, numerics.first_step);
+  numerics.smallest_step = table.number("smallest_step", {}, numerics.smallest_step);
+  numerics.largest_step = table.number("largest_step", {}, numerics.largest_step);
+  numerics.extrapolate = table.boolean("extrapolate", numerics.extrapolate);
+  numerics.rest_speed = table.number("rest_speed", {}, numerics.rest_speed);
+  table.reject_unknown_keys();
+  try {
+    numerics.validate();
+  } catch (const std::invalid_argument& error) {
+    table.fail_from(error);
+  }
+  return numerics;
+}
+
+const std::vector<std::string>& model_words() {
+  static const std::vector<std::string> words{name(model::Model::SBEH), name(model::Model::SSH)};
+  return words;
+}
+
+model::Model model_of(const std::string& word) {
+  return word == name(model::Model::SSH) ? model::Model::SSH : model::Model::SBEH;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,30 @@
+// The tables that all inputs share: [material], the physics, and [numerics], the discretisation.
+#pragma once
+
+#include "axisym/options.h"
+#include "model/material.h"
+#include "studies/toml_reader.h"
+
+namespace sbeh::studies {
+
+/// The optional table [material]: keys as the members of model::Material, and
+///   L = 0.05                              one-constant approximation, instead of L1, L2, L3
+///   friction = 0.1                        instead of friction_tangential and friction_normal
+///   potential = [c0, c1, …]               u(β) = Σ c_k β^k, bounded below
+///   landau_de_gennes = { a, b, c }        u(β) = (β²/8)(12a + 4bβ + 9cβ²), instead of potential
+/// What the table does not say is as in `absent`. Throws InputError.
+model::Material read_material(const TomlTable& table, model::Material absent = {});
+
+/// The same for inputs that vary L: refuses L, L1, L2, L3; the result has their defaults.
+model::Material read_material_without_L(const TomlTable& table);
+
+/// The optional table [numerics]: keys as the members of axisym::Numerics. Throws InputError.
+axisym::Numerics read_numerics(const TomlTable& table);
+
+/// The words "SBEH" and "SSH".
+const std::vector<std::string>& model_words();
+
+/// The model of that name, one of model_words().
+model::Model model_of(const std::string& word);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,197 @@
+#include "studies/oblate_points.h"
+
+#include "axisym/start_shapes.h"
+#include "axisym/stationary.h"
+#include "model/rest_order.h"
+#include "studies/interrupt.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+#include <cmath>
+#include <numbers>
+
+namespace sbeh::studies {
+
+using axisym::BranchState;
+using axisym::PlanePoint;
+using axisym::State;
+using model::Model;
+
+namespace {
+
+class Clock {
+ public:
+  double seconds() const {
+    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
+  }
+
+ private:
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+// Oblate: symmetric top to bottom and flatter than wide.
+bool is_oblate(const axisym::Diagnostics& d, const State& state) {
+  const Eigen::Index last = state.X.cols() - 1;
+  const double top_radius = state.X(0, last / 4), bottom_radius = state.X(0, last - last / 4);
+  return std::abs(top_radius - bottom_radius) < 1e-3 && d.thickness_pole < 2 * d.radius_equator;
+}
+
+PointOutcome stationary(const model::Material& material, const PointKey& key, const State& state) {
+  PointOutcome point{{.key = key, .status = PointStatus::stationary,
+                      .diagnostics = axisym::diagnose(material, state),
+                      .stop_reason = "stationary"}, state};
+  const axisym::Diagnostics& d = *point.row.diagnostics;
+  if (d.rim_resolution > axisym::resolution_limit) {
+    point.row.status = PointStatus::unresolved;
+    point.row.stop_reason = fmt::format(
+      "|H| times node spacing is {:.2f} at the rim, more than {}: use more elements",
+      d.rim_resolution, axisym::resolution_limit);
+  } else if (!is_oblate(d, state)) {
+    point.row.status = PointStatus::failed;
+    point.row.stop_reason = "the state found is no oblate: the branch was left";
+  }
+  return point;
+}
+
+std::optional<BranchState> settle(const model::Material& material, Model model,
+                                  const Neighbour& at) {
+  const auto r = axisym::solve_stationary(material, model, axisym::target_of(at.at.reduced_volume),
+                                          axisym::guess_from(material, at.state));
+  if (r.status != axisym::NewtonStatus::converged) return {};
+  return BranchState{.at = at.at, .solution = r.solution, .determinant_sign = r.determinant_sign, .iterations = r.iterations};
+}
+
+PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
+                        const axisym::FollowResult& result) {
+  const PlanePoint at = result.state.at;
+  const model::Material material = input.material.with_L(at.L);
+  if (result.arrival == axisym::Arrival::lost)
+    return failed_point(key, fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}",
+                                   at.reduced_volume, at.L));
+  PointOutcome point = stationary(material, key, result.state.solution.state);
+  point.row.residual = axisym::residual_of(material, key.model, result.state.solution);
+  point.row.steps = result.state.iterations;
+  if (result.arrival == axisym::Arrival::fold) {
+    point.row.status = PointStatus::unresolved;
+    point.row.stop_reason = fmt::format(
+      "the smooth oblate branch ends in a fold at V_r = {:.6g}, L = {:.6g}; beyond it the rim "
+      "sharpens without limit; the values are those at the fold", at.reduced_volume, at.L);
+  }
+  return point;
+}
+
+}  // namespace
+
+PointOutcome failed_point(const PointKey& key, std::string reason) {
+  return {{.key = key, .status = PointStatus::failed, .diagnostics = {},
+           .stop_reason = std::move(reason)}, {}};
+}
+
+std::optional<Neighbour> enter_branch(const ScanInput& input, double L) {
+  const axisym::Numerics& n = input.numerics;
+  const State start{axisym::spheroid(entry_volume, false, n.elements, n.grading),
+                    axisym::Field::Constant(3 * n.elements + 1, model::full_order)};
+  const Neighbour spheroid{{entry_volume, L}, start};
+  const auto settled = settle(input.material.with_L(L), Model::SSH, spheroid);
+  if (!settled) return {};
+  return Neighbour{settled->at, settled->solution.state};
+}
+
+PointOutcome follow_to(const ScanInput& input, const PointKey& key, const Neighbour& from) {
+  const Clock clock;
+  const auto start = settle(input.material.with_L(from.at.L), key.model, from);
+  if (!start) return failed_point(key, "Newton's method failed at the neighbouring point");
+  PointOutcome point =
+    outcome_of(input, key, axisym::follow(input.material, key.model, *start,
+                                          {key.reduced_volume, key.L}, input.numerics));
+  point.row.steps += start->iterations;
+  point.row.wall_seconds = clock.seconds();
+  return point;
+}
+
+PointOutcome rescale_to(const ScanInput& input, const PointKey& key, const Neighbour& from) {
+  const Clock clock;
+  const PlanePoint at{key.reduced_volume, key.L};
+  const auto settled = settle(input.material.with_L(key.L), key.model, {at, from.state});
+  if (!settled) return follow_to(input, key, from);
+  PointOutcome point = outcome_of(input, key, {axisym::Arrival::reached, *settled});
+  point.row.wall_seconds = clock.seconds();
+  return point;
+}
+
+PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neighbour& ssh) {
+  const Clock clock;
+  // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly.
+  for (double L = std::min(key.L, 0.01); L > 1e-5; L /= 2) {
+    const auto first = settle(input.material.with_L(L), key.model, {{key.reduced_volume, L}, ssh.state});
+    if (!first) continue;
+    PointOutcome point =
+      outcome_of(input, key, axisym::follow(input.material, key.model, *first,
+                                            {key.reduced_volume, key.L}, input.numerics));
+    point.row.steps += first->iterations;
+    point.row.wall_seconds = clock.seconds();
+    return point;
+  }
+  return failed_point(key, "Newton's method found no ordered state near the SSH shape, even at small L");
+}
+
+PointOutcome beyond_fold(const PointKey& key, const PointOutcome& fold) {
+  PointOutcome point = fold;
+  point.row.key = key;
+  point.row.steps = 0;
+  point.row.wall_seconds = 0;
+  return point;
+}
+
+PointOutcome sphere_point(const ScanInput& input, const PointKey& key) {
+  const Clock clock;
+  const model::Material material = input.material.with_L(key.L);
+  const std::optional<double> order =
+    key.model == Model::SSH ? model::full_order : model::sphere_rest_order(material);
+  if (!order) return failed_point(key, "no ordered state at rest on the sphere at this L");
+  const int elements = input.numerics.elements;
+  const State state{axisym::spheroid(1., 1., elements, 0),
+                    axisym::Field::Constant(3 * elements + 1, *order)};
+  PointOutcome point{{.key = key, .status = PointStatus::stationary,
+                      .diagnostics = axisym::diagnose(material, state),
+                      .stop_reason = "the sphere"}, state};
+  point.row.wall_seconds = clock.seconds();
+  return point;
+}
+
+std::optional<PointOutcome> flow_to_rest(const ScanInput& input, const PointKey& key,
+                                         std::vector<SeriesRow>& history) {
+  const Clock clock;
+  const model::Material material = input.material.with_L(key.L);
+  const axisym::Numerics& n = input.numerics;
+  const State start{axisym::spheroid(key.reduced_volume, false, n.elements, n.grading),
+                    axisym::Field::Constant(3 * n.elements + 1, model::full_order)};
+  const axisym::FlowSchedule schedule{.end_time = input.flow_end_time, .output_times = {}};
+  const axisym::FlowResult run = axisym::run_flow(
+    material, key.model, start, axisym::target_of(key.reduced_volume), n, schedule,
+    [&](const axisym::FlowRecord& record, const State& state, bool) {
+      history.push_back({record, axisym::diagnose(material, state)});
+      return interrupt_signal() == 0;
+    });
+  if (run.stop == axisym::FlowStop::interrupted) return {};
+
+  const Neighbour end{{key.reduced_volume, key.L}, run.state};
+  PointOutcome point = stationary(material, key, run.state);
+  point.row.residual = std::max(run.last.normal_speed, run.last.order_speed);
+  if (run.stop == axisym::FlowStop::at_rest) {
+    if (const auto polished = settle(material, key.model, end)) {
+      point = outcome_of(input, key, {axisym::Arrival::reached, *polished});
+      point.row.stop_reason = fmt::format("at rest at t = {:.4g}", run.last.time);
+    }
+  } else {
+    point.row.status = run.stop == axisym::FlowStop::step_too_small ? PointStatus::failed
+                                                                    : PointStatus::unresolved;
+    point.row.stop_reason = fmt::format("{} at t = {:.4g}", axisym::describe(run.stop), run.last.time);
+  }
+  point.row.steps = run.steps;
+  point.row.wall_seconds = clock.seconds();
+  return point;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,81 @@
+#include "studies/output.h"
+
+#include <fmt/format.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fcntl.h>
+#include <iterator>
+#include <sys/file.h>
+#include <unistd.h>
+
+namespace sbeh::studies {
+
+namespace fs = std::filesystem;
+
+namespace {
+[[noreturn]] void fail(const fs::path& path, std::string_view what) {
+  const std::string reason = errno ? std::strerror(errno) : "no reason given by the system";
+  throw OutputError(fmt::format("{}: {}: {}", path.string(), what, reason));
+}
+}  // namespace
+
+void write_file(const fs::path& path, std::string_view text) {
+  const fs::path temporary = path.string() + ".part";
+  errno = 0;
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) {
+    std::error_code ignored;
+    const int reason = errno;
+    fs::remove(temporary, ignored);
+    errno = reason;
+    fail(path, "cannot be written");
+  }
+  std::error_code error;
+  fs::rename(temporary, path, error);
+  if (error) throw OutputError(fmt::format("{}: {}", path.string(), error.message()));
+}
+
+std::string read_file(const fs::path& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(path, "cannot be read");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
+  std::error_code error;
+  fs::create_directories(path_, error);
+  if (error || !fs::is_directory(path_))
+    throw OutputError(fmt::format("{}: cannot be made a folder for results: {}", path_.string(),
+                                  error ? error.message() : "it is a file"));
+  const fs::path lock = path_ / ".lock";
+  errno = 0;
+  lock_ = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock_ < 0) fail(path_, "cannot be written; choose another folder with -o");
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+    ::close(lock_);
+    throw OutputError(fmt::format(
+      "{}: another run is writing there; wait for it or choose another folder with -o",
+      path_.string()));
+  }
+}
+
+OutputFolder::~OutputFolder() { ::close(lock_); }
+
+AppendFile::AppendFile(fs::path path) : path_(std::move(path)) {
+  errno = 0;
+  file_.open(path_, std::ios::binary | std::ios::app);
+  if (!file_) fail(path_, "cannot be written");
+}
+
+void AppendFile::append(std::string_view line) {
+  errno = 0;
+  file_ << line << '\n';
+  file_.flush();
+  if (!file_) fail(path_, "cannot be written any further");
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,53 @@
+// Writing results so that nothing is lost or overwritten silently.
+#pragma once
+
+#include <filesystem>
+#include <fstream>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+
+namespace sbeh::studies {
+
+/// The results cannot be written: folder, file, reason, what to do.
+class OutputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+/// Writes to a temporary name beside `path` and renames. Throws OutputError.
+void write_file(const std::filesystem::path& path, std::string_view text);
+
+/// The whole file as text. Throws OutputError.
+std::string read_file(const std::filesystem::path& path);
+
+/// A folder of results that belongs to one process as long as this object lives; made if it is not
+/// there. Throws OutputError when it cannot be made or written, or when another process holds it.
+class OutputFolder {
+ public:
+  explicit OutputFolder(std::filesystem::path path);
+  ~OutputFolder();
+  OutputFolder(const OutputFolder&) = delete;
+  OutputFolder& operator=(const OutputFolder&) = delete;
+
+  const std::filesystem::path& path() const { return path_; }
+  std::filesystem::path operator/(std::string_view name) const { return path_ / name; }
+
+ private:
+  std::filesystem::path path_;
+  int lock_;  // file descriptor; the lock goes with the process, however it ends
+};
+
+/// A text file that grows line by line; a line is handed to the system before append returns.
+class AppendFile {
+ public:
+  explicit AppendFile(std::filesystem::path path);
+  /// Adds the text and a line end. Throws OutputError when it cannot be written.
+  void append(std::string_view line);
+
+ private:
+  std::filesystem::path path_;
+  std::ofstream file_;
+};
+
+}  // namespace sbeh::studies

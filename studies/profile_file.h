@@ -1,0 +1,18 @@
+// A state of the axisymmetric solver as a table: one line per node, all digits kept.
+#pragma once
+
+#include "axisym/curve.h"
+
+#include <filesystem>
+
+namespace sbeh::studies {
+
+/// Columns arc_length,r,z,order,mean_curvature from the north pole to the south pole, at the nodes
+/// of the P3 elements (3 per element and one). Numbers read back are the same bits.
+/// Throws OutputError.
+void write_profile(const std::filesystem::path& path, const axisym::State& state);
+
+/// Throws OutputError when the file cannot be read or is no such table.
+axisym::State read_profile(const std::filesystem::path& path);
+
+}  // namespace sbeh::studies

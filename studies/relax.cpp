@@ -1,0 +1,159 @@
+#include "studies/relax.h"
+
+#include "axisym/start_shapes.h"
+#include "model/rest_order.h"
+#include "studies/describe.h"
+#include "studies/interrupt.h"
+#include "studies/output.h"
+#include "studies/profile_file.h"
+#include "studies/scan_table.h"
+#include "studies/series_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+#include <unistd.h>
+
+namespace sbeh::studies {
+
+using axisym::State;
+
+namespace {
+
+std::vector<axisym::Mode> modes_of(const std::vector<std::pair<int, double>>& pairs) {
+  std::vector<axisym::Mode> modes;
+  for (const auto& [l, amplitude] : pairs) modes.push_back({l, amplitude});
+  return modes;
+}
+
+State make(const Ellipsoid& shape, const RelaxInput& input) {
+  const axisym::Numerics& n = input.numerics;
+  const axisym::Nodes X =
+    shape.axes ? axisym::spheroid((*shape.axes)[0], (*shape.axes)[1], n.elements, n.grading)
+               : axisym::spheroid(*shape.reduced_volume, shape.prolate, n.elements, n.grading);
+  return {X, axisym::Field::Constant(X.cols(), input.initial_order)};
+}
+
+State make(const Harmonics& sphere, const RelaxInput& input) {
+  const axisym::Numerics& n = input.numerics;
+  State state{axisym::harmonic_sphere(modes_of(sphere.shape), n.elements, n.grading), {}};
+  double order = model::full_order;
+  if (input.model == model::Model::SBEH) {
+    const auto rest = sphere.order ? sphere.order : model::sphere_rest_order(input.material);
+    if (!rest)
+      throw std::invalid_argument("[start] order: no ordered state rests on the sphere with this "
+                                  "material; give the order");
+    order = *rest;
+  }
+  const auto order_modes = modes_of(sphere.order_modes);
+  state.beta.resize(state.X.cols());
+  for (Eigen::Index i = 0; i < state.beta.size(); ++i)
+    state.beta[i] =
+      order + axisym::zonal_sum(order_modes, std::atan2(state.X(0, i), state.X(1, i)));
+  return state;
+}
+
+State make(const ScanRow& row, const RelaxInput&) {
+  const PointKey key{row.reduced_volume, row.L, row.model, row.branch};
+  const std::filesystem::path file =
+    std::filesystem::path(row.folder) / "points" / (stem(key) + ".csv");
+  if (!std::filesystem::exists(file))
+    throw OutputError(fmt::format("{}: is not there; the rows of that scan stand in {}/scan.csv",
+                                  file.string(), row.folder));
+  return read_profile(file);
+}
+
+// Writes what the observer sees at the times asked for.
+class Recorder {
+ public:
+  Recorder(const RelaxInput& input, const RelaxStart& start, const OutputFolder& folder)
+      : input_(input), material_(start.material), folder_(folder),
+        series_(folder / "series.csv"), index_(folder / "profiles.csv"),
+        terminal_(isatty(STDERR_FILENO) != 0) {
+    std::filesystem::create_directories(folder / "profiles");
+    series_.append(series_header());
+    index_.append("index,time,file");
+  }
+
+  bool operator()(const axisym::FlowRecord& record, const State& state, bool exact) {
+    if (exact && contains(input_.output_times, record.time)) write_row(record, state);
+    if (exact && contains(input_.profile_times, record.time)) write_state(record, state);
+    if (terminal_ && ++steps_ % 20 == 0)
+      fmt::print(stderr, "\r\033[Kt = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}",
+                 record.time, input_.end_time, record.time_step, record.energy.total());
+    return interrupt_signal() == 0;
+  }
+
+  /// The last state, unless its time is there already.
+  void finish(const axisym::FlowResult& run) {
+    if (run.last.time != last_row_) write_row(run.last, run.state);
+    if (run.last.time != last_profile_) write_state(run.last, run.state);
+    if (terminal_ && steps_ >= 20) fmt::print(stderr, "\n");
+  }
+  int profiles() const { return profiles_; }
+
+ private:
+  static bool contains(const std::vector<double>& times, double time) {
+    return std::binary_search(times.begin(), times.end(), time);
+  }
+  void write_row(const axisym::FlowRecord& record, const State& state) {
+    series_.append(series_line({record, axisym::diagnose(material_, state)}));
+    last_row_ = record.time;
+  }
+  void write_state(const axisym::FlowRecord& record, const State& state) {
+    const std::string file = fmt::format("profiles/{:04d}.csv", profiles_);
+    write_profile(folder_ / file, state);
+    index_.append(fmt::format("{},{},{}", profiles_++, record.time, file));
+    last_profile_ = record.time;
+  }
+
+  const RelaxInput& input_;
+  model::Material material_;
+  const OutputFolder& folder_;
+  AppendFile series_, index_;
+  bool terminal_;
+  int profiles_ = 0, steps_ = 0;
+  double last_row_ = -1, last_profile_ = -1;
+};
+
+}  // namespace
+
+RelaxStart start_of(const RelaxInput& input) {
+  RelaxStart start{.state = std::visit([&](const auto& s) { return make(s, input); }, input.start),
+                   .target = {}, .material = input.material};
+  start.target = {axisym::area(start.state.X), axisym::volume(start.state.X)};
+  return start;
+}
+
+RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& path,
+                       std::string_view version) {
+  const RelaxStart start = start_of(input);
+  const OutputFolder folder(path);
+  if (std::filesystem::exists(folder / "run.toml"))
+    throw OutputError(fmt::format("{}: already holds a run; choose another folder with -o or move it "
+                                  "away", path.string()));
+  write_file(folder / "run.toml", describe(input, version));
+
+  Recorder recorder(input, start, folder);
+  axisym::FlowSchedule schedule{.end_time = input.end_time, .output_times = input.output_times,
+                                .stop_at_rest = input.stop_at_rest};
+  schedule.output_times.insert(schedule.output_times.end(), input.profile_times.begin(),
+                               input.profile_times.end());
+  std::sort(schedule.output_times.begin(), schedule.output_times.end());
+  schedule.output_times.erase(
+    std::unique(schedule.output_times.begin(), schedule.output_times.end()),
+    schedule.output_times.end());
+  axisym::Numerics numerics = input.numerics;
+  numerics.elements = axisym::element_count(start.state.X);
+  const axisym::FlowResult run =
+    axisym::run_flow(start.material, input.model, start.state, start.target, numerics, schedule,
+                     [&](const auto& record, const State& state, bool exact) {
+                       return recorder(record, state, exact);
+                     });
+  recorder.finish(run);
+  return {run, recorder.profiles()};
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,254 @@
+#include "studies/scan.h"
+
+#include "studies/describe.h"
+#include "studies/interrupt.h"
+#include "studies/oblate_points.h"
+#include "studies/output.h"
+#include "studies/profile_file.h"
+#include "studies/progress.h"
+#include "studies/series_file.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+#include <tbb/task_group.h>
+
+#include <algorithm>
+#include <chrono>
+#include <mutex>
+
+namespace sbeh::studies {
+
+using model::Model;
+
+namespace {
+
+std::vector<PointKey> keys_of(const ScanInput& input) {
+  std::vector<PointKey> keys;
+  for (const double v : input.reduced_volume)
+    for (const double L : input.L)
+      for (const Model model : input.models)
+        for (const std::string& branch : input.branches) keys.push_back({v, L, model, branch});
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+// The folder of a scan: what is there, and how a point is kept.
+class ScanFolder {
+ public:
+  ScanFolder(const ScanInput& input, const std::filesystem::path& path, std::string_view version)
+      : folder_(path), table_(prepare(input, version)),
+        progress_("points", int(keys_of(input).size()), int(table_.rows().size())) {}
+
+  bool has(const PointKey& key) {
+    const std::lock_guard lock(mutex_);
+    return table_.find(key) != nullptr;
+  }
+
+  /// The row and state of a point that was finished before.
+  std::optional<PointOutcome> finished(const PointKey& key) {
+    const std::lock_guard lock(mutex_);
+    const PointResult* row = table_.find(key);
+    if (!row) return {};
+    PointOutcome point{*row, {}};
+    if (row->diagnostics) point.state = read_profile(profile_path(key));
+    return point;
+  }
+
+  /// Keeps a point: its files first, so that a row means that they are whole.
+  void keep(const PointOutcome& point) {
+    if (point.state) write_profile(profile_path(point.row.key), *point.state);
+    const std::lock_guard lock(mutex_);
+    table_.append(point.row);
+    progress_.advance();
+  }
+
+  std::filesystem::path series_path(const PointKey& key) const {
+    return folder_ / ("points/" + stem(key) + ".series.csv");
+  }
+  ScanTable& table() { return table_; }
+  Progress& progress() { return progress_; }
+
+ private:
+  const OutputFolder& prepare(const ScanInput& input, std::string_view version) {
+    const std::string text = describe(input, version);
+    const std::filesystem::path run = folder_ / "run.toml";
+    if (!std::filesystem::exists(run)) {
+      if (std::filesystem::exists(folder_ / "scan.csv"))
+        throw OutputError(fmt::format("{}: holds a table without its run.toml; choose another "
+                                      "folder with -o", folder_.path().string()));
+      write_file(run, text);
+    } else if (read_file(run) != text) {
+      throw OutputError(fmt::format("{}: holds a scan with other parameters (see its run.toml); "
+                                    "choose another folder with -o", folder_.path().string()));
+    }
+    std::error_code error;
+    std::filesystem::create_directories(folder_ / "points", error);
+    if (error) throw OutputError(fmt::format("{}/points: {}", folder_.path().string(), error.message()));
+    return folder_;
+  }
+  std::filesystem::path profile_path(const PointKey& key) const {
+    return folder_ / ("points/" + stem(key) + ".csv");
+  }
+
+  OutputFolder folder_;
+  ScanTable table_;
+  Progress progress_;
+  std::mutex mutex_;
+};
+
+// Keeps the point unless it is there; gives it either way. Empty when interrupted.
+template <class Compute>
+std::optional<PointOutcome> point(ScanFolder& folder, const PointKey& key, Compute&& compute) {
+  if (auto there = folder.finished(key)) return there;
+  if (interrupt_signal()) return {};
+  PointOutcome outcome = compute();
+  folder.keep(outcome);
+  return outcome;
+}
+
+bool wants(const ScanInput& input, Model model) {
+  return std::find(input.models.begin(), input.models.end(), model) != input.models.end();
+}
+
+// SBEH at one reduced volume, along ascending L, from SSH's shape.
+void scan_order_column(const ScanInput& input, ScanFolder& folder, const std::string& branch,
+                       const Neighbour& ssh) {
+  const double v = ssh.at.reduced_volume;
+  std::optional<Neighbour> last;
+  std::optional<PointOutcome> fold;
+  for (const double L : input.L) {
+    const PointKey key{v, L, Model::SBEH, branch};
+    const auto outcome = point(folder, key, [&] {
+      if (fold) return beyond_fold(key, *fold);
+      return last ? follow_to(input, key, *last) : order_from(input, key, ssh);
+    });
+    if (!outcome) return;
+    if (outcome->row.status == PointStatus::stationary)
+      last = Neighbour{{v, L}, *outcome->state};
+    else if (outcome->row.status == PointStatus::unresolved && !fold)
+      fold = outcome;
+  }
+}
+
+// All of one reduced volume, given SSH's shape there at the first L.
+void scan_column(const ScanInput& input, ScanFolder& folder, const std::string& branch,
+                 const Neighbour& ssh) {
+  if (wants(input, Model::SSH))
+    for (std::size_t k = 1; k < input.L.size(); ++k) {
+      const PointKey key{ssh.at.reduced_volume, input.L[k], Model::SSH, branch};
+      if (!point(folder, key, [&] { return rescale_to(input, key, ssh); })) return;
+    }
+  if (wants(input, Model::SBEH)) scan_order_column(input, folder, branch, ssh);
+}
+
+// What cannot be reached fails, with the reason.
+void fail_column(const ScanInput& input, ScanFolder& folder, double v, const std::string& branch,
+                 const std::string& reason) {
+  for (const double L : input.L)
+    for (const Model model : input.models) {
+      const PointKey key{v, L, model, branch};
+      point(folder, key, [&] { return failed_point(key, reason); });
+    }
+}
+
+void scan_spheres(const ScanInput& input, ScanFolder& folder, const std::string& branch) {
+  for (const double L : input.L)
+    for (const Model model : input.models) {
+      const PointKey key{1, L, model, branch};
+      point(folder, key, [&] { return sphere_point(input, key); });
+    }
+}
+
+// Reduced volumes in the order in which the chain of SSH shapes reaches them: up from the entry, then
+// down from it.
+std::vector<double> chain_of(const std::vector<double>& volumes) {
+  std::vector<double> chain;
+  for (const double v : volumes)
+    if (v > entry_volume && v < 1) chain.push_back(v);
+  for (auto v = volumes.rbegin(); v != volumes.rend(); ++v)
+    if (*v <= entry_volume) chain.push_back(*v);
+  return chain;
+}
+
+// SSH's shapes along the chain; `branch_off` is called with each of them.
+template <class BranchOff>
+void walk_chain(const ScanInput& input, ScanFolder& folder, const std::string& branch,
+                BranchOff&& branch_off) {
+  const auto entry = enter_branch(input, input.L.front());
+  std::optional<Neighbour> last = entry;
+  bool below = false;
+  for (const double v : chain_of(input.reduced_volume)) {
+    if (interrupt_signal()) return;
+    if (v <= entry_volume && !std::exchange(below, true)) last = entry;
+    const PointKey key{v, input.L.front(), Model::SSH, branch};
+    const auto compute = [&] {
+      return last ? follow_to(input, key, *last)
+                  : failed_point(key, "Newton's method failed at the entry of the branch");
+    };
+    const std::optional<PointOutcome> ssh =
+      wants(input, Model::SSH) ? point(folder, key, compute) : compute();
+    if (!ssh) return;
+    if (ssh->row.status != PointStatus::stationary) {
+      fail_column(input, folder, v, branch, "no SSH shape to start from: " + ssh->row.stop_reason);
+      continue;
+    }
+    last = Neighbour{{v, input.L.front()}, *ssh->state};
+    branch_off(*last);
+  }
+}
+
+// One chain of SSH shapes along V_r; columns along L branch off it and run in parallel.
+void scan_by_newton(const ScanInput& input, ScanFolder& folder, const std::string& branch) {
+  tbb::task_group columns;
+  columns.run([&] {
+    walk_chain(input, folder, branch, [&](const Neighbour& ssh) {
+      columns.run([&input, &folder, &branch, ssh] { scan_column(input, folder, branch, ssh); });
+    });
+    if (input.reduced_volume.back() == 1) scan_spheres(input, folder, branch);
+  });
+  columns.wait();
+}
+
+void scan_by_flow(const ScanInput& input, ScanFolder& folder) {
+  const std::vector<PointKey> keys = keys_of(input);
+  tbb::parallel_for(std::size_t(0), keys.size(), [&](std::size_t k) {
+    if (interrupt_signal() || folder.has(keys[k])) return;
+    std::vector<SeriesRow> history;
+    const auto outcome = keys[k].reduced_volume == 1
+                         ? std::optional(sphere_point(input, keys[k]))
+                         : flow_to_rest(input, keys[k], history);
+    if (!outcome) return;
+    write_file(folder.series_path(keys[k]), series_text(history));
+    folder.keep(*outcome);
+  });
+}
+
+}  // namespace
+
+ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& path,
+                     std::string_view version) {
+  const auto start = std::chrono::steady_clock::now();
+  ScanFolder folder(input, path, version);
+  ScanSummary summary;
+  const int before = int(folder.table().rows().size());
+  if (input.method == Method::flow)
+    scan_by_flow(input, folder);
+  else
+    for (const std::string& branch : input.branches) scan_by_newton(input, folder, branch);
+  folder.progress().finish();
+  folder.table().sort();
+
+  for (const auto& [key, row] : folder.table().rows()) {
+    ++summary.points;
+    summary.stationary += row.status == PointStatus::stationary;
+    summary.unresolved += row.status == PointStatus::unresolved;
+    summary.failed += row.status == PointStatus::failed;
+  }
+  summary.computed = summary.points - before;
+  summary.interrupted = interrupt_signal() != 0;
+  summary.seconds =
+    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return summary;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,41 @@
+// What a scan is asked for: stationary shapes over a grid of reduced volumes and elastic constants.
+#pragma once
+
+#include "axisym/options.h"
+#include "model/material.h"
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+namespace sbeh::studies {
+
+/// How a scan finds its stationary states.
+enum class Method {
+  newton,  ///< Newton's method and continuation from point to point
+  flow     ///< the equations of motion in time, from an ellipsoid
+};
+
+/// "newton" or "flow".
+const char* name(Method method);
+
+/// The input of a scan: table [scan], optional [material] and [numerics], all keys as the members.
+/// The points are all combinations of reduced_volume, L, models and branches.
+struct ScanInput {
+  std::vector<double> reduced_volume;  ///< V_r, each in 0 < V_r <= 1; ascending
+  std::vector<double> L;               ///< one-constant elastic constants, each > 0; ascending
+  std::vector<model::Model> models{model::Model::SBEH, model::Model::SSH};
+  std::vector<std::string> branches{"oblate"};  ///< of known_branches()
+  Method method = Method::newton;
+  model::Material material;  ///< its L1, L2, L3 give way to L of the point: material.with_L(L)
+  axisym::Numerics numerics;
+  double flow_end_time = 200;  ///< method flow, key `end_time`: a run that is not at rest ends here
+};
+
+/// The branches of stationary shapes that can be asked for by name.
+const std::vector<std::string>& known_branches();
+
+/// Throws InputError (toml_reader.h).
+ScanInput read_scan(const std::filesystem::path& path);
+
+}  // namespace sbeh::studies

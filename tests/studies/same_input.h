@@ -1,0 +1,74 @@
+// Equality of inputs, member by member.
+#pragma once
+
+#include "studies/relax_input.h"
+#include "studies/scan_input.h"
+
+#include <gtest/gtest.h>
+
+#include <tuple>
+#include <type_traits>
+
+namespace sbeh::studies::test {
+
+// Bindings name every member: a new one breaks the build until it is compared.
+
+inline void expect_same(const model::Material& a, const model::Material& b) {
+  const auto tie = [](const model::Material& material) {
+    const auto& [L1, L2, L3, potential, viscosity, immobility, tangential, normal, order_viscosity,
+                 stiffness, curvature] = material;
+    return std::tie(L1, L2, L3, potential, viscosity, immobility, tangential, normal,
+                    order_viscosity, stiffness, curvature);
+  };
+  EXPECT_TRUE(tie(a) == tie(b));
+}
+
+inline void expect_same(const axisym::Numerics& a, const axisym::Numerics& b) {
+  const auto tie = [](const axisym::Numerics& numerics) {
+    const auto& [elements, grading, tolerance, first, smallest, largest, extrapolate, rest] =
+        numerics;
+    return std::tie(elements, grading, tolerance, first, smallest, largest, extrapolate, rest);
+  };
+  EXPECT_TRUE(tie(a) == tie(b));
+}
+
+inline void expect_same(const ScanInput& a, const ScanInput& b) {
+  const auto tie = [](const ScanInput& input) {
+    const auto& [reduced_volume, L, models, branches, method, material, numerics, end] = input;
+    return std::tie(reduced_volume, L, models, branches, method, end);
+  };
+  EXPECT_TRUE(tie(a) == tie(b));
+  expect_same(a.material, b.material);
+  expect_same(a.numerics, b.numerics);
+}
+
+inline auto tie(const Ellipsoid& start) {
+  const auto& [reduced_volume, axes, prolate] = start;
+  return std::tie(reduced_volume, axes, prolate);
+}
+inline auto tie(const Harmonics& start) {
+  const auto& [shape, order, order_modes] = start;
+  return std::tie(shape, order, order_modes);
+}
+inline auto tie(const ScanRow& start) {
+  const auto& [folder, model, branch, reduced_volume, L] = start;
+  return std::tie(folder, model, branch, reduced_volume, L);
+}
+
+inline void expect_same(const RelaxInput& a, const RelaxInput& b) {
+  const auto tie_rest = [](const RelaxInput& input) {
+    const auto& [model, start, order, material, numerics, end, output, profiles, rest] = input;
+    return std::tie(model, order, end, output, profiles, rest);
+  };
+  EXPECT_TRUE(tie_rest(a) == tie_rest(b));
+  ASSERT_EQ(a.start.index(), b.start.index());
+  std::visit(
+      [&b](const auto& start) {
+        EXPECT_TRUE(tie(start) == tie(std::get<std::decay_t<decltype(start)>>(b.start)));
+      },
+      a.start);
+  expect_same(a.material, b.material);
+  expect_same(a.numerics, b.numerics);
+}
+
+}  // namespace sbeh::studies::test

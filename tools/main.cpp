@@ -1,0 +1,177 @@
+// The command line of sbeh.
+
+#include "axisym/diagnostics.h"
+#include "studies/describe.h"
+#include "studies/interrupt.h"
+#include "studies/output.h"
+#include "studies/relax.h"
+#include "studies/scan.h"
+#include "studies/toml_reader.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <sys/wait.h>
+#include <unistd.h>
+#include <vector>
+
+namespace {
+
+namespace fs = std::filesystem;
+using namespace sbeh;
+
+struct Arguments {
+  std::string input, folder;
+  std::vector<std::string> picture;
+  int threads = 0;
+  bool no_pictures = false;
+};
+
+// `results/NAME` for NAME.toml, unless -o says otherwise.
+fs::path folder_of(const Arguments& a) {
+  return a.folder.empty() ? fs::path("results") / fs::path(a.input).stem() : fs::path(a.folder);
+}
+
+// Runs the picture program, which sits beside this one; 127 when it cannot be started.
+int draw(const std::vector<std::string>& arguments) {
+  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "sbeh-picture";
+  std::vector<std::string> words{program.string()};
+  words.insert(words.end(), arguments.begin(), arguments.end());
+  const pid_t child = fork();
+  if (child == 0) {
+    std::vector<char*> argv;
+    for (std::string& word : words) argv.push_back(word.data());
+    argv.push_back(nullptr);
+    execv(program.c_str(), argv.data());
+    fmt::print(stderr, "sbeh: {}: cannot be started\n", program.string());
+    _exit(127);
+  }
+  int status = 0;
+  if (child < 0 || waitpid(child, &status, 0) < 0) return 127;
+  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+void draw_results(const Arguments& a, const std::string& kind, const fs::path& folder) {
+  if (a.no_pictures) return;
+  std::fflush(nullptr);
+  if (draw({kind, folder.string()}) != 0)
+    fmt::print(stderr, "sbeh: no pictures; the tables in {} are complete. "
+                       "Try again with: sbeh picture {} {}\n",
+               folder.string(), kind, folder.string());
+}
+
+int exit_code_of_interrupt() { return 128 + studies::interrupt_signal(); }
+
+int scan(const Arguments& a) {
+  const studies::ScanInput input = studies::read_scan(a.input);
+  const fs::path folder = folder_of(a);
+  const studies::ScanSummary s = studies::run_scan(input, folder, SBEH_VERSION);
+  fmt::print("{} points in {}: {} stationary, {} unresolved, {} failed; {} computed in {:.2f} s\n",
+             s.points, (folder / "scan.csv").string(), s.stationary, s.unresolved, s.failed,
+             s.computed, s.seconds);
+  if (s.interrupted) {
+    fmt::print(stderr, "sbeh: interrupted; the same command goes on from here\n");
+    return exit_code_of_interrupt();
+  }
+  draw_results(a, "scan", folder);
+  return 0;
+}
+
+int relax(const Arguments& a) {
+  const studies::RelaxInput input = studies::read_relax(a.input);
+  const fs::path folder = folder_of(a);
+  const studies::RelaxSummary s = studies::run_relax(input, folder, SBEH_VERSION);
+  const axisym::FlowRecord& last = s.run.last;
+  fmt::print("{} at t = {:.6g} after {} steps ({} rejected): energy {:.10g}\n"
+             "history in {}, {} profiles beside it\n",
+             axisym::describe(s.run.stop), last.time, s.run.steps, last.rejected,
+             last.energy.total(), (folder / "series.csv").string(), s.profiles);
+  if (s.run.stop == axisym::FlowStop::interrupted) return exit_code_of_interrupt();
+  draw_results(a, "relax", folder);
+  return s.run.stop == axisym::FlowStop::step_too_small ? 1 : 0;
+}
+
+int check(const Arguments& a) {
+  if (studies::kind_of(a.input) == studies::InputKind::scan) {
+    const studies::ScanInput input = studies::read_scan(a.input);
+    const std::size_t points = input.reduced_volume.size() * input.L.size() * input.models.size()
+                             * input.branches.size();
+    // About 10 ms a point by Newton, 1 s by the flow, on one core of 2026; 20 kB a profile.
+    const double seconds = double(points) * (input.method == studies::Method::newton ? 0.01 : 1);
+    fmt::print("{}: a scan of {} points by {}, about {:.0f} s of one core and {:.1f} MB\n\n{}",
+               a.input, points, studies::name(input.method), std::max(1., seconds),
+               double(points) * 0.02, studies::describe(input, SBEH_VERSION));
+    return 0;
+  }
+  const studies::RelaxInput input = studies::read_relax(a.input);
+  const studies::RelaxStart start = studies::start_of(input);
+  const axisym::Diagnostics d = axisym::diagnose(start.material, start.state);
+  fmt::print("{}: an evolution of {} to t = {}, from reduced volume {:.6g}, energy {:.6g}; "
+             "{} lines of history, {} profiles\n\n{}",
+             a.input, model::name(input.model), input.end_time, d.reduced_volume,
+             d.energy.total(), input.output_times.size(), input.profile_times.size(),
+             studies::describe(input, SBEH_VERSION));
+  return 0;
+}
+
+int run(int argc, char** argv) {
+  CLI::App app{"Shapes and dynamics of fluid lipid membranes with liquid-crystalline order."};
+  app.set_version_flag("--version", SBEH_VERSION);
+  app.require_subcommand(1);
+  Arguments a;
+  const auto add = [&](const char* name, const char* text, bool runs) {
+    CLI::App* command = app.add_subcommand(name, text);
+    command->add_option("FILE", a.input, "input (TOML)")->required();
+    if (!runs) return command;
+    command->add_option("-o,--output", a.folder, "folder for the results (results/NAME)");
+    command->add_flag("--no-pictures", a.no_pictures, "tables only");
+    command->add_option("--threads", a.threads, "at most so many (all cores)")
+      ->check(CLI::PositiveNumber);
+    return command;
+  };
+  const CLI::App* scan_command = add("scan", "stationary shapes over a (V_r, L) grid", true);
+  const CLI::App* relax_command = add("relax", "one axisymmetric evolution", true);
+  const CLI::App* check_command = add("check", "say whether an input is right, and what it asks for", false);
+  CLI::App* picture_command = app.add_subcommand("picture", "draw the pictures of a folder again");
+  picture_command->prefix_command();
+  try {
+    app.parse(argc, argv);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : 2;
+  }
+  if (*picture_command) return draw(picture_command->remaining());
+
+  studies::catch_interrupts();
+  std::unique_ptr<tbb::global_control> limit;
+  if (a.threads > 0)
+    limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
+                                                  std::size_t(a.threads));
+  if (*scan_command) return scan(a);
+  if (*relax_command) return relax(a);
+  if (*check_command) return check(a);
+  return 2;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const studies::InputError& error) {
+    fmt::print(stderr, "sbeh: {}\n", error.what());
+    return 2;
+  } catch (const studies::OutputError& error) {
+    fmt::print(stderr, "sbeh: {}\n", error.what());
+    return 2;
+  } catch (const std::invalid_argument& error) {
+    fmt::print(stderr, "sbeh: {}\n", error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "sbeh: {}\n", error.what());
+    return 1;
+  }
+}

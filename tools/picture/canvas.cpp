@@ -1,0 +1,179 @@
+#include "tools/picture/canvas.h"
+
+#include "tools/picture/layer.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <vtkBrush.h>
+#include <vtkContext2D.h>
+#include <vtkContextScene.h>
+#include <vtkContextView.h>
+#include <vtkGL2PSExporter.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLContextDevice2D.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkPNGWriter.h>
+#include <vtkPen.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkStdString.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace sbeh::picture {
+namespace fs = std::filesystem;
+
+namespace {
+
+// The white ground, on which one unit is one pixel: VTK stretches a picture by one pixel over its width
+// and its height, which blurs letters and, with smoothed edges, shows their upper edge once more below.
+class Sheet : public vtkContextItem {
+ public:
+  static Sheet* New();
+
+  bool Paint(vtkContext2D* painter) override {
+    auto* device = vtkOpenGLContextDevice2D::SafeDownCast(painter->GetDevice());
+    if (!device) return false;
+    const int* size = device->GetRenderWindow()->GetSize();
+    auto& projection =
+        device->GetProjectionMatrix()->Element;  // set anew by VTK for every rendering
+    for (int c = 0; c < 2; ++c) {
+      projection[c][c] = 2.0 / size[c];
+      projection[c][3] = -1.0;
+    }
+    painter->GetPen()->SetLineType(vtkPen::NO_PEN);
+    painter->GetBrush()->SetColor(255, 255, 255, 255);
+    painter->DrawRect(0.0f, 0.0f, float(size[0]), float(size[1]));
+    return true;
+  }
+};
+
+vtkStandardNewMacro(Sheet);
+
+}  // namespace
+
+struct Canvas::Window {
+  vtkNew<vtkContextView> view;
+  vtkSmartPointer<Layer> layer;  // the topmost item, if that is a layer
+
+  Layer& top() {
+    if (!layer) {
+      layer = vtkSmartPointer<Layer>::New();
+      view->GetScene()->AddItem(layer);
+    }
+    return *layer;
+  }
+  vtkRenderWindow* render_window() { return view->GetRenderWindow(); }
+};
+
+Canvas::Canvas() : window_(std::make_unique<Window>()) {
+  window_->render_window()->SetOffScreenRendering(1);
+  window_->view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
+}
+
+Canvas::~Canvas() = default;
+
+void Canvas::start(double width, double height) {
+  width_ = std::round(width);
+  height_ = std::round(height);
+  window_->view->GetScene()->ClearItems();
+  window_->view->GetScene()->AddItem(vtkNew<Sheet>());
+  window_->layer = nullptr;
+  window_->render_window()->SetSize(int(width_), int(height_));
+}
+
+void Canvas::fill(const Rect& rect, Colour colour) {
+  if (window_->layer && window_->layer->has_ink()) window_->layer = nullptr;
+  window_->top().fill(rect, colour);
+}
+
+void Canvas::line(const Points& points, const LineStyle& style) {
+  window_->top().line(points, style);
+}
+
+void Canvas::segments(const Points& ends, const LineStyle& style) {
+  window_->top().segments(ends, style);
+}
+
+void Canvas::text(double x, double y, const std::string& text, const TextStyle& style) {
+  window_->top().text(x, y, text, style);
+}
+
+double Canvas::text_width(const std::string& text, double size) const {
+  vtkNew<vtkTextProperty> property;
+  set_font(property, size);
+  int box[4] = {0, 0, 0, 0};
+  const int dpi = window_->render_window()->GetDPI();
+  vtkTextRenderer::GetInstance()->GetBoundingBox(property, displayable(text), box, dpi);
+  return box[1] - box[0] + 1;
+}
+
+void Canvas::add(vtkContextItem* item) {
+  window_->view->GetScene()->AddItem(item);
+  window_->layer = nullptr;
+}
+
+namespace {
+
+void write_png(vtkRenderWindow* window, const fs::path& file) {
+  window->SetMultiSamples(8);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
+  image->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->Write();
+}
+
+// The exporter renders the window several times over, so without smoothing of the pixels.
+void write_svg(vtkRenderWindow* window, fs::path file, const std::string& title) {
+  window->SetMultiSamples(0);
+  vtkNew<vtkGL2PSExporter> exporter;
+  exporter->SetRenderWindow(window);
+  exporter->UsePainterSettings();
+  exporter->SetFileFormatToSVG();
+  exporter->SetCompress(false);
+  exporter->SetSilent(true);
+  exporter->SetTitle(title.c_str());
+  exporter->SetFilePrefix(file.replace_extension().c_str());
+  exporter->Write();
+}
+
+}  // namespace
+
+void Canvas::write(const fs::path& stem) {
+  // First the SVG: a chart finds its final place only when it is rendered for the second time.
+  for (const std::string kind : {".svg", ".png"}) {
+    const fs::path target = fs::path(stem) += kind;
+    const fs::path temporary =
+        stem.parent_path() / fmt::format(".{}-{}{}", stem.filename().string(), getpid(), kind);
+    std::error_code error;
+    fs::remove(temporary, error);
+    if (kind == ".png") {
+      write_png(window_->render_window(), temporary);
+    } else {
+      write_svg(window_->render_window(), temporary, stem.filename().string());
+    }
+    const bool written = fs::exists(temporary, error) && fs::file_size(temporary, error) > 0;
+    if (written) fs::rename(temporary, target, error);
+    if (!written || error) {
+      throw std::runtime_error(
+          fmt::format("{}: cannot be written; free some space there or give "
+                      "yourself the right to write.",
+                      target.string()));
+    }
+    fmt::print("wrote {}\n", target.string());
+  }
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,23 @@
+// A quantity over (reduced volume, L) as coloured cells with their colour bar.
+#pragma once
+
+#include "tools/picture/grid_axis.h"
+#include "tools/picture/legend.h"
+#include "tools/picture/quantity.h"
+
+namespace sbeh::picture {
+
+struct HeatMapGrid {
+  GridAxis x;            ///< reduced volume
+  GridAxis y;            ///< L
+  bool as_table = true;  ///< few points: numbers in the cells; otherwise contour lines
+};
+
+/// `inside` is the rectangle of the cells; the bar stands `0.8 text_size` to its right.
+void draw_heat_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
+                   const ColourMap& colours, const HeatMapGrid& grid, double text_size);
+
+/// Legend of the marks in use.
+std::vector<LegendEntry> mark_legend(const std::vector<Quantity>& quantities, bool as_table);
+
+}  // namespace sbeh::picture

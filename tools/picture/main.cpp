@@ -1,0 +1,99 @@
+// sbeh-picture: the pictures of a scan or of one relaxation, from the tables they leave.
+#include "tools/picture/csv.h"
+#include "tools/picture/cuts.h"
+#include "tools/picture/diagram.h"
+#include "tools/picture/energy.h"
+#include "tools/picture/relax.h"
+#include "tools/picture/virtual_display.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+namespace sbeh::picture {
+namespace {
+
+constexpr int exit_failed = 1;
+constexpr int exit_bad_input = 2;
+
+Size parse_size(const std::string& text) {
+  Size size;
+  char rest = 0;
+  const int found = std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest);
+  const auto possible = [](int length) { return length >= 300 && length <= 8000; };
+  if (found != 2 || !possible(size.width) || !possible(size.height)) {
+    throw InputError(
+        fmt::format("--size {}: give width and height in pixels, each 300 to 8000, "
+                    "as in 1600x1200.",
+                    text));
+  }
+  return size;
+}
+
+void picture_scan(const Options& options) {
+  const ScanTable scan(options.directory, options.branch);
+  if (scan.branches().size() > 1 && options.branch.empty()) {
+    fmt::print(
+        "several branches ({}): the pictures show the one of lowest energy at each point; "
+        "--branch chooses one\n",
+        fmt::join(scan.branches(), ", "));
+  }
+  Canvas canvas;
+  if (options.wants("diagram")) draw_diagram_picture(canvas, scan, options);
+  if (options.wants("cuts")) draw_cuts_picture(canvas, scan, options);
+  if (options.wants("energy")) draw_energy_picture(canvas, scan, options);
+}
+
+void picture_relaxation(const Options& options) {
+  Canvas canvas;
+  if (options.wants("energy")) draw_relaxation_energy(canvas, options);
+  if (options.wants("shapes")) draw_relaxation_shapes(canvas, options);
+}
+
+void add_common_options(CLI::App* command, Options& options, std::string& size,
+                        std::vector<std::string> pictures) {
+  command->add_option("DIR", options.directory, "Folder of the results; the pictures go there")
+      ->required();
+  command->add_option("--only", options.only, "Only this picture")
+      ->check(CLI::IsMember(std::move(pictures)))
+      ->allow_extra_args(false);
+  command->add_option("--size", size, "Width and height in pixels, e.g. 1600x1200");
+  command->add_option("--energy-shift", options.energy_shift,
+                      "What is added to the energy before its logarithm, by default 4π");
+}
+
+int run(int count, char** arguments) {
+  CLI::App app("Pictures (PNG and SVG) of a scan or of one relaxation", "sbeh-picture");
+  app.require_subcommand(1);
+  Options options;
+  std::string size;
+  CLI::App* scan = app.add_subcommand("scan", "diagram, cuts, energy from DIR/scan.csv");
+  add_common_options(scan, options, size, {"diagram", "cuts", "energy"});
+  scan->add_option("--branch", options.branch, "Only this branch, e.g. oblate");
+  CLI::App* relax = app.add_subcommand("relax", "energy, shapes from DIR/series.csv, profiles.csv");
+  add_common_options(relax, options, size, {"energy", "shapes"});
+  try {
+    app.parse(count, arguments);
+  } catch (const CLI::ParseError& error) {
+    return app.exit(error) == 0 ? 0 : exit_bad_input;
+  }
+  if (!size.empty()) options.size = parse_size(size);
+  ensure_display(arguments);
+  if (scan->parsed()) picture_scan(options);
+  if (relax->parsed()) picture_relaxation(options);
+  return 0;
+}
+
+}  // namespace
+}  // namespace sbeh::picture
+
+int main(int count, char** arguments) {
+  try {
+    return sbeh::picture::run(count, arguments);
+  } catch (const sbeh::picture::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return sbeh::picture::exit_bad_input;
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return sbeh::picture::exit_failed;
+  }
+}

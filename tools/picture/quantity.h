@@ -1,0 +1,30 @@
+// The quantities of a diagram over (reduced volume, L).
+#pragma once
+
+#include "tools/picture/scan_table.h"
+
+#include <string>
+#include <vector>
+
+namespace sbeh::picture {
+
+/// How a point counts; a failed or absent one has no value.
+enum class Mark { none, unresolved, failed, absent };
+
+struct Quantity {
+  std::string title;
+  std::vector<std::vector<double>> values;  ///< [reduced volume][L], NaN without value
+  std::vector<std::vector<Mark>> marks;
+
+  bool has(Mark mark) const;
+
+  /// Of the stationary points and of the unresolved ones that are not far away from them.
+  std::pair<double, double> range() const;
+};
+
+Quantity energy_gap(const ScanTable& scan);  ///< U(SSH) − U(SBEH)
+Quantity energy(const ScanTable& scan, Model model);
+Quantity smallest_order(const ScanTable& scan);  ///< of SBEH
+Quantity largest_curvature(const ScanTable& scan, Model model);
+
+}  // namespace sbeh::picture

@@ -1,0 +1,167 @@
+#include "tools/picture/relax.h"
+
+#include "tools/picture/csv.h"
+#include "tools/picture/history.h"
+#include "tools/picture/legend.h"
+#include "tools/picture/panels.h"
+#include "tools/picture/scan_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+namespace sbeh::picture {
+namespace {
+
+constexpr std::size_t most_shapes = 8;
+constexpr std::size_t most_in_a_row = 5;
+
+struct Part {
+  const char* column;
+  std::string name;
+  double shift;
+  LineStyle style;
+};
+
+struct Frame {
+  double time = 0.0;
+  std::filesystem::path file;
+};
+
+// The first, the last, and between them the frames nearest to times in geometric progression:
+// a relaxation is fast at first.
+std::vector<Frame> chosen_frames(const std::vector<Frame>& frames) {
+  if (frames.size() <= most_shapes) return frames;
+  const std::size_t first =
+      std::ranges::find_if(frames, [](const Frame& f) { return f.time > 0.0; }) - frames.begin();
+  std::vector<Frame> chosen(1, frames.front());
+  std::size_t next = 1;
+  for (std::size_t i = 1; i < most_shapes; ++i) {
+    const double fraction = double(i - 1) / double(most_shapes - 2);
+    const double wanted =
+        frames[first].time * std::pow(frames.back().time / frames[first].time, fraction);
+    const std::size_t latest =
+        frames.size() - (most_shapes - i);  // leaves one frame for each to come
+    while (next < latest
+           && std::abs(frames[next + 1].time - wanted) < std::abs(frames[next].time - wanted)) {
+      ++next;
+    }
+    chosen.push_back(frames[next]);
+    next = std::min(next + 1, latest + 1);
+  }
+  return chosen;
+}
+
+std::vector<Frame> read_frames(const std::filesystem::path& directory) {
+  const CsvTable table(directory / "profiles.csv");
+  const std::size_t time = table.column("time"), file = table.column("file");
+  std::vector<Frame> frames;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    frames.push_back({table.number(row, time), directory / table.text(row, file)});
+  }
+  return frames;
+}
+
+}  // namespace
+
+void draw_relaxation_energy(Canvas& canvas, const Options& options) {
+  const std::filesystem::path file = options.directory / "series.csv";
+  const CsvTable table(file);
+  const double shift = options.energy_shift;
+  const std::string suffix = options.energy_name().substr(1);  // " + 4π"
+  const Part parts[] = {
+      {"energy_distortion", "distortion", 0.0, {.colour = {0, 114, 178}, .width = 2.0}},
+      {"energy_bending", "bending", 0.0, {.colour = {213, 94, 0}, .width = 2.0}},
+      {"energy_thermotropic",
+       "thermotropic" + suffix,
+       shift,
+       {.colour = {0, 158, 115}, .width = 2.0, .dashed = true}},
+      {"energy", "total " + options.energy_name(), shift, {.colour = black, .width = 3.0}}};
+
+  std::vector<Points> curves;
+  std::vector<LineStyle> styles;
+  std::vector<LegendEntry> legend;
+  for (const Part& part : parts) {
+    if (part.column != std::string("energy") && !table.has(part.column)) continue;
+    Points points = read_history(file, part.column).log_log(part.shift);
+    if (points.size() < 2) continue;
+    curves.push_back(std::move(points));
+    styles.push_back(part.style);
+    legend.insert(legend.begin(), line_entry(part.style, part.name));
+  }
+  if (curves.empty()) {
+    fmt::print("no energy: {} is positive nowhere; set --energy-shift\n", options.energy_name());
+    return;
+  }
+  const HistoryAxes axes = history_axes(curves, "energy");
+  const double text = options.text_size();
+  const double width = options.size ? options.size->width : 1000.0;
+  const double height = options.size ? options.size->height : 700.0;
+  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
+  const double below = below_axis(text) + 0.8 * text + legend_at;
+  canvas.start(width, height);
+  Chart chart(canvas, {5.6 * text, below, width - 7.2 * text, height - below - 1.2 * text}, text,
+              axes.time, axes.energy);
+  for (std::size_t i = 0; i < curves.size(); ++i) chart.curve(curves[i], styles[i]);
+  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  canvas.write(options.directory / "energy");
+}
+
+void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
+  const std::vector<Frame> frames = chosen_frames(read_frames(options.directory));
+  if (frames.empty()) {
+    fmt::print("no shapes: {} lists no profile\n", (options.directory / "profiles.csv").string());
+    return;
+  }
+  std::vector<Cut> cuts;
+  Extent extent;
+  OrderRange orders;
+  for (const Frame& frame : frames) {
+    cuts.push_back(mirrored(read_profile(frame.file)));
+    extent.include(cuts.back());
+    orders.include(cuts.back());
+  }
+  const ColourMap colours = orders.colours();
+  const double text = options.text_size();
+  const std::size_t count = cuts.size();
+  const std::size_t columns = count <= most_in_a_row ? count : (count + 1) / 2;
+  const double right = 3.0 * text + colour_bar_margin(canvas, colours, true, text);
+  const double margins = text + right;
+  const double width =
+      options.size ? options.size->width : std::min(1600.0, margins + 360.0 * double(columns));
+  const double cell_width = (width - margins) / double(columns);
+  const double title = 3.2 * text;  // with the gap below the row
+  std::vector<double> halves;       // largest half height of each row
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % columns == 0) halves.push_back(0.0);
+    halves.back() = std::max(halves.back(), cuts[i].half_height);
+  }
+  const double sum = 2.0 * std::accumulate(halves.begin(), halves.end(), 0.0);
+  const double fixed = double(halves.size()) * title + text;
+  double scale = 0.88 * cell_width / (2.0 * extent.half_width);
+  if (options.size) {
+    const double room = std::max(options.size->height - fixed, 0.1 * options.size->height);
+    scale = std::min(scale, room / sum);
+  }
+  const double height = options.size ? options.size->height : fixed + sum * scale;
+
+  canvas.start(width, height);
+  double top = height - 0.5 * (height - fixed - sum * scale) - 0.5 * text;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double row_height = 2.0 * halves[i / columns] * scale + title;
+    const Rect cell{text + double(i % columns) * cell_width, top - row_height, cell_width,
+                    row_height - 1.9 * text};
+    draw_cuts(canvas, cell, scale,
+              {{.cut = &cuts[i], .colours = &colours, .style = {.width = 0.32 * text}}});
+    canvas.text(cell.centre_x(), top - text, "t = " + short_number(frames[i].time), {.size = text});
+    if ((i + 1) % columns == 0) top -= row_height;
+  }
+  const double length = std::min(height - 3.0 * text, 18.0 * text);
+  draw_colour_bar(canvas, {width - right + 1.4 * text, 0.5 * (height - length), text, length},
+                  colours, "order β", text);
+  canvas.write(options.directory / "shapes");
+}
+
+}  // namespace sbeh::picture
