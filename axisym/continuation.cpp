@@ -184,8 +184,10 @@ FollowResult follow(const model::Material& material, model::Model model, const B
     if (next->mu >= 1) {
       const double share = (1 - here->mu) / (next->mu - here->mu);
       const auto close = arc_step(line, *here, ds * share);
-      const auto r = solve_near(line, 1, close ? close->s : next->s, sign);
-      if (r) return {Arrival::reached, arrived(line, 1, r->solution, sign, numerics)};
+      // A different sign here is a branch crossing this one, not another branch.
+      const auto r = solve_near(line, 1, close ? close->s : next->s, 0);
+      if (r)
+        return {Arrival::reached, arrived(line, 1, r->solution, r->determinant_sign, numerics)};
       ds /= 2;
       continue;
     }

@@ -16,7 +16,7 @@ struct PlanePoint {
 struct BranchState {
   PlanePoint at;
   StationaryState solution;
-  int determinant_sign = 0;  ///< constant along the branch
+  int determinant_sign = 0;  ///< flips where another branch crosses, and at a fold
   int iterations = 0;        ///< of Newton, all that led here from the last state
 };
 

@@ -40,7 +40,7 @@ bool correct_area_volume(Nodes& X, double area_asked, double volume_asked) {
     Eigen::Vector2d residual = miss(moved(c));
     if (sphere) residual[1] = 0;
     if (!residual.allFinite()) return false;
-    if (residual.cwiseAbs().maxCoeff() < 1e-13) {
+    if (residual.cwiseAbs().maxCoeff() < 1e-12) {
       X = moved(c);
       return true;
     }

@@ -3,6 +3,8 @@
 #include "axisym/curvature.h"
 #include "model/energy_density.h"
 
+#include <Eigen/QR>
+
 #include <algorithm>
 #include <cmath>
 
@@ -22,6 +24,29 @@ Energy energy(const model::Material& material, const State& state, const Field& 
   });
   return sum;
 }
+
+namespace {
+
+// H at the pole where the nodes begin (step = 1) or end (step = −1). In the pole's own element the
+// discrete H is only second-order accurate; the pole value is that of the even quartic in arc length
+// that fits the nodes of the next three elements.
+double pole_curvature(const Field& H, const Eigen::VectorXd& length, int step) {
+  const Eigen::Index last = H.size() - 1, pole = step > 0 ? 0 : last;
+  const auto element = [&](int e) { return length[step > 0 ? e : length.size() - 1 - e]; };
+  Eigen::Matrix<double, 10, 3> powers;
+  Eigen::Matrix<double, 10, 1> values;
+  double s = element(0);
+  const double unit = element(0) + element(1) + element(2) + element(3);
+  for (int k = 0; k < 10; ++k) {
+    const double x = s / unit;
+    powers.row(k) << 1, x * x, x * x * x * x;
+    values[k] = H[pole + step * (3 + k)];
+    s += element(1 + std::min(k, 8) / 3) / 3;
+  }
+  return powers.colPivHouseholderQr().solve(values)[0];
+}
+
+}  // namespace
 
 Diagnostics diagnose(const model::Material& material, const State& state) {
   const Field H = mean_curvature(state.X);
@@ -46,9 +71,12 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
   d.order_std = std::sqrt(d.order_variance);
 
   d.order_min = d.order_max = state.beta[0];
-  d.H_abs_max = d.radius_equator = 0;
   const Eigen::VectorXd length = element_lengths(state.X);
-  for (int e = 0; e < element_count(state.X); ++e)
+  const int elements = element_count(state.X);
+  d.H_pole = pole_curvature(H, length, 1);
+  d.H_abs_max = std::max(std::abs(d.H_pole), std::abs(pole_curvature(H, length, -1)));
+  d.radius_equator = 0;
+  for (int e = 0; e < elements; ++e)
     for (int k = 0; k <= 12; ++k) {
       static const auto samples = [] {
         std::array<ShapeValues, 13> at{};
@@ -61,14 +89,13 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
       for (int a = 0; a < 4; ++a) r += s.phi[a] * state.X(0, 3 * e + a);
       d.order_min = std::min(d.order_min, beta);
       d.order_max = std::max(d.order_max, beta);
-      d.H_abs_max = std::max(d.H_abs_max, std::abs(h));
+      if (e > 0 && e < elements - 1) d.H_abs_max = std::max(d.H_abs_max, std::abs(h));
       d.rim_resolution = std::max(d.rim_resolution, std::abs(h) * length[e] / 3);
       if (r > d.radius_equator) {
         d.radius_equator = r;
         d.H_rim = h;
       }
     }
-  d.H_pole = H[0];
   d.thickness_pole = state.X(1, 0) - state.X(1, state.X.cols() - 1);
   d.mesh_quality = length.minCoeff() / length.maxCoeff();
   return d;

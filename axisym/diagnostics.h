@@ -25,7 +25,7 @@ struct Diagnostics {
   double order_min, order_mean, order_max;
   double order_variance;  ///< (1/A)∫(β − mean)² dS
   double order_std;       ///< its root
-  double H_pole;          ///< at the north pole
+  double H_pole;          ///< at the north pole, extrapolated from beyond the pole's element
   double H_rim;           ///< where r is largest
   double H_abs_max;       ///< largest |H|
   double radius_equator;  ///< largest r

@@ -47,6 +47,11 @@ PointOutcome stationary(const model::Material& material, const PointKey& key, co
     point.row.stop_reason = fmt::format(
       "|H| times node spacing is {:.2f} at the rim, more than {}: use more elements",
       d.rim_resolution, axisym::resolution_limit);
+  } else if (d.thickness_pole <= 0) {
+    point.row.status = PointStatus::unresolved;
+    point.row.stop_reason = fmt::format(
+      "the poles have passed through each other (thickness {:.3g}): contact is not in the model",
+      d.thickness_pole);
   } else if (!is_oblate(d, state)) {
     point.row.status = PointStatus::failed;
     point.row.stop_reason = "the state found is no oblate: the branch was left";

@@ -35,45 +35,46 @@ inline const std::array<Example, 2> examples{
     Example{
         .name = "axisymmetric",
         .axisymmetric = true,
-        .position =
-            [](const Point& n) -> Point {
+        .position = [](const Point& n) -> Point {
           const Taylor& z = n[2];
           const Taylor cos2 = 2 * z * z - 1, cos3 = (4 * z * z - 3) * z;
           const Taylor radius = 1 + 0.1 * cos2 + 0.07 * cos3;
           return {radius * n[0], radius * n[1], radius * z};
         },
-        .order = [](const Point& n) { return 0.45 + (0.2 * n[2] - 0.3 * n[2] * n[2] + 0.1) * n[2]; },
-        .displacement =
-            [](const Point& n) -> Point {
-          const Taylor radial = 0.4 + (0.7 - 0.5 * n[2]) * n[2];
-          return {radial * n[0], radial * n[1], 0.3 + (0.6 * n[2] - 0.8) * n[2]};
+        .order = [](const Point& n) -> Taylor {
+          const Taylor& z = n[2];
+          return 0.45 + 0.1 * z + 0.2 * z * z - 0.3 * z * z * z;
         },
-        .order_change = [](const Point& n) { return 0.3 - (0.5 - 0.9 * n[2]) * n[2]; },
+        .displacement = [](const Point& n) -> Point {
+          const auto& [x, y, z] = n;
+          const Taylor radial = 0.4 + 0.7 * z - 0.5 * z * z;
+          return {radial * x, radial * y, 0.3 - 0.8 * z + 0.6 * z * z};
+        },
+        .order_change = [](const Point& n) -> Taylor {
+          const Taylor& z = n[2];
+          return 0.3 - 0.5 * z + 0.9 * z * z;
+        },
     },
     Example{
         .name = "without_symmetry",
         .axisymmetric = false,
-        .position =
-            [](const Point& n) -> Point {
+        .position = [](const Point& n) -> Point {
           const auto& [x, y, z] = n;
           const Taylor radius = 1 + 0.15 * x * y + 0.1 * z * z * z - 0.12 * x * z;
           return {radius * x + 0.05 * y * y, radius * y + 0.08 * x * z, radius * z - 0.06 * x * y};
         },
-        .order =
-            [](const Point& n) {
-              const auto& [x, y, z] = n;
-              return 0.4 + 0.1 * x - 0.15 * y * z + 0.12 * z * z + 0.07 * x * y;
-            },
-        .displacement =
-            [](const Point& n) -> Point {
+        .order = [](const Point& n) -> Taylor {
+          const auto& [x, y, z] = n;
+          return 0.4 + 0.1 * x - 0.15 * y * z + 0.12 * z * z + 0.07 * x * y;
+        },
+        .displacement = [](const Point& n) -> Point {
           const auto& [x, y, z] = n;
           return {0.2 - 0.5 * x * y + 0.3 * z, 0.4 * z * z + 0.6 * x, 0.5 * y - 0.4 * x * z};
         },
-        .order_change =
-            [](const Point& n) {
-              const auto& [x, y, z] = n;
-              return 0.3 + 0.4 * y - 0.6 * x * z + 0.2 * x * x;
-            },
+        .order_change = [](const Point& n) -> Taylor {
+          const auto& [x, y, z] = n;
+          return 0.3 + 0.4 * y - 0.6 * x * z + 0.2 * x * x;
+        },
     },
 };
 
@@ -108,12 +109,12 @@ inline std::vector<Direction> directions(bool axisymmetric, int points) {
 
 /// Geometry of X at a point, in the frame (e1, e2, ν) of model/terms.h with e1 along ∂_θ X.
 struct SurfacePoint {
-  Eigen::Matrix3d frame;        // columns e1, e2, ν
-  double area;                  ///< |∂_θ X × ∂_φ X|
-  Eigen::Matrix2d inverse;      // row: e1, e2; column: ∂_θ, ∂_φ; takes f_θ, f_φ to ∇f
-  double H;                     ///< −2 on the unit sphere
-  Tangent<double> grad_H;       // e1, e2
-  ShapeOperator<double> B;      // e1, e2
+  Eigen::Matrix3d frame;    // columns e1, e2, ν
+  double area;              ///< |∂_θ X × ∂_φ X|
+  Eigen::Matrix2d inverse;  // row: e1, e2; column: ∂_θ, ∂_φ; takes f_θ, f_φ to ∇f
+  double H;                 ///< −2 on the unit sphere
+  Tangent<double> grad_H;   // e1, e2
+  ShapeOperator<double> B;  // e1, e2
   ElasticPoint<double, double> with_order(const Taylor& beta) const {
     return {beta.derivative(0, 0).a, gradient(beta), B, H, grad_H};
   }
@@ -129,7 +130,8 @@ struct SurfacePoint {
   /// W in the frame.
   Vector<double> components(const Point& W) const {
     return frame.transpose()
-         * Vector<double>(W[0].derivative(0, 0).a, W[1].derivative(0, 0).a, W[2].derivative(0, 0).a);
+         * Vector<double>(W[0].derivative(0, 0).a, W[1].derivative(0, 0).a,
+                          W[2].derivative(0, 0).a);
   }
 };
 

@@ -69,8 +69,8 @@ Parts energy_of_displaced(const Example& example, const std::vector<Direction>& 
   Parts sum = Parts::Zero();
   for (const Direction& d : directions) {
     const Point X = example.position(d.n), W = example.displacement(d.n);
-    const SurfacePoint p = surface_point(
-        {X[0] + amount * W[0], X[1] + amount * W[1], X[2] + amount * W[2]});
+    const SurfacePoint p =
+        surface_point({X[0] + amount * W[0], X[1] + amount * W[1], X[2] + amount * W[2]});
     const Density density = density_at(p, p.with_order(example.order(d.n)));
     const double dS = p.area / d.sin_theta * d.weight;
     for (std::size_t k = 0; k < parts().size(); ++k)
@@ -110,9 +110,6 @@ Power power_of(const Part& part, const Example& example, const std::vector<Direc
   return power;
 }
 
-// The table is complete: a further part, or a further term of elastic_stress, fails below.
-static_assert(sizeof(Density) == 4 * sizeof(double), "a part of the energy is not in the table");
-
 // 48 Gauss points (and 96 around) leave rounding: 24 leave 5e-10, and doubling squares the error.
 // As functions of ε the energies are analytic up to where the displaced surface degenerates, not
 // before |ε| = 1/2. So the differences, extrapolated from h = 0.04, have a truncation error of
@@ -150,7 +147,7 @@ TEST_P(ElasticStress, needs_every_single_term) {
   }
 }
 
-TEST_P(ElasticStress, is_the_sum_of_its_labelled_terms) {
+TEST_P(ElasticStress, is_the_sum_of_its_labelled_terms_which_are_all_in_the_table) {
   const Example& example = GetParam();
   for (const Direction& d : directions(example.axisymmetric, 6)) {
     const SurfacePoint p = surface_point(example.position(d.n));
@@ -170,6 +167,7 @@ TEST_P(ElasticStress, is_the_sum_of_its_labelled_terms) {
 
 TEST_P(ElasticStress, is_the_same_with_numbers_of_another_type) {
   using Jet = ceres::Jet<double, 3>;
+  const double rounding = 100 * epsilon;  // all numbers are O(1)
   const Example& example = GetParam();
   for (const Direction& d : directions(example.axisymmetric, 3)) {
     const SurfacePoint p = surface_point(example.position(d.n));
@@ -179,7 +177,7 @@ TEST_P(ElasticStress, is_the_same_with_numbers_of_another_type) {
     const Gradient<double> stress = elastic_stress(general_material(), x);
     const Gradient<Jet> jets = elastic_stress(general_material(), unknown_curvature);
     for (int i = 0; i < 3; ++i)
-      for (int j = 0; j < 2; ++j) EXPECT_EQ(jets(i, j).a, stress(i, j));
+      for (int j = 0; j < 2; ++j) EXPECT_NEAR(jets(i, j).a, stress(i, j), rounding);
 
     // Linear in H and ∇H: the derivative leads back to the value at H = 0, ∇H = 0.
     auto flat = x;
@@ -189,12 +187,13 @@ TEST_P(ElasticStress, is_the_same_with_numbers_of_another_type) {
     for (int i = 0; i < 3; ++i)
       for (int j = 0; j < 2; ++j) {
         const double linear = jets(i, j).v.dot(Eigen::Vector3d(x.H, x.grad_H[0], x.grad_H[1]));
-        EXPECT_NEAR(constant(i, j) + linear, stress(i, j), 100 * epsilon);  // all numbers are O(1)
+        EXPECT_NEAR(constant(i, j) + linear, stress(i, j), rounding);
       }
   }
 }
 
-TEST(EnergyDensity, adds_up_its_parts) {
+TEST(EnergyDensity, adds_up_its_parts_which_are_all_in_the_table) {
+  EXPECT_EQ(sizeof(Density), parts().size() * sizeof(double));
   const Density density = energy_density(general_material(), 0.4, 0.3, -1.8, 0.7);
   double sum = 0;
   for (const Part& part : parts()) sum += density.*part.density;
@@ -215,8 +214,8 @@ TEST(EnergyDensity, of_one_constant_is_distortion_and_the_square_of_the_shape_op
   const double L = 0.03, beta = 0.5, grad_beta_squared = 0.8, k1 = -1.4, k2 = 0.6;
   const Density density =
       energy_density(Material{}.with_L(L), beta, grad_beta_squared, k1 + k2, k1 * k2);
-  const double expected = 0.75 * L * grad_beta_squared
-                        + 2.25 * L * beta * beta * (k1 * k1 + k2 * k2);
+  const double expected =
+      0.75 * L * grad_beta_squared + 2.25 * L * beta * beta * (k1 * k1 + k2 * k2);
   EXPECT_NEAR(density.total() - density.thermotropic, expected,
               10 * epsilon * std::abs(density.thermotropic));
 }

@@ -40,7 +40,7 @@ Material elastic_alone(double L1, double L2, double L3) {
 // l₁ = (6L₁ + L₂ + L₃)/4, κ ~ 2L₁ + L₂ + L₃, κ_G ~ −(2L₁ + L₃): all vanish but one.
 const std::vector<Case>& cases() {
   static const std::vector<Case> table{
-      {"B2", elastic_alone(0.05, 0, -0.1)}, {"B3", elastic_alone(0.05, -0.2, -0.1)},
+      {"B2", elastic_alone(0.05, 0, -0.1)},  {"B3", elastic_alone(0.05, -0.2, -0.1)},
       {"B4", elastic_alone(0, -0.05, 0.05)}, {"B5", elastic(0, 0, 0)},
       {"all", general_material()},
   };
@@ -80,7 +80,8 @@ TEST_P(OrderForce, is_the_derivative_of_the_energy_by_the_order) {
       return std::abs(changed_density(m, example, step, p, n));
     });
     const double distortion = integral(example, all, [&](const SurfacePoint& p, const Point& n) {
-      return m.l1() * p.gradient(example.order(n)).dot(p.gradient(example.order_change(n)));  // (B2)
+      return m.l1()
+           * p.gradient(example.order(n)).dot(p.gradient(example.order_change(n)));  // (B2)
     });
     const double reaction = integral(example, all, [&](const SurfacePoint& p, const Point& n) {
       const double beta = example.order(n).derivative(0, 0).a;
@@ -88,7 +89,6 @@ TEST_P(OrderForce, is_the_derivative_of_the_energy_by_the_order) {
     });
     EXPECT_NEAR(derivative, distortion + reaction, tolerance * magnitude) << label;
     EXPECT_GT(std::abs(derivative), 1e-3 * magnitude) << label << " does nothing in this example";
-    std::printf("%s %s %.15g %.15g %.2e of %.3g\n", example.name, label.c_str(), derivative, distortion+reaction, (derivative-distortion-reaction)/magnitude, magnitude);
   }
 }
 

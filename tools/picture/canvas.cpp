@@ -25,6 +25,7 @@
 #include <vtkWindowToImageFilter.h>
 
 #include <cmath>
+#include <fstream>
 #include <stdexcept>
 
 namespace sbeh::picture {
@@ -149,24 +150,35 @@ void write_svg(vtkRenderWindow* window, fs::path file, const std::string& title)
   exporter->Write();
 }
 
+// Whether the file ends as a PNG or an SVG does: a full disk goes unnoticed while it is written.
+bool is_complete(const fs::path& file) {
+  constexpr int length = 16;
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(-length, std::ios::end);
+  std::string end(length, ' ');
+  stream.read(end.data(), length);
+  return stream
+      && (end.find("IEND") != std::string::npos || end.find("</svg>") != std::string::npos);
+}
+
 }  // namespace
 
 void Canvas::write(const fs::path& stem) {
+  const std::string name = stem.filename().string();
   // First the SVG: a chart finds its final place only when it is rendered for the second time.
   for (const std::string kind : {".svg", ".png"}) {
     const fs::path target = fs::path(stem) += kind;
-    const fs::path temporary =
-        stem.parent_path() / fmt::format(".{}-{}{}", stem.filename().string(), getpid(), kind);
-    std::error_code error;
-    fs::remove(temporary, error);
+    const fs::path temporary = stem.parent_path() / fmt::format(".{}-{}{}", name, getpid(), kind);
     if (kind == ".png") {
       write_png(window_->render_window(), temporary);
     } else {
-      write_svg(window_->render_window(), temporary, stem.filename().string());
+      write_svg(window_->render_window(), temporary, name);
     }
-    const bool written = fs::exists(temporary, error) && fs::file_size(temporary, error) > 0;
-    if (written) fs::rename(temporary, target, error);
-    if (!written || error) {
+    std::error_code error;
+    const bool complete = is_complete(temporary);
+    if (complete) fs::rename(temporary, target, error);
+    if (!complete || error) {
+      fs::remove(temporary, error);
       throw std::runtime_error(
           fmt::format("{}: cannot be written; free some space there or give "
                       "yourself the right to write.",

@@ -1,127 +1,23 @@
 #include "tools/picture/cuts.h"
 
+#include "tools/picture/cut_matrix.h"
 #include "tools/picture/legend.h"
-#include "tools/picture/panels.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <map>
 #include <optional>
 
 namespace sbeh::picture {
 namespace {
 
-constexpr std::size_t most_volumes = 5;
-constexpr std::size_t most_lengths = 6;
 constexpr double widest_cell = 330.0;  // pixels, when the size is ours to choose
 constexpr double widest_picture = 1600.0;
+constexpr double highest_picture = 1600.0;
 constexpr double largest_share = 0.86;  // of the cell's width, for the widest cut
 
 LineStyle ssh_style(double text_size, bool with_sbeh) {
   return {.colour = red, .width = std::max(1.2, 0.085 * text_size), .dashed = with_sbeh};
-}
-
-std::string volume_title(double value) { return fmt::format("Vᵣ = {}", short_number(value)); }
-std::string length_title(double value) { return fmt::format("L = {}", short_number(value)); }
-
-// The cuts that are shown, read once.
-struct Shown {
-  const ScanTable& scan;
-  std::vector<std::size_t> volumes;
-  std::vector<std::size_t> lengths;  // of the matrix; the overlays show all
-  std::map<const ScanPoint*, Cut> cuts;
-  Extent extent;
-  OrderRange orders;
-
-  const Cut* cut(Model model, std::size_t volume, std::size_t length) const {
-    const auto found = cuts.find(scan.find(model, volume, length));
-    return found == cuts.end() ? nullptr : &found->second;
-  }
-};
-
-Shown read_cuts(const ScanTable& scan) {
-  Shown shown{.scan = scan,
-              .volumes = evenly_spread(scan.reduced_volumes().size(), most_volumes),
-              .lengths = evenly_spread(scan.lengths().size(), most_lengths),
-              .cuts = {},
-              .extent = {},
-              .orders = {}};
-  for (const std::size_t volume : shown.volumes) {
-    for (std::size_t length = 0; length < scan.lengths().size(); ++length) {
-      for (const Model model : {Model::SBEH, Model::SSH}) {
-        const ScanPoint* point = scan.find(model, volume, length);
-        if (!point || !std::filesystem::exists(point->profile)) continue;
-        const Cut& cut = shown.cuts[point] = mirrored(read_profile(point->profile));
-        shown.extent.include(cut);
-        if (model == Model::SBEH) shown.orders.include(cut);
-      }
-    }
-  }
-  return shown;
-}
-
-// Which point stands in which cell. With a single L the reduced volumes stand side by side.
-struct Matrix {
-  const Shown& shown;
-  bool is_row = shown.lengths.size() == 1;
-  std::size_t rows = is_row ? 1 : shown.volumes.size();
-  std::size_t columns = is_row ? shown.volumes.size() : shown.lengths.size();
-
-  std::size_t volume(std::size_t row, std::size_t column) const {
-    return shown.volumes[is_row ? column : row];
-  }
-  std::size_t length(std::size_t column) const { return shown.lengths[is_row ? 0 : column]; }
-  std::string row_title(std::size_t row) const {
-    return is_row ? length_title(shown.scan.lengths()[0])
-                  : volume_title(shown.scan.reduced_volumes()[volume(row, 0)]);
-  }
-  std::string column_title(std::size_t column) const {
-    return is_row ? volume_title(shown.scan.reduced_volumes()[volume(0, column)])
-                  : length_title(shown.scan.lengths()[length(column)]);
-  }
-  std::size_t overlay_rows() const {
-    return is_row ? 0 : (shown.volumes.size() + columns - 1) / columns;
-  }
-};
-
-std::string title_of(const Shown& shown) {
-  const std::size_t volumes = shown.scan.reduced_volumes().size();
-  const std::size_t lengths = shown.scan.lengths().size();
-  if (shown.volumes.size() == volumes && shown.lengths.size() == lengths) {
-    return "Cross sections";
-  }
-  return fmt::format("Cross sections: {} of {} reduced volumes, {} of {} values of L",
-                     shown.volumes.size(), volumes, shown.lengths.size(), lengths);
-}
-
-// What to say below a cell about points that are not simply stationary; empty for the others.
-std::string remark(const Shown& shown, std::size_t volume, std::size_t length) {
-  std::vector<std::string> remarks;
-  for (const Model model : {Model::SBEH, Model::SSH}) {
-    if (!shown.scan.has(model)) continue;
-    const char* name = model == Model::SBEH ? "SBEH" : "SSH";
-    const ScanPoint* point = shown.scan.find(model, volume, length);
-    if (!point) {
-      remarks.push_back(fmt::format("no {}", name));
-    } else if (point->status == Status::failed) {
-      remarks.push_back(fmt::format("{} failed", name));
-    } else if (!shown.cut(model, volume, length)) {
-      remarks.push_back(fmt::format("no {} profile", name));
-    } else if (point->status == Status::unresolved) {
-      remarks.push_back(fmt::format("{} unresolved", name));
-    }
-  }
-  return fmt::format("{}", fmt::join(remarks, ", "));
-}
-
-bool any_remark(const Matrix& matrix) {
-  for (const std::size_t volume : matrix.shown.volumes) {
-    for (const std::size_t length : matrix.shown.lengths) {
-      if (!remark(matrix.shown, volume, length).empty()) return true;
-    }
-  }
-  return false;
 }
 
 // Grey and thin for the smallest L, black and thicker for the largest.
@@ -131,9 +27,9 @@ LineStyle overlay_style(std::size_t length, std::size_t count) {
   return {.colour = {grey, grey, grey}, .width = 1.4 + 0.8 * fraction};
 }
 
-std::vector<LegendEntry> legend_of(const Matrix& matrix, const std::optional<ColourMap>& colours,
+std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const std::optional<ColourMap>& colours,
                                    double text_size) {
-  const ScanTable& scan = matrix.shown.scan;
+  const ScanTable& scan = matrix.scan();
   std::vector<LegendEntry> entries;
   if (colours) {
     entries.push_back(
@@ -145,7 +41,7 @@ std::vector<LegendEntry> legend_of(const Matrix& matrix, const std::optional<Col
   if (colours && matrix.overlay_rows() > 0) {
     const std::size_t last = scan.lengths().size() - 1;
     entries.push_back(line_entry(overlay_style(0, last + 1),
-                                 "last row: SBEH, " + length_title(scan.lengths()[0])));
+                                 "all L: SBEH from " + length_title(scan.lengths()[0])));
     entries.push_back(
         line_entry(overlay_style(last, last + 1), "to " + length_title(scan.lengths()[last])));
   }
@@ -170,84 +66,71 @@ struct Layout {
   }
 };
 
-// The largest half height in each row of the matrix and of the overlays.
-std::vector<double> half_heights(const Matrix& matrix) {
-  const Shown& shown = matrix.shown;
-  std::vector<Extent> extents(matrix.rows + matrix.overlay_rows());
-  for (std::size_t v = 0; v < shown.volumes.size(); ++v) {
-    for (std::size_t length = 0; length < shown.scan.lengths().size(); ++length) {
-      for (const Model model : {Model::SBEH, Model::SSH}) {
-        const Cut* cut = shown.cut(model, shown.volumes[v], length);
-        if (!cut) continue;
-        extents[matrix.is_row ? 0 : v].include(*cut);
-        if (matrix.overlay_rows() > 0) extents[matrix.rows + v / matrix.columns].include(*cut);
-      }
-    }
-  }
-  std::vector<double> halves;
-  for (const Extent& extent : extents) {
-    halves.push_back(std::max(extent.half_height, 0.2 * shown.extent.half_height));
-  }
-  return halves;
-}
-
 // Fills `at.rows` from the top, and the height if that is ours to choose.
-void stack_rows(Layout& at, const Matrix& matrix, const std::optional<Size>& size) {
+void stack_rows(Layout& at, const CutMatrix& matrix, const std::optional<Size>& size) {
+  at.rows.clear();
   const double gap = 1.3 * at.text;
   const double titles = 4.4 * at.text, overlay_title = 1.7 * at.text, separator = 0.6 * at.text;
   const double bottom = at.legend + 0.8 * at.text;
-  const std::vector<double> halves = half_heights(matrix);
+  const std::vector<double> halves = matrix.half_heights();
   const auto count = double(halves.size());
   const auto overlays = double(matrix.overlay_rows());
   const double fixed = titles + overlays * overlay_title + (overlays > 0.0 ? separator : 0.0)
-                     + bottom + count * gap + double(matrix.rows) * at.remarks;
+                     + bottom + count * gap + double(matrix.rows()) * at.remarks;
   double sum = 0.0;
   for (const double half : halves) sum += 2.0 * half;
-  at.scale = largest_share * at.cell_width / (2.0 * matrix.shown.extent.half_width);
-  if (size) at.scale = std::min(at.scale, std::max(size->height - fixed, 0.1 * size->height) / sum);
+  const double room = (size ? size->height : highest_picture) - fixed;
+  at.scale = std::min(largest_share * at.cell_width / (2.0 * matrix.half_width()),
+                      std::max(room, 5.0 * at.text) / sum);
   at.height = size ? size->height : fixed + sum * at.scale;
   const double spare = (at.height - fixed - sum * at.scale) / count;
 
   double y = at.height - titles;
   for (std::size_t row = 0; row < halves.size(); ++row) {
-    if (row == matrix.rows) y -= separator;
-    if (row >= matrix.rows) y -= overlay_title;
+    if (row == matrix.rows()) y -= separator;
+    if (row >= matrix.rows()) y -= overlay_title;
     const double height =
-        2.0 * halves[row] * at.scale + gap + spare + (row < matrix.rows ? at.remarks : 0.0);
+        2.0 * halves[row] * at.scale + gap + spare + (row < matrix.rows() ? at.remarks : 0.0);
     y -= height;
     at.rows.push_back({0.0, y, at.width, height});
   }
 }
 
-Layout layout_of(const Canvas& canvas, const Matrix& matrix, const Options& options,
+Layout layout_of(const Canvas& canvas, const CutMatrix& matrix, const Options& options,
                  const std::optional<ColourMap>& colours, const std::vector<LegendEntry>& entries) {
   Layout at;
   at.text = options.text_size();
   double title = 0.0;
-  for (std::size_t row = 0; row < matrix.rows; ++row) {
+  for (std::size_t row = 0; row < matrix.rows(); ++row) {
     title = std::max(title, canvas.text_width(matrix.row_title(row), at.text));
   }
   at.left = title + 1.8 * at.text;
   at.right = 2.0 * at.text
            + (colours ? 1.6 * at.text + colour_bar_margin(canvas, *colours, true, at.text) : 0.0);
   const double margins = at.left + at.right;
-  const auto columns = double(matrix.columns);
-  at.width = options.size
-               ? options.size->width
-               : std::clamp(margins + columns * widest_cell, 40.0 * at.text, widest_picture);
+  const auto columns = double(matrix.columns());
+  at.width = options.size ? options.size->width
+                          : std::min(widest_picture, margins + columns * widest_cell);
+  at.cell_width = (at.width - margins) / columns;
+  at.remarks = matrix.any_remark() ? 0.7 * at.text : 0.0;
+  at.legend = legend_height(canvas, entries, at.width - 2.0 * at.text, at.text);
+  stack_rows(at, matrix, options.size);
+  if (options.size) return at;
+
+  // High cuts leave narrower cells; title and legend want some width all the same.
+  const double needed = 2.0 * matrix.half_width() * at.scale / largest_share;
+  at.width = std::max(margins + columns * needed, 40.0 * at.text);
   at.cell_width = (at.width - margins) / columns;
   at.legend = legend_height(canvas, entries, at.width - 2.0 * at.text, at.text);
-  at.remarks = any_remark(matrix) ? 0.7 * at.text : 0.0;
   stack_rows(at, matrix, options.size);
   return at;
 }
 
-void draw_cell(Canvas& canvas, const Matrix& matrix, std::size_t row, std::size_t column,
+void draw_cell(Canvas& canvas, const CutMatrix& matrix, std::size_t row, std::size_t column,
                const Layout& at, const std::optional<ColourMap>& colours) {
-  const Shown& shown = matrix.shown;
-  const std::size_t volume = matrix.volume(row, column), length = matrix.length(column);
-  const Cut* sbeh = shown.cut(Model::SBEH, volume, length);
-  const Cut* ssh = shown.cut(Model::SSH, volume, length);
+  const std::size_t volume = matrix.volume(row, column), length = matrix.length(row, column);
+  const Cut* sbeh = matrix.cut(Model::SBEH, volume, length);
+  const Cut* ssh = matrix.cut(Model::SSH, volume, length);
   Rect cell = at.cell(double(column), row);
   cell.y += at.remarks;
   cell.height -= at.remarks;
@@ -257,50 +140,48 @@ void draw_cell(Canvas& canvas, const Matrix& matrix, std::size_t row, std::size_
   }
   if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text, colours.has_value())});
   if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
-  canvas.text(cell.centre_x(), cell.y, remark(shown, volume, length),
+  canvas.text(cell.centre_x(), cell.y, matrix.remark(volume, length),
               {.size = 0.8 * at.text, .colour = dark_grey});
 }
 
-void draw_overlay(Canvas& canvas, const Matrix& matrix, std::size_t index, const Layout& at) {
-  const Shown& shown = matrix.shown;
-  const std::size_t line = index / matrix.columns;
+void draw_overlay(Canvas& canvas, const CutMatrix& matrix, std::size_t index, const Layout& at) {
+  const std::size_t line = index / matrix.columns();
   const std::size_t in_line =
-      std::min(shown.volumes.size() - line * matrix.columns, matrix.columns);
-  const double column = double(index % matrix.columns) + 0.5 * double(matrix.columns - in_line);
-  const Rect cell = at.cell(column, matrix.rows + line);
+      std::min(matrix.volumes().size() - line * matrix.columns(), matrix.columns());
+  const double column = double(index % matrix.columns()) + 0.5 * double(matrix.columns() - in_line);
+  const Rect cell = at.cell(column, matrix.rows() + line);
 
-  const std::size_t volume = shown.volumes[index];
-  const std::size_t count = shown.scan.lengths().size();
+  const std::size_t volume = matrix.volumes()[index];
+  const std::size_t count = matrix.scan().lengths().size();
   std::vector<CutLine> lines;
   const Cut* ssh = nullptr;
   for (std::size_t length = 0; length < count; ++length) {
-    if (const Cut* cut = shown.cut(Model::SBEH, volume, length)) {
+    if (const Cut* cut = matrix.cut(Model::SBEH, volume, length)) {
       lines.push_back({.cut = cut, .style = overlay_style(length, count)});
     }
-    if (!ssh) ssh = shown.cut(Model::SSH, volume, length);
+    if (!ssh) ssh = matrix.cut(Model::SSH, volume, length);
   }
   if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text, true)});
   if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
   canvas.text(cell.centre_x(), cell.top() + 0.7 * at.text,
-              volume_title(shown.scan.reduced_volumes()[volume]), {.size = at.text});
+              volume_title(matrix.scan().reduced_volumes()[volume]), {.size = at.text});
 }
 
-void draw_titles(Canvas& canvas, const Matrix& matrix, const Layout& at) {
-  canvas.text(0.5 * at.width, at.height - 1.4 * at.text, title_of(matrix.shown),
-              {.size = 1.15 * at.text});
-  for (std::size_t row = 0; row < matrix.rows; ++row) {
+void draw_titles(Canvas& canvas, const CutMatrix& matrix, const Layout& at) {
+  canvas.text(0.5 * at.width, at.height - 1.4 * at.text, matrix.title(), {.size = 1.15 * at.text});
+  for (std::size_t row = 0; row < matrix.rows(); ++row) {
     canvas.text(at.left - 0.8 * at.text, at.rows[row].centre_y(), matrix.row_title(row),
                 {.size = at.text, .align = Align::right});
   }
-  for (std::size_t column = 0; column < matrix.columns; ++column) {
+  for (std::size_t column = 0; column < matrix.columns(); ++column) {
     canvas.text(at.cell(double(column), 0).centre_x(), at.rows[0].top() + 0.8 * at.text,
                 matrix.column_title(column), {.size = at.text});
   }
   if (matrix.overlay_rows() > 0) {
-    const double y = at.rows[matrix.rows - 1].y - 0.1 * at.text;
-    canvas.line({{at.text, y}, {at.left + double(matrix.columns) * at.cell_width, y}},
+    const double y = at.rows[matrix.rows() - 1].y - 0.1 * at.text;
+    canvas.line({{at.text, y}, {at.left + double(matrix.columns()) * at.cell_width, y}},
                 {.colour = light_grey, .width = 1.5});
-    canvas.text(at.left - 0.8 * at.text, at.rows[matrix.rows].centre_y(), "all L",
+    canvas.text(at.left - 0.8 * at.text, at.rows[matrix.rows()].centre_y(), "all L",
                 {.size = at.text, .align = Align::right});
   }
 }
@@ -308,26 +189,25 @@ void draw_titles(Canvas& canvas, const Matrix& matrix, const Layout& at) {
 }  // namespace
 
 void draw_cuts_picture(Canvas& canvas, const ScanTable& scan, const Options& options) {
-  const Shown shown = read_cuts(scan);
-  if (shown.cuts.empty()) {
+  const CutMatrix matrix(scan);
+  if (matrix.empty()) {
     fmt::print("no cuts: there is no profile in {}\n", (options.directory / "points").string());
     return;
   }
-  const Matrix matrix{.shown = shown};
   std::optional<ColourMap> colours;
-  if (scan.has(Model::SBEH)) colours = shown.orders.colours();
+  if (scan.has(Model::SBEH)) colours = matrix.orders().colours();
   const auto entries = legend_of(matrix, colours, options.text_size());
   const Layout at = layout_of(canvas, matrix, options, colours, entries);
 
   canvas.start(at.width, at.height);
   draw_titles(canvas, matrix, at);
-  for (std::size_t row = 0; row < matrix.rows; ++row) {
-    for (std::size_t column = 0; column < matrix.columns; ++column) {
+  for (std::size_t row = 0; row < matrix.rows(); ++row) {
+    for (std::size_t column = 0; column < matrix.columns(); ++column) {
       draw_cell(canvas, matrix, row, column, at, colours);
     }
   }
   if (matrix.overlay_rows() > 0) {
-    for (std::size_t i = 0; i < shown.volumes.size(); ++i) draw_overlay(canvas, matrix, i, at);
+    for (std::size_t i = 0; i < matrix.volumes().size(); ++i) draw_overlay(canvas, matrix, i, at);
   }
   if (colours) {
     const double top = at.rows.front().top(), bottom = at.rows.back().y;

@@ -80,7 +80,10 @@ std::vector<LegendEntry> legend_of(const ScanTable& scan, const Histories& all) 
 }  // namespace
 
 void draw_energy_picture(Canvas& canvas, const ScanTable& scan, const Options& options) {
-  if (!any_series(scan)) return;
+  if (!any_series(scan)) {
+    if (!options.only.empty()) fmt::print("no energy: the scan has left no energies over time\n");
+    return;
+  }
   const Histories all = read_histories(scan, options);
   if (all.curves.empty()) {
     fmt::print("no energy: {} is positive nowhere; set --energy-shift\n", options.energy_name());

@@ -14,9 +14,9 @@ Profile read_profile(const std::filesystem::path& file) {
   Profile profile{table.numbers("r"), table.numbers("z"), table.numbers("order")};
   const auto finite = [](double value) { return std::isfinite(value); };
   if (table.rows() < 3 || !std::ranges::all_of(profile.r, finite)
-      || !std::ranges::all_of(profile.z, finite)) {
+      || !std::ranges::all_of(profile.z, finite) || std::ranges::max(profile.r) <= 0.0) {
     throw InputError(
-        fmt::format("{}: needs at least three points with finite r and z; "
+        fmt::format("{}: needs at least three points with finite r and z, not all on the axis; "
                     "compute this point again.",
                     file.string()));
   }

@@ -67,8 +67,8 @@ std::vector<Frame> read_frames(const std::filesystem::path& directory) {
 }  // namespace
 
 void draw_relaxation_energy(Canvas& canvas, const Options& options) {
-  const std::filesystem::path file = options.directory / "series.csv";
-  const CsvTable table(file);
+  const CsvTable table(options.directory / "series.csv");
+  const std::vector<double> time = table.numbers("time");
   const double shift = options.energy_shift;
   const std::string suffix = options.energy_name().substr(1);  // " + 4π"
   const Part parts[] = {
@@ -85,7 +85,7 @@ void draw_relaxation_energy(Canvas& canvas, const Options& options) {
   std::vector<LegendEntry> legend;
   for (const Part& part : parts) {
     if (part.column != std::string("energy") && !table.has(part.column)) continue;
-    Points points = read_history(file, part.column).log_log(part.shift);
+    Points points = History{time, table.numbers(part.column)}.log_log(part.shift);
     if (points.size() < 2) continue;
     curves.push_back(std::move(points));
     styles.push_back(part.style);

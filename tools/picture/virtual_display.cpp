@@ -1,5 +1,6 @@
 #include "tools/picture/virtual_display.h"
 
+#include <X11/Xlib.h>
 #include <unistd.h>
 
 #include <cstdlib>
@@ -21,15 +22,23 @@ bool is_installed(const std::string& program) {
   return false;
 }
 
+// The connection stays open until the program ends: a virtual server resets itself when its last
+// client leaves, and VTK's next connection could meet it in that moment.
+bool is_display_usable() {
+  static const Display* connection = XOpenDisplay(nullptr);
+  return connection != nullptr;
+}
+
 }  // namespace
 
 void ensure_display(char** arguments) {
-  const char* display = std::getenv("DISPLAY");
-  if (display && *display) return;
+  if (is_display_usable()) return;
   const std::runtime_error missing(
       "There is no display and no virtual one can be started: install the Debian packages xvfb and "
-      "xauth, or set DISPLAY.");
-  if (!is_installed("xvfb-run") || !is_installed("xauth")) throw missing;
+      "xauth, or set DISPLAY to one that can be reached.");
+  constexpr const char* already_tried = "SBEH_PICTURE_VIRTUAL_DISPLAY";
+  if (std::getenv(already_tried) || !is_installed("xvfb-run") || !is_installed("xauth"))
+    throw missing;
 
   std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
   std::vector<std::string> words{"xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", self};
@@ -37,6 +46,7 @@ void ensure_display(char** arguments) {
   for (auto& word : words) command.push_back(word.data());
   for (char** argument = arguments + 1; *argument; ++argument) command.push_back(*argument);
   command.push_back(nullptr);
+  setenv(already_tried, "1", 1);
   execvp("xvfb-run", command.data());
   throw missing;
 }

@@ -4,7 +4,7 @@
 
 namespace sbeh::picture {
 
-/// Returns if there is a display. Otherwise replaces this process by itself under xvfb-run, or throws
+/// Returns if the display that DISPLAY names can be reached. Otherwise replaces this process by itself under xvfb-run, or throws
 /// std::runtime_error that says what to install.
 void ensure_display(char** arguments);
 

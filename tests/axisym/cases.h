@@ -1,0 +1,120 @@
+// Start shapes, stationary states and tables of observed orders which the tests of axisym share.
+#pragma once
+
+#include "axisym/continuation.h"
+#include "axisym/curvature.h"
+#include "axisym/diagnostics.h"
+#include "axisym/flow.h"
+#include "axisym/redistribute.h"
+#include "axisym/start_shapes.h"
+
+#include <cmath>
+#include <cstdio>
+#include <gtest/gtest.h>
+#include <limits>
+#include <numbers>
+#include <string>
+#include <vector>
+
+namespace sbeh::axisym::test {
+
+using model::Material;
+using model::Model;
+using std::numbers::pi;
+
+/// The one-constant material of the paper.
+inline Material paper_material(double L) { return Material{}.with_L(L); }
+
+/// Fully ordered oblate spheroid of area 4π: where the paper's runs start.
+inline State ordered_spheroid(double reduced_volume, int elements) {
+  State s{.X = spheroid(reduced_volume, false, elements, Numerics{}.grading), .beta = {}};
+  s.beta = Field::Constant(s.X.cols(), model::full_order);
+  return s;
+}
+
+/// Energy with the curvature that the curve itself defines, as run_flow reports it.
+inline Energy energy_of(const Material& material, const State& s) {
+  return energy(material, s, mean_curvature(s.X));
+}
+/// Energy of a stationary state, with its own curvature field.
+inline Energy energy_of(const Material& material, const StationaryState& s) {
+  return energy(material, s.state, s.H);
+}
+
+/// U_EL, the part of the energy that is linear in L: everything but the potential.
+inline double elastic(const Energy& e) { return e.distortion + e.bending; }
+
+inline Numerics with_elements(int elements) {
+  Numerics numerics;
+  numerics.elements = elements;
+  return numerics;
+}
+
+/// The smooth oblate at (0.8, 0.05): a short run from the spheroid, then Newton.
+inline BranchState first_oblate(Model model, int elements) {
+  const PlanePoint at{0.8, 0.05};
+  const Material material = paper_material(at.L);
+  Numerics numerics = with_elements(elements);
+  numerics.tolerance = 1e-4;
+  const FlowResult run =
+    run_flow(material, model, ordered_spheroid(at.reduced_volume, elements),
+             target_of(at.reduced_volume), numerics, {.end_time = 0.2, .output_times = {}});
+  StationaryState guess = guess_from(material, run.state);
+  guess = redistribute(guess, numerics.grading);
+  const NewtonResult r =
+    solve_stationary(material, model, target_of(at.reduced_volume), guess);
+  EXPECT_EQ(r.status, NewtonStatus::converged) << elements << " elements";
+  return {.at = at, .solution = r.solution, .determinant_sign = r.determinant_sign,
+          .iterations = r.iterations};
+}
+
+/// Follows the branch to a point which it must reach.
+inline BranchState reach(Model model, const BranchState& from, PlanePoint to) {
+  const FollowResult r = follow(paper_material(from.at.L), model, from, to,
+                                with_elements(element_count(from.solution.state.X)));
+  EXPECT_EQ(r.arrival, Arrival::reached) << "V_r = " << to.reduced_volume << ", L = " << to.L;
+  return r.state;
+}
+
+/// The smooth oblate at any point of the plane before the fold.
+inline BranchState oblate(Model model, PlanePoint at, int elements) {
+  return reach(model, first_oblate(model, elements), at);
+}
+
+/// Errors under refinement, printed as a table with the order observed from row to row.
+class OrderTable {
+ public:
+  OrderTable(std::string quantity, std::string step_name)
+      : quantity_(std::move(quantity)), step_name_(std::move(step_name)) {}
+
+  void add(double step, double error) { rows_.push_back({step, std::abs(error)}); }
+
+  /// Orders between successive rows: log(error ratio)/log(step ratio).
+  std::vector<double> orders() const {
+    std::vector<double> p;
+    for (std::size_t k = 1; k < rows_.size(); ++k)
+      p.push_back(std::log(rows_[k - 1].error / rows_[k].error)
+                  / std::log(rows_[k - 1].step / rows_[k].step));
+    return p;
+  }
+  /// The order of the last refinement, after printing the table.
+  double print() const {
+    std::printf("%s\n  %-12s %-12s order\n", quantity_.c_str(), step_name_.c_str(), "error");
+    const auto p = orders();
+    for (std::size_t k = 0; k < rows_.size(); ++k) {
+      std::printf("  %-12.5g %-12.3e", rows_[k].step, rows_[k].error);
+      if (k > 0) std::printf(" %.2f", p[k - 1]);
+      std::printf("\n");
+    }
+    return p.empty() ? std::numeric_limits<double>::quiet_NaN() : p.back();
+  }
+
+ private:
+  struct Row {
+    double step, error;
+  };
+  std::string quantity_, step_name_;
+  std::vector<Row> rows_;
+};
+
+}  // namespace sbeh::axisym::test

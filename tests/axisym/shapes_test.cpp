@@ -1,0 +1,192 @@
+// Start shapes, redistribution of nodes, and the correction of area and volume.
+#include "model/numerics/quadrature.h"
+#include "tests/axisym/cases.h"
+
+#include <stdexcept>
+
+namespace sbeh::axisym {
+namespace {
+
+using namespace test;
+
+// What `correct_area_volume` promises, relative.
+constexpr double correction = 1e-12;
+
+// ---- start shapes -------------------------------------------------------------------------------
+
+TEST(Spheroid, has_the_area_and_reduced_volume_asked_for) {
+  for (const bool prolate : {false, true})
+    for (const double v : {0.4, 0.6, 0.7, 0.8, 0.95, 0.999})
+      for (const int elements : {16, 48}) {
+        const Nodes X = spheroid(v, prolate, elements, 0.5);
+        EXPECT_EQ(element_count(X), elements);
+        EXPECT_NEAR(area(X) / (4 * pi), 1, correction) << "V_r = " << v;
+        EXPECT_NEAR(reduced_volume(area(X), volume(X)) / v, 1, 3 * correction) << "V_r = " << v;
+        const double polar = X(1, 0), equatorial = X.row(0).maxCoeff();
+        EXPECT_EQ(polar > equatorial, prolate) << "V_r = " << v;
+        EXPECT_EQ(X(0, 0), 0);
+        EXPECT_EQ(X(0, X.cols() - 1), 0);
+      }
+}
+
+TEST(Spheroid, of_reduced_volume_1_is_the_sphere) {
+  const Nodes X = spheroid(1, false, 24, 0.5);
+  EXPECT_NEAR(area(X) / (4 * pi), 1, correction);
+  for (Eigen::Index i = 0; i < X.cols(); ++i)  // scaled to area 4π: its error, below h⁴ with h = π/24
+    EXPECT_NEAR(X.col(i).norm(), 1, std::pow(pi / 24, 4));
+}
+
+TEST(Spheroid, from_semi_axes_keeps_their_ratio_and_has_area_4_pi) {
+  const Nodes X = spheroid(3., 2., 24, 0.5);
+  EXPECT_NEAR(area(X) / (4 * pi), 1, 1e-14);
+  const double scale = X(1, 0) / 2;
+  for (Eigen::Index i = 0; i < X.cols(); ++i)
+    EXPECT_NEAR(std::hypot(X(0, i) / 3, X(1, i) / 2) / scale, 1, 1e-13);
+}
+
+TEST(Spheroid, refuses_what_is_none) {
+  const double nan = std::numeric_limits<double>::quiet_NaN();
+  for (const double v : {0., -0.1, 1.0001, nan})
+    EXPECT_THROW(spheroid(v, false, 16, 0.5), std::invalid_argument) << v;
+  EXPECT_THROW(spheroid(0., 1., 16, 0.5), std::invalid_argument);
+  EXPECT_THROW(spheroid(1., -1., 16, 0.5), std::invalid_argument);
+  EXPECT_THROW(spheroid(nan, 1., 16, 0.5), std::invalid_argument);
+}
+
+TEST(ZonalSum, is_made_of_orthonormal_harmonics) {
+  // Gauss–Legendre in cos θ, exact for the products up to degree 10.
+  const model::IntervalRule rule = model::gauss_rule(8);
+  for (int l = 0; l <= 5; ++l)
+    for (int k = 0; k <= 5; ++k) {
+      double product = 0;
+      for (int q = 0; q < rule.size(); ++q) {
+        const double theta = std::acos(2 * rule.points[q] - 1);
+        const std::array<Mode, 1> a{{{l, 1}}}, b{{{k, 1}}};
+        product += 2 * pi * 2 * rule.weights[q] * zonal_sum(a, theta) * zonal_sum(b, theta);
+      }
+      EXPECT_NEAR(product, l == k ? 1 : 0, 1e-14) << l << ' ' << k;
+    }
+}
+
+TEST(HarmonicSphere, follows_its_modes_up_to_the_scale_of_area_4_pi) {
+  const std::array<Mode, 2> modes{{{2, 0.1}, {3, -0.05}}};
+  const Nodes X = harmonic_sphere(modes, 32, 0.5);
+  EXPECT_NEAR(area(X) / (4 * pi), 1, 1e-14);
+  const double scale = X(1, 0) / (1 + zonal_sum(modes, 0));
+  for (Eigen::Index i = 0; i < X.cols(); ++i) {
+    const double theta = std::atan2(X(0, i), X(1, i));
+    EXPECT_NEAR(X.col(i).norm() / scale, 1 + zonal_sum(modes, theta), 1e-13);
+  }
+}
+
+TEST(HarmonicSphere, refuses_negative_degrees_and_negative_radii) {
+  const std::array<Mode, 1> negative{{{-1, 0.1}}}, large{{{2, 4.}}};
+  EXPECT_THROW(harmonic_sphere(negative, 16, 0.5), std::invalid_argument);
+  EXPECT_THROW(harmonic_sphere(large, 16, 0.5), std::invalid_argument);
+}
+
+// ---- redistribution -----------------------------------------------------------------------------
+
+// A smooth curve without symmetry, with β = exp(z) on it.
+State egg(int elements) {
+  State s{.X = Nodes(2, 3 * elements + 1), .beta = Field(3 * elements + 1)};
+  for (Eigen::Index i = 0; i < s.X.cols(); ++i) {
+    const double t = pi * double(i) / double(s.X.cols() - 1), a = 1 + 0.2 * std::cos(t);
+    s.X.col(i) << a * std::sin(t), 0.7 * std::cos(t);
+    s.beta[i] = std::exp(s.X(1, i));
+  }
+  s.X(0, 0) = s.X(0, s.X.cols() - 1) = 0;
+  return s;
+}
+
+TEST(Redistribute, keeps_area_volume_and_fields_to_the_order_of_cubic_interpolation) {
+  // New nodes on the old cubics, equidistant in arc length: as for nodes on any curve, order 4.
+  OrderTable A("area moved by redistribution", "h"), V("volume", "h"), B("beta - exp z at nodes", "h");
+  for (const int elements : {12, 24, 48}) {
+    const State before = egg(elements), after = redistribute(before, 2.);
+    ASSERT_EQ(after.X.cols(), before.X.cols());
+    A.add(1. / elements, area(after.X) / area(before.X) - 1);
+    V.add(1. / elements, volume(after.X) / volume(before.X) - 1);
+    B.add(1. / elements,
+          (after.beta.array() - after.X.row(1).transpose().array().exp()).abs().maxCoeff());
+    EXPECT_EQ(after.X(0, 0), 0);
+    EXPECT_EQ(after.X(0, after.X.cols() - 1), 0);
+    EXPECT_EQ(after.X.col(0), before.X.col(0));
+  }
+  constexpr double slack = 0.3;  // places come from a piecewise linear measure: not quite smooth in h
+  EXPECT_GT(A.print(), 4 - slack);
+  EXPECT_GT(V.print(), 4 - slack);
+  EXPECT_GT(B.print(), 4 - slack);
+}
+
+TEST(Redistribute, without_grading_makes_all_elements_equally_long) {
+  // Places are found on an arc length that is linear on 16 pieces per element. With a stretch that
+  // changes by the share δ over an element, a joint is off by at most (1/8)(δ/16)/16 of an element,
+  // and a length by twice that: δ/1024.
+  const Eigen::VectorXd before = element_lengths(egg(24).X);
+  const Eigen::Index n = before.size();
+  const double delta =
+    (before.tail(n - 1).array() / before.head(n - 1).array() - 1).abs().maxCoeff();
+  const Eigen::VectorXd after = element_lengths(redistribute(egg(24), 0).X);
+  EXPECT_LT((after.array() / after.mean() - 1).abs().maxCoeff(), delta / 1024);
+  EXPECT_GT((before.array() / before.mean() - 1).abs().maxCoeff(), 100 * delta / 1024);
+}
+
+TEST(Redistribute, with_grading_makes_elements_short_where_the_curve_bends) {
+  const Eigen::VectorXd length = element_lengths(spheroid(0.6, false, 24, 2.));
+  const Eigen::Index rim = length.size() / 2;
+  EXPECT_LT(length[rim], 0.3 * length[0]);
+  // Shares: ∫ (1/ℓ + g |B_ss|/∫|B_ss|) ds is 1 + g in total, so no element is longer than (1 + g)
+  // times the mean.
+  EXPECT_LT(length.maxCoeff(), 3.01 * length.mean());
+}
+
+TEST(Redistribute, changes_the_number_of_elements_when_asked_to) {
+  const State s = redistribute(egg(24), 0.5, 40);
+  EXPECT_EQ(element_count(s.X), 40);
+  EXPECT_EQ(s.beta.size(), s.X.cols());
+  EXPECT_NEAR(volume(s.X), volume(egg(24).X), 1e-6);
+}
+
+TEST(Redistribute, moves_all_fields_of_a_stationary_state_alike) {
+  StationaryState s{.state = egg(24), .H = {}, .Lambda = {}, .tension = 3, .pressure = -4};
+  s.H = 2 * s.state.beta;
+  s.Lambda = -s.state.beta;
+  const StationaryState moved = redistribute(s, 1.);
+  EXPECT_LT((moved.H - 2 * moved.state.beta).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((moved.Lambda + moved.state.beta).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_EQ(moved.tension, 3);
+  EXPECT_EQ(moved.pressure, -4);
+}
+
+// ---- area and volume ----------------------------------------------------------------------------
+
+TEST(CorrectAreaVolume, hits_both) {
+  for (const double v : {0.6, 0.7, 0.8, 0.9}) {
+    Nodes X = spheroid(v, false, 32, 0.5);
+    ASSERT_TRUE(correct_area_volume(X, 4 * pi * 1.01, 4 * pi / 3 * v * 0.995)) << v;
+    EXPECT_NEAR(area(X) / (4 * pi * 1.01), 1, correction);
+    EXPECT_NEAR(volume(X) / (4 * pi / 3 * v * 0.995), 1, correction);
+  }
+}
+
+TEST(CorrectAreaVolume, on_a_sphere_meets_the_area_alone) {
+  Nodes X = spheroid(1, false, 32, 0.5);
+  ASSERT_TRUE(correct_area_volume(X, 4 * pi * 1.02, 4 * pi / 3));
+  EXPECT_NEAR(area(X) / (4 * pi * 1.02), 1, correction);
+}
+
+TEST(CorrectAreaVolume, refuses_the_impossible_and_leaves_the_curve_alone) {
+  const Nodes before = spheroid(0.8, false, 32, 0.5);
+  Nodes X = before;
+  EXPECT_FALSE(correct_area_volume(X, 4 * pi, 4 * pi / 3 * 1.2));  // more than a sphere holds
+  EXPECT_EQ(X, before);
+  EXPECT_FALSE(correct_area_volume(X, 4 * pi, std::numeric_limits<double>::quiet_NaN()));
+  EXPECT_EQ(X, before);
+
+  Nodes point = Nodes::Zero(2, before.cols());
+  EXPECT_FALSE(correct_area_volume(point, 4 * pi, 4 * pi / 3));
+}
+
+}  // namespace
+}  // namespace sbeh::axisym

@@ -1,0 +1,83 @@
+// Quadrature against the closed integrals of monomials.
+#include "model/numerics/quadrature.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace sbeh::model {
+namespace {
+
+// All integrals are at most 1 and are sums of positive terms; points and weights come from a Newton
+// iteration and are accurate to a few last places.
+constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();
+
+double factorial(int n) { return std::tgamma(n + 1); }
+
+double integral_of_power(const IntervalRule& rule, int a) {
+  return (rule.weights.array() * rule.points.array().pow(a)).sum();
+}
+
+double integral_of_monomial(const TriangleRule& rule, int a, int b) {
+  return (rule.weights.transpose().array() * rule.points.row(0).array().pow(a)
+          * rule.points.row(1).array().pow(b))
+      .sum();
+}
+
+TEST(GaussRule, is_exact_up_to_degree_2n_minus_1) {
+  for (int n = 1; n <= 20; ++n)
+    for (int a = 0; a < 2 * n; ++a)
+      EXPECT_NEAR(integral_of_power(gauss_rule(n), a), 1. / (a + 1), rounding)
+          << n << " points, x^" << a;
+}
+
+TEST(GaussRule, misses_degree_2n_by_the_norm_of_the_Legendre_polynomial) {
+  // The error in x^{2n} is ∫ p_n² dx, p_n monic on [0, 1]: (n!)⁴/((2n + 1)((2n)!)²).
+  for (int n = 1; n <= 10; ++n) {
+    const double norm = std::pow(factorial(n), 4) / ((2 * n + 1) * std::pow(factorial(2 * n), 2));
+    EXPECT_NEAR(1. / (2 * n + 1) - integral_of_power(gauss_rule(n), 2 * n), norm, rounding) << n;
+    EXPECT_GT(norm, 10 * rounding);
+  }
+}
+
+TEST(GaussRule, has_positive_weights_and_ascending_points_symmetric_about_the_middle) {
+  for (int n = 1; n <= 48; ++n) {
+    const IntervalRule rule = gauss_rule(n);
+    ASSERT_EQ(rule.size(), n);
+    ASSERT_EQ(rule.weights.size(), n);
+    EXPECT_NEAR(rule.weights.sum(), 1, rounding);
+    for (int i = 0; i < n; ++i) {
+      EXPECT_GT(rule.weights[i], 0);
+      EXPECT_GT(rule.points[i], i == 0 ? 0 : rule.points[i - 1]);
+      EXPECT_LT(rule.points[i], 1);
+      EXPECT_NEAR(rule.points[i] + rule.points[n - 1 - i], 1, rounding);
+      EXPECT_EQ(rule.weights[i], rule.weights[n - 1 - i]);
+    }
+  }
+}
+
+TEST(TriangleRule, is_exact_up_to_its_degree) {
+  for (int degree = 0; degree <= 16; ++degree) {
+    const TriangleRule rule = triangle_rule(degree);
+    for (int a = 0; a <= degree; ++a)
+      for (int b = 0; a + b <= degree; ++b)
+        EXPECT_NEAR(integral_of_monomial(rule, a, b),
+                    factorial(a) * factorial(b) / factorial(a + b + 2), rounding)
+            << "degree " << degree << ", x^" << a << " y^" << b;
+  }
+}
+
+TEST(TriangleRule, has_positive_weights_and_points_inside) {
+  for (int degree = 0; degree <= 16; ++degree) {
+    const TriangleRule rule = triangle_rule(degree);
+    ASSERT_EQ(rule.points.cols(), rule.size());
+    EXPECT_NEAR(rule.weights.sum(), 0.5, rounding);
+    EXPECT_GT(rule.weights.minCoeff(), 0);
+    EXPECT_GT(rule.points.minCoeff(), 0);
+    EXPECT_LT(rule.points.colwise().sum().maxCoeff(), 1);
+  }
+}
+
+}  // namespace
+}  // namespace sbeh::model
