@@ -7,16 +7,6 @@ namespace sbeh::axisym {
 
 namespace {
 
-int index(Eigen::Index node, NodeUnknown c) { return node_unknowns * int(node) + c; }
-
-// Unknowns that are not free: the north pole's displacement, and the order of SSH.
-template <class Visit>
-void for_each_pinned(model::Model model, Eigen::Index nodes, Visit&& visit) {
-  visit(index(0, node_d));
-  if (model == model::Model::SSH)
-    for (Eigen::Index i = 0; i < nodes; ++i) visit(index(i, node_beta));
-}
-
 // Area that every node stands for: ∫ |φ_i| dS, since ∫ φ_i dS may vanish in P3.
 Field node_areas(const Nodes& X) {
   Field areas = Field::Zero(X.cols());

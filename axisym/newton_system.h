@@ -5,6 +5,17 @@
 
 namespace sbeh::axisym {
 
+/// Position of a node's unknown in the global vector.
+inline int index(Eigen::Index node, NodeUnknown c) { return node_unknowns * int(node) + c; }
+
+/// Visits the unknowns that are not free: the north pole's displacement, and the order of SSH.
+template <class Visit>
+void for_each_pinned(model::Model model, Eigen::Index nodes, Visit&& visit) {
+  visit(index(0, node_d));
+  if (model == model::Model::SSH)
+    for (Eigen::Index i = 0; i < nodes; ++i) visit(index(i, node_beta));
+}
+
 /// A direction or a step in all unknowns; fields are nodal, `d` along the node normals.
 struct Increment {
   Field d, Lambda, H, beta;
@@ -37,6 +48,8 @@ class NewtonSystem {
   void apply(const Increment& step, double scale, StationaryState& s) const;
 
   const Eigen::VectorXd& gradient() const { return derivatives_.gradient; }
+  /// Area that every node stands for, ∫ |φ_i| dS, at the last linearisation.
+  const Field& areas() const { return areas_; }
   /// Largest force and order residual per area of its node, at the last linearisation.
   double residual() const;
   /// Sign of the determinant of the bordered matrix: flips at a fold. After a step or a tangent.

@@ -50,8 +50,17 @@ inline Numerics with_elements(int elements) {
   return numerics;
 }
 
+/// Newton from a guess at a point of the plane; must converge.
+inline BranchState settled(Model model, PlanePoint at, const StationaryState& guess) {
+  const NewtonResult r =
+    solve_stationary(paper_material(at.L), model, target_of(at.reduced_volume), guess);
+  EXPECT_EQ(r.status, NewtonStatus::converged) << "V_r = " << at.reduced_volume;
+  return {.at = at, .solution = r.solution, .determinant_sign = r.determinant_sign,
+          .iterations = r.iterations};
+}
+
 /// The smooth oblate at (0.8, 0.05): a short run from the spheroid, then Newton.
-inline BranchState first_oblate(Model model, int elements) {
+inline BranchState first_oblate(Model model, int elements = 24) {
   const PlanePoint at{0.8, 0.05};
   const Material material = paper_material(at.L);
   Numerics numerics = with_elements(elements);
@@ -59,13 +68,12 @@ inline BranchState first_oblate(Model model, int elements) {
   const FlowResult run =
     run_flow(material, model, ordered_spheroid(at.reduced_volume, elements),
              target_of(at.reduced_volume), numerics, {.end_time = 0.2, .output_times = {}});
-  StationaryState guess = guess_from(material, run.state);
-  guess = redistribute(guess, numerics.grading);
-  const NewtonResult r =
-    solve_stationary(material, model, target_of(at.reduced_volume), guess);
-  EXPECT_EQ(r.status, NewtonStatus::converged) << elements << " elements";
-  return {.at = at, .solution = r.solution, .determinant_sign = r.determinant_sign,
-          .iterations = r.iterations};
+  return settled(model, at, redistribute(guess_from(material, run.state), numerics.grading));
+}
+
+/// The same state on another number of elements.
+inline BranchState refined(Model model, const BranchState& b, int elements) {
+  return settled(model, b.at, redistribute(b.solution, Numerics{}.grading, elements));
 }
 
 /// Follows the branch to a point which it must reach.
@@ -78,7 +86,7 @@ inline BranchState reach(Model model, const BranchState& from, PlanePoint to) {
 
 /// The smooth oblate at any point of the plane before the fold.
 inline BranchState oblate(Model model, PlanePoint at, int elements) {
-  return reach(model, first_oblate(model, elements), at);
+  return refined(model, reach(model, first_oblate(model), at), elements);
 }
 
 /// Errors under refinement, printed as a table with the order observed from row to row.

@@ -1,0 +1,80 @@
+#include "axisym/shape_class.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+namespace sbeh::axisym {
+
+const char* name(ShapeClass shape) {
+  switch (shape) {
+    case ShapeClass::oblate: return "oblate";
+    case ShapeClass::prolate: return "prolate";
+    case ShapeClass::stomatocyte: return "stomatocyte";
+    case ShapeClass::pear: return "pear";
+  }
+  return "";
+}
+
+namespace {
+
+constexpr int pieces = 9;  // of an element
+
+Eigen::Matrix2Xd polygon(const Nodes& X) {
+  Eigen::Matrix2Xd points(2, pieces * element_count(X) + 1);
+  for (int e = 0; e < element_count(X); ++e)
+    for (int k = 0; k < pieces; ++k)
+      points.col(pieces * e + k) = curve_point(X, e, shape_values(double(k) / pieces)).x;
+  points.col(points.cols() - 1) = X.col(X.cols() - 1);
+  return points;
+}
+
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a[0] * b[1] - a[1] * b[0]; }
+
+bool segments_cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
+                    const Eigen::Vector2d& d) {
+  if (std::max(a[0], b[0]) < std::min(c[0], d[0]) || std::max(c[0], d[0]) < std::min(a[0], b[0])
+      || std::max(a[1], b[1]) < std::min(c[1], d[1]) || std::max(c[1], d[1]) < std::min(a[1], b[1]))
+    return false;
+  return cross(b - a, c - a) * cross(b - a, d - a) <= 0 && cross(d - c, a - c) * cross(d - c, b - c) <= 0;
+}
+
+}  // namespace
+
+double asymmetry(const Nodes& X) {
+  const Eigen::Matrix2Xd p = polygon(X);
+  const Eigen::Index n = p.cols();
+  std::vector<double> s(std::size_t(n), 0.);
+  for (Eigen::Index i = 1; i < n; ++i)
+    s[std::size_t(i)] = s[std::size_t(i) - 1] + (p.col(i) - p.col(i - 1)).norm();
+  const auto radius = [&](double at) {
+    const auto above = std::upper_bound(s.begin() + 1, s.end() - 1, at);
+    const auto k = std::size_t(above - s.begin());
+    const double share = (at - s[k - 1]) / (s[k] - s[k - 1]);
+    return (1 - share) * p(0, Eigen::Index(k) - 1) + share * p(0, Eigen::Index(k));
+  };
+  double largest = 0;
+  for (Eigen::Index i = 0; i < n; ++i)
+    largest = std::max(largest, std::abs(p(0, i) - radius(s.back() - s[std::size_t(i)])));
+  return largest;
+}
+
+ShapeClass classify(const Nodes& X) {
+  const double width = 2 * X.row(0).maxCoeff();
+  const double poles = X(1, 0) - X(1, X.cols() - 1);
+  const bool flat = poles < width;
+  if (asymmetry(X) < asymmetry_limit) return flat ? ShapeClass::oblate : ShapeClass::prolate;
+  return poles < width / 2 ? ShapeClass::stomatocyte : ShapeClass::pear;
+}
+
+bool crosses_itself(const Nodes& X) {
+  const Eigen::Matrix2Xd p = polygon(X);
+  const Eigen::Index last = p.cols() - 1;
+  if (p.row(0).segment(1, last - 1).minCoeff() <= 0) return true;
+  for (Eigen::Index i = 0; i < last; ++i)
+    for (Eigen::Index j = i + 2; j < last; ++j)
+      if (segments_cross(p.col(i), p.col(i + 1), p.col(j), p.col(j + 1))) return true;
+  return false;
+}
+
+}  // namespace sbeh::axisym

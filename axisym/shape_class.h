@@ -1,0 +1,29 @@
+// What kind of shape a generating curve is.
+#pragma once
+
+#include "axisym/curve.h"
+
+namespace sbeh::axisym {
+
+enum class ShapeClass {
+  oblate,       ///< symmetric top to bottom, flatter than wide
+  prolate,      ///< symmetric, longer than wide
+  stomatocyte,  ///< not symmetric, the poles nearer than the width
+  pear          ///< not symmetric, elongated
+};
+/// "oblate", "prolate", "stomatocyte" or "pear".
+const char* name(ShapeClass shape);
+
+/// Largest difference of r at equal arc length from either pole, in radii of the sphere of equal area.
+double asymmetry(const Nodes& X);
+
+/// Above this asymmetry a shape counts as not symmetric.
+inline constexpr double asymmetry_limit = 1e-3;
+
+ShapeClass classify(const Nodes& X);
+
+/// Whether the curve, taken as the polygon through points spaced a third of the nodes' distance,
+/// crosses itself or the axis: the surface would pass through itself.
+bool crosses_itself(const Nodes& X);
+
+}  // namespace sbeh::axisym
