@@ -8,16 +8,19 @@
 namespace sbeh::axisym {
 
 namespace {
-constexpr int quick_iterations = 6;  // more than these: the prediction was not on the branch
+constexpr double least_cosine = 0.6;  // between tangents of a step: more turning means a jump
+constexpr int quick_iterations = 9;  // more than these: the prediction was not on the branch
 
 // Length of a direction: root mean square of motion and order, and the parameter.
 double length_of(const Increment& t) {
   return std::sqrt((t.d.squaredNorm() + t.beta.squaredNorm()) / double(t.d.size())
                    + t.parameter * t.parameter);
 }
-double dot(const Increment& a, const Increment& b) {
+
+double cosine(const Increment& a, const Increment& b) {
   return (a.d.dot(b.d) + a.beta.dot(b.beta)) / double(a.d.size()) + a.parameter * b.parameter;
 }
+
 }  // namespace
 
 Increment scaled(Increment t, double factor) {
@@ -40,18 +43,37 @@ PlanePoint Line::at(double mu) const {
 
 Eigen::VectorXd Line::gradient_rate(double mu, const StationaryState& s) const {
   if (to_.L == from_.L) return Eigen::VectorXd::Zero(node_unknowns * s.state.beta.size());
-  return (to_.L - from_.L) * gradient_rate_by_L(material(mu), model_, s);
+  return (to_.L - from_.L) * gradient_rate_by_L(material(mu), s, node_normals(s.state.X));
 }
+
+namespace {
+
+// The equation of the hyperplane across `direction`, in the length of length_of.
+Parameter across(const Line& line, double mu, const StationaryState& s,
+                 const Increment& direction) {
+  Increment row = scaled(direction, 1. / double(direction.d.size()));
+  row.parameter = direction.parameter;
+  return {line.gradient_rate(mu, s), line.volume_rate(), row};
+}
+
+}  // namespace
 
 std::optional<PathState> with_tangent(const Line& line, double mu, const StationaryState& s,
                                       const Increment* forward) {
   NewtonSystem system(line.material(mu), line.model(), int(s.state.beta.size()));
-  Increment t;
-  if (!system.linearise(s) || !system.tangent(line.gradient_rate(mu, s), line.volume_rate(), t))
+  if (!system.linearise(s)) return {};
+  Increment t, ahead;
+  // Along μ for the sign of the determinant, and for the direction where there is no other.
+  const bool regular = system.tangent(line.gradient_rate(mu, s), line.volume_rate(), ahead);
+  const int sign = regular ? system.determinant_sign() : 0;
+  if (forward) {
+    if (!system.tangent(across(line, mu, s, *forward), t)) return {};
+  } else if (regular) {
+    t = ahead;
+  } else {
     return {};
-  t = scaled(t, 1 / length_of(t));
-  if (forward && dot(t, *forward) < 0) t = scaled(t, -1);
-  return PathState{mu, s, t, system.determinant_sign()};
+  }
+  return PathState{mu, s, scaled(t, 1 / length_of(t)), sign};
 }
 
 std::optional<PathState> arc_step(const Line& line, const PathState& from, double ds) {
@@ -63,40 +85,44 @@ std::optional<PathState> arc_step(const Line& line, const PathState& from, doubl
     if (!system.linearise(s)) return {};
     system.apply(from.tangent, ds, s);
   }
-  Increment row = scaled(from.tangent, 1. / double(from.tangent.d.size()));
-  row.parameter = from.tangent.parameter;
   for (int iteration = 0; iteration < quick_iterations; ++iteration) {
     NewtonSystem system(line.material(mu), line.model(), int(s.state.beta.size()));
-    const Parameter parameter{line.gradient_rate(mu, s), line.volume_rate(), row};
+    const Parameter parameter = across(line, mu, s, from.tangent);
     Increment step;
     if (!system.linearise(s) || !system.newton_step(line.target(mu), parameter, 0, step)) return {};
     const double change = largest_change(step);
     if (!(change < 0.3)) return {};
     system.apply(step, 1, s);
     mu += step.parameter;
-    if (change < NewtonOptions{}.tolerance) return with_tangent(line, mu, s, &from.tangent);
+    if (change < NewtonOptions{}.tolerance) {
+      auto arrived = with_tangent(line, mu, s, &from.tangent);
+      return arrived && cosine(arrived->tangent, from.tangent) > least_cosine ? arrived
+                                                                              : std::nullopt;
+    }
   }
   return {};
 }
 
-PathState locate_fold(const Line& line, const PathState& before, const PathState& beyond,
+PathState locate_fold(const Line& line, const PathState& start, const PathState& beyond,
                       double ds) {
-  double a = 0, fa = before.tangent.parameter, b = ds, fb = beyond.tangent.parameter;
-  PathState best = std::abs(fa) < std::abs(fb) ? before : beyond;
-  for (int iteration = 0; iteration < 20 && std::abs(best.tangent.parameter) > 1e-7; ++iteration) {
-    const double c = (a * fb - b * fa) / (fb - fa);
-    const auto middle = arc_step(line, before, c);
-    if (!middle) break;
-    best = *middle;
-    const double fc = middle->tangent.parameter;
-    if (fc * fb < 0) {
-      a = b;
-      fa = fb;
-    } else {
-      fa /= 2;
+  PathState before = start, best = beyond;
+  const double sign = start.tangent.parameter < 0 ? -1 : 1;  // before the fold
+  const auto slope = [sign](const PathState& p) { return sign * p.tangent.parameter; };
+  double h = ds * slope(before) / (slope(before) - slope(beyond));
+  for (int iteration = 0; iteration < 40 && std::abs(slope(best)) > 1e-8 && h > 1e-12; ++iteration) {
+    const auto next = arc_step(line, before, h);
+    if (!next) {
+      h /= 2;
+      continue;
     }
-    b = c;
-    fb = fc;
+    if (std::abs(slope(*next)) < std::abs(slope(best))) best = *next;
+    const double zero = h * slope(before) / (slope(before) - slope(*next));
+    if (slope(*next) > 0) {  // not there yet: go on from the nearer state
+      before = *next;
+      h = std::max(zero - h, 1e-12);
+    } else {
+      h = zero;
+    }
   }
   return best;
 }

@@ -51,11 +51,11 @@ std::optional<PathState> with_tangent(const Line& line, double mu, const Station
                                       const Increment* forward);
 
 /// Newton on the hyperplane at distance ds along the tangent. Empty when it does not converge within
-/// a few iterations.
+/// a few iterations, or arrives with a tangent so different that it must have jumped to another part.
 std::optional<PathState> arc_step(const Line& line, const PathState& from, double ds);
 
 /// The fold between a state and the one ds further, where the tangent's μ changes sign: its zero, by
-/// the Illinois variant of regula falsi.
+/// secants that move on from the nearest state before the fold.
 PathState locate_fold(const Line& line, const PathState& before, const PathState& beyond, double ds);
 
 /// Redistributes the nodes of a state on the path and solves again; the state itself where that

@@ -43,7 +43,7 @@ std::optional<SoftMode> antisymmetric_mode(const model::Material& material, mode
     next.parameter = 0;
     const double estimate = 1 / product(areas, x, next);
     x = next;
-    if (std::abs(estimate - eigenvalue) <= 1e-9 * std::abs(estimate)) {
+    if (std::abs(estimate - eigenvalue) <= 1e-9 * std::abs(estimate) + 1e-12) {
       x = scaled(x, 1 / std::sqrt(product(areas, x, x)));
       return SoftMode{estimate, x};
     }
@@ -74,14 +74,15 @@ std::optional<Pitchfork> find_pitchfork(const model::Material& material, model::
       mode_a = mode_b;
       continue;
     }
-    double fa = mode_a->eigenvalue, fb = mode_b->eigenvalue, mu = mu_b, before = mu_a;
-    for (int iteration = 0; iteration < 12 && std::abs(mu - before) > 1e-10; ++iteration) {
-      const double next_mu = (before * fb - mu * fa) / (fb - fa);
-      const NewtonResult r = solve_stationary(line.material(next_mu), model, line.target(next_mu),
-                                              b.solution, {.iterations = 8});
-      if (r.status != NewtonStatus::converged) break;
-      b.solution = r.solution;
-      const auto mode = antisymmetric_mode(line.material(next_mu), model, r.solution);
+    // Secants. At the zero itself the matrix is singular: the last estimate is not solved for.
+    double fa = mode_a->eigenvalue, fb = mode_b->eigenvalue, before = mu_a, mu = mu_b;
+    const auto estimate = [&] { return (before * fb - mu * fa) / (fb - fa); };
+    for (int iteration = 0; iteration < 12 && std::abs(estimate() - mu) > 1e-7; ++iteration) {
+      const double next_mu = estimate();
+      const FollowResult closer = follow(material, model, b, line.at(next_mu), numerics);
+      if (closer.arrival != Arrival::reached) break;
+      b = closer.state;
+      const auto mode = antisymmetric_mode(line.material(next_mu), model, b.solution);
       if (!mode) break;
       before = mu;
       fa = fb;
@@ -89,6 +90,7 @@ std::optional<Pitchfork> find_pitchfork(const model::Material& material, model::
       fb = mode->eigenvalue;
       mode_b = mode;
     }
+    mu = estimate();
     Increment along = mode_b->direction;
     along.parameter = 0;
     const double rms = std::sqrt((along.d.squaredNorm() + along.beta.squaredNorm())

@@ -23,7 +23,8 @@ struct Pitchfork {
 };
 
 /// Follows the symmetric branch of `from` along the line until the antisymmetric mode's eigenvalue
-/// changes sign, and locates its zero to 1e-10 in μ. Empty when it does not on 0 <= μ <= 1.
+/// changes sign, and locates its zero to about 1e-10 in μ; the
+/// state is the one last solved for, within 1e-6 of it. Empty when it does not on 0 <= μ <= 1.
 std::optional<Pitchfork> find_pitchfork(const model::Material& material, model::Model model,
                                         const BranchState& from, PlanePoint to,
                                         const Numerics& numerics);

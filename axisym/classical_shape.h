@@ -24,6 +24,7 @@ struct ClassicalShape {
   double tension;         ///< Σ R²/κ, Σ = −∂F/∂A at fixed volume; 3PV = 2ΣA
   bool self_contact;      ///< the profile touches or crosses itself
   Eigen::Matrix2Xd profile;  // 2 x n: r, z along the whole curve, from the pole of H_pole on
+  int negative_directions = -1;  ///< within axisymmetry; −1: this witness does not tell
 };
 
 /// A special point of the diagram with the error that its witness claims.

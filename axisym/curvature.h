@@ -13,8 +13,7 @@ Field mean_curvature(const Nodes& X);
 /// The two principal curvatures of B at a point: B_ss = H − B_φφ and B_φφ; K is their product.
 inline double gauss_curvature(double H, double B_phi) { return B_phi * (H - B_phi); }
 
-/// Moves the curve by (a + bH) n to the area and volume asked for (Newton on a and b, MODEL of the
-/// drift correction). Returns false, and leaves X as it was, when that does not converge to 1e-12
+/// Moves the curve by (a + bH) n to the area and volume asked for (Newton on a and b). Returns false, and leaves X as it was, when that does not converge to 1e-12
 /// relative; on a sphere, where a and b are the same motion, only the area is met.
 bool correct_area_volume(Nodes& X, double area, double volume);
 

@@ -27,9 +27,7 @@ Energy energy(const model::Material& material, const State& state, const Field& 
 
 namespace {
 
-// H at the pole where the nodes begin (step = 1) or end (step = −1). In the pole's own element the
-// discrete H is only second-order accurate; the pole value is that of the even quartic in arc length
-// that fits the nodes of the next three elements.
+// At the pole where the nodes begin (step = 1) or end (step = −1).
 double pole_curvature(const Field& H, const Eigen::VectorXd& length, int step) {
   const Eigen::Index last = H.size() - 1, pole = step > 0 ? 0 : last;
   const auto element = [&](int e) { return length[step > 0 ? e : length.size() - 1 - e]; };
@@ -47,6 +45,11 @@ double pole_curvature(const Field& H, const Eigen::VectorXd& length, int step) {
 }
 
 }  // namespace
+
+std::array<double, 2> pole_curvatures(const Nodes& X, const Field& H) {
+  const Eigen::VectorXd length = element_lengths(X);
+  return {pole_curvature(H, length, 1), pole_curvature(H, length, -1)};
+}
 
 Diagnostics diagnose(const model::Material& material, const State& state) {
   const Field H = mean_curvature(state.X);
@@ -73,8 +76,9 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
   d.order_min = d.order_max = state.beta[0];
   const Eigen::VectorXd length = element_lengths(state.X);
   const int elements = element_count(state.X);
-  d.H_pole = pole_curvature(H, length, 1);
-  d.H_abs_max = std::max(std::abs(d.H_pole), std::abs(pole_curvature(H, length, -1)));
+  const auto [north, south] = pole_curvatures(state.X, H);
+  d.H_pole = north;
+  d.H_abs_max = std::max(std::abs(north), std::abs(south));
   d.radius_equator = 0;
   for (int e = 0; e < elements; ++e)
     for (int k = 0; k <= 12; ++k) {
@@ -85,12 +89,13 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
       }();
       const ShapeValues& s = samples[std::size_t(k)];
       const double beta = value_at(state.beta, e, s), h = value_at(H, e, s);
-      double r = 0;
-      for (int a = 0; a < 4; ++a) r += s.phi[a] * state.X(0, 3 * e + a);
+      const CurvePoint point = curve_point(state.X, e, s);
+      const double r = point.x[0], B_phi = point.B_phi;
       d.order_min = std::min(d.order_min, beta);
       d.order_max = std::max(d.order_max, beta);
       if (e > 0 && e < elements - 1) d.H_abs_max = std::max(d.H_abs_max, std::abs(h));
-      d.rim_resolution = std::max(d.rim_resolution, std::abs(h) * length[e] / 3);
+      if (r > 0)
+        d.resolution = std::max(d.resolution, std::abs(h - B_phi) * length[e] / 3);
       if (r > d.radius_equator) {
         d.radius_equator = r;
         d.H_rim = h;

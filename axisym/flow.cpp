@@ -131,7 +131,7 @@ FlowResult run_flow(const model::Material& material, model::Model model, const S
     ++run.steps;
     if (exact) ++next;
     if (observe && !observe(run.last, run.state, exact)) return run.stop = FlowStop::interrupted, run;
-    if (diagnose(material, run.state).rim_resolution > resolution_limit)
+    if (diagnose(material, run.state).resolution > resolution_limit)
       return run.stop = FlowStop::unresolved, run;
     if (schedule.stop_at_rest
         && std::max(run.last.normal_speed, run.last.order_speed) < numerics.rest_speed)

@@ -75,4 +75,9 @@ struct LagrangianDerivatives {
 void assemble(const model::Material& material, const StationaryState& s, const Nodes& normals,
               LagrangianDerivatives& out);
 
+/// ∂(gradient)/∂L for the elastic constant L of the one-constant approximation, in which the energy is
+/// linear; 4 nodes.
+Eigen::VectorXd gradient_rate_by_L(const model::Material& material, const StationaryState& s,
+                                   const Nodes& normals);
+
 }  // namespace sbeh::axisym

@@ -70,6 +70,11 @@ bool NewtonSystem::tangent(const Eigen::VectorXd& gradient_rate, double volume_r
   return ok;
 }
 
+bool NewtonSystem::tangent(const Parameter& parameter, Increment& direction) {
+  return solve(Eigen::VectorXd::Zero(derivatives_.gradient.size()), Eigen::Vector3d(0, 0, 1),
+               &parameter, direction);
+}
+
 bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& border_rhs,
                          const Parameter* parameter, Increment& out) {
   const Eigen::Index n = rhs.size(), m = border_rhs.size();
@@ -109,17 +114,6 @@ void NewtonSystem::apply(const Increment& step, double scale, StationaryState& s
   s.H += scale * step.H;
   s.tension += scale * step.tension;
   s.pressure += scale * step.pressure;
-}
-
-Eigen::VectorXd gradient_rate_by_L(const model::Material& material, model::Model model,
-                                   const StationaryState& s) {
-  LagrangianDerivatives with(int(s.state.beta.size())), without(int(s.state.beta.size()));
-  const Nodes normals = node_normals(s.state.X);
-  assemble(material, s, normals, with);
-  assemble(material.with_L(0), s, normals, without);
-  Eigen::VectorXd rate = (with.gradient - without.gradient) / material.L1;
-  for_each_pinned(model, s.state.beta.size(), [&](int i) { rate[i] = 0; });
-  return rate;
 }
 
 }  // namespace sbeh::axisym

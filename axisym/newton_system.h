@@ -44,6 +44,9 @@ class NewtonSystem {
   /// The change of the solution per change of μ (parameter = 1).
   bool tangent(const Eigen::VectorXd& gradient_rate, double volume_rate, Increment& direction);
 
+  /// The direction along the branch with row·(d, β, μ) = 1; regular at folds as well.
+  bool tangent(const Parameter& parameter, Increment& direction);
+
   /// s moves by scale · step along the normals of the last linearisation.
   void apply(const Increment& step, double scale, StationaryState& s) const;
 
@@ -66,10 +69,5 @@ class NewtonSystem {
   Field areas_;
   int determinant_sign_ = 0;
 };
-
-/// Rate of the gradient of 𝓛 with the elastic constant L of the one-constant approximation, in
-/// which the energy is linear; 4 nodes.
-Eigen::VectorXd gradient_rate_by_L(const model::Material& material, model::Model model,
-                                   const StationaryState& s);
 
 }  // namespace sbeh::axisym

@@ -40,8 +40,8 @@ struct StepResult {
   Dissipation dissipation;
 };
 
-/// First-order semi-implicit step (MODEL: coupled step, then the order with its velocity, so that a
-/// step is a function of position and order alone). Keeps its matrices between steps.
+/// First-order semi-implicit step (coupled step, then the order with its velocity, so that a step
+/// is a function of position and order alone). Keeps its matrices between steps.
 class TimeStepper {
  public:
   TimeStepper(const model::Material& material, model::Model model, int elements);

@@ -34,7 +34,6 @@ struct OldPoint {
 struct StepParameters {
   double tau;              ///< time step
   double area_rate;        ///< (A₀ − A)/(τA), the drift correction of (P1)
-  double lambda_scale = 1; ///< 0 when the volume multiplier is switched off
 };
 
 /// ∇_C W in the frame (t, e_φ, ν) of a field W with values W and derivative dW.

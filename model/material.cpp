@@ -23,9 +23,15 @@ void require(bool holds, const char* name, double value, const char* constraint)
 }  // namespace
 
 void Material::validate() const {
-  require(std::isfinite(L1) && std::isfinite(L2) && std::isfinite(L3), "L1, L2, L3", L1, "finite");
+  require(true, "L1", L1, "finite");
+  require(true, "L2", L2, "finite");
+  require(true, "L3", L3, "finite");
   require(l1() > 0, "6 L1 + L2 + L3", 4 * l1(), "> 0 (distortion energy)");
   require(splay() >= 0, "2 L1 + L2 + L3", splay() / 2.25, ">= 0 (bending energy)");
+  // (κ/2)H² + κ_G K as a form in the principal curvatures: −2κ <= κ_G <= 0.
+  require(2 * L1 + L3 >= 0, "2 L1 + L3", 2 * L1 + L3, ">= 0 (Gaussian energy)");
+  require(2 * L1 + 2 * L2 + L3 >= 0, "2 L1 + 2 L2 + L3", 2 * L1 + 2 * L2 + L3,
+          ">= 0 (Gaussian energy)");
   require(viscosity >= 0, "viscosity", viscosity, ">= 0");
   require(immobility > 0, "immobility", immobility, "> 0");
   require(friction_tangential >= 0, "friction_tangential", friction_tangential, ">= 0");

@@ -15,8 +15,8 @@ const char* name(Model model);
 inline constexpr double full_order = 2.0 / 3.0;
 
 /// The material parameters; all dimensionless, lengths in radii of the sphere of equal area.
-/// The defaults are the paper's. MODEL: energy of the source paper, eq. (EL), (TH), with a residual
-/// bending stiffness k0 and a spontaneous curvature H0 added.
+/// The defaults are the paper's. A residual bending stiffness k0 and a spontaneous curvature H0 are
+/// added to the paper's energy; see equations.md.
 struct Material {
   double L1 = 0.05;  ///< elastic constants of the Q-tensor; one-constant approximation: L1 = L,
   double L2 = 0;     ///< L2 = L3 = 0
@@ -67,7 +67,7 @@ struct Material {
   Material with_L(double L) const;
 
   /// Throws std::invalid_argument with name, value and constraint unless the energy is bounded
-  /// below in the gradients (l₁ > 0, splay and stiffness >= 0) and the dissipation is positive.
+  /// below in the gradients (l₁ > 0, −2κ <= κ_G <= 0) and the dissipation is positive.
   void validate() const;
 
  private:

@@ -9,7 +9,7 @@ namespace sbeh::model {
 class Potential {
  public:
   /// The form of Landau and de Gennes, u(β) = (β²/8)(12a + 4bβ + 9cβ²).
-  /// The default arguments are the paper's: minimum u(2/3) = −1, metastable point at 0.
+  /// The default arguments are the paper's: minimum u(2/3) = −1, critical point at 0.
   static Potential landau_de_gennes(double a = 0, double b = -27, double c = 13.5);
 
   /// coefficients[k] multiplies β^k. Throws std::invalid_argument if one is not finite.

@@ -12,6 +12,7 @@ void catch_interrupts() {
   const auto remember = [](int signal) { received = signal; };
   std::signal(SIGINT, remember);
   std::signal(SIGTERM, remember);
+  std::signal(SIGXFSZ, SIG_IGN);
 }
 
 int interrupt_signal() { return received; }

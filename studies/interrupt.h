@@ -1,9 +1,10 @@
-// Ctrl-C and SIGTERM: finish what is at hand, then stop.
+// Signals. Ctrl-C and SIGTERM: finish what is at hand, then stop.
 #pragma once
 
 namespace sbeh::studies {
 
-/// From now on SIGINT and SIGTERM are remembered instead of ending the program at once.
+/// From now on SIGINT and SIGTERM are remembered instead of ending the program at once, and a file
+/// that reaches the limit of its size is an error of the write, as a full disk is.
 void catch_interrupts();
 
 /// The signal that came, 0 if none.

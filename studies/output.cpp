@@ -35,7 +35,11 @@ void write_file(const fs::path& path, std::string_view text) {
   }
   std::error_code error;
   fs::rename(temporary, path, error);
-  if (error) throw OutputError(fmt::format("{}: {}", path.string(), error.message()));
+  if (error) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw OutputError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+  }
 }
 
 std::string read_file(const fs::path& path) {
@@ -45,12 +49,17 @@ std::string read_file(const fs::path& path) {
   return {std::istreambuf_iterator<char>(file), {}};
 }
 
+void make_folder(const fs::path& path) {
+  std::error_code error, ignored;
+  fs::create_directories(path, error);
+  if (fs::is_directory(path, ignored)) return;
+  const bool file = fs::exists(path, ignored);
+  throw OutputError(fmt::format("{}: cannot be made a folder for results: {}", path.string(),
+                                file ? "there is a file of that name" : error.message()));
+}
+
 OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
-  std::error_code error;
-  fs::create_directories(path_, error);
-  if (error || !fs::is_directory(path_))
-    throw OutputError(fmt::format("{}: cannot be made a folder for results: {}", path_.string(),
-                                  error ? error.message() : "it is a file"));
+  make_folder(path_);
   const fs::path lock = path_ / ".lock";
   errno = 0;
   lock_ = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);

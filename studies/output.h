@@ -21,6 +21,9 @@ void write_file(const std::filesystem::path& path, std::string_view text);
 /// The whole file as text. Throws OutputError.
 std::string read_file(const std::filesystem::path& path);
 
+/// Makes the folder, and those it lies in, unless it is there. Throws OutputError.
+void make_folder(const std::filesystem::path& path);
+
 /// A folder of results that belongs to one process as long as this object lives; made if it is not
 /// there. Throws OutputError when it cannot be made or written, or when another process holds it.
 class OutputFolder {

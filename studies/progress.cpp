@@ -11,6 +11,11 @@ namespace sbeh::studies {
 using std::chrono::duration;
 using std::chrono::steady_clock;
 
+void tell(std::string_view text) {
+  std::fwrite(text.data(), 1, text.size(), stderr);
+  std::fflush(stderr);
+}
+
 Progress::Progress(std::string_view unit, int total, int done)
     : unit_(unit), total_(total), done_(done), before_(done), terminal_(isatty(STDERR_FILENO) != 0),
       start_(steady_clock::now()), shown_(start_ - std::chrono::hours(1)) {
@@ -35,16 +40,15 @@ void Progress::show() {
   const double rate = (done_ - before_) / std::max(seconds, 1e-9);
   const std::string line = fmt::format("{}/{} {}, {:.3g} per second, {:.0f} s left", done_, total_,
                                        unit_, rate, (total_ - done_) / std::max(rate, 1e-9));
-  fmt::print(stderr, "{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n");
-  std::fflush(stderr);
+  tell(fmt::format("{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n"));
 }
 
 void Progress::say(std::string_view message) {
-  fmt::print(stderr, "{}{}\n", terminal_ ? "\r\033[K" : "", message);
+  tell(fmt::format("{}{}\n", terminal_ ? "\r\033[K" : "", message));
 }
 
 void Progress::finish() {
-  if (terminal_ && done_ > before_) fmt::print(stderr, "\n");
+  if (terminal_ && done_ > before_) tell("\n");
 }
 
 }  // namespace sbeh::studies

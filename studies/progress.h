@@ -1,4 +1,4 @@
-// The line that tells how far a scan is.
+// What is said to the user while work goes on.
 #pragma once
 
 #include <chrono>
@@ -6,8 +6,11 @@
 
 namespace sbeh::studies {
 
-/// Writes to standard error: on a terminal one line that is rewritten, otherwise a line for every
-/// tenth of the work.
+/// Writes to standard error. A log that cannot take it, such as on a full disk, ends no work.
+void tell(std::string_view text);
+
+/// How far a scan is: on a terminal one line that is rewritten, otherwise a line for every tenth of
+/// the work. Writes to standard error.
 class Progress {
  public:
   /// `done` of `total` pieces are there from an earlier run; they do not count for the rate.

@@ -6,6 +6,7 @@
 #include "studies/interrupt.h"
 #include "studies/output.h"
 #include "studies/profile_file.h"
+#include "studies/progress.h"
 #include "studies/scan_table.h"
 #include "studies/series_file.h"
 
@@ -28,17 +29,29 @@ std::vector<axisym::Mode> modes_of(const std::vector<std::pair<int, double>>& pa
   return modes;
 }
 
+axisym::Nodes spheroid(const Ellipsoid& shape, const axisym::Numerics& n) {
+  if (!shape.axes)
+    return axisym::spheroid(*shape.reduced_volume, shape.prolate, n.elements, n.grading);
+  const auto [equatorial, polar] = *shape.axes;
+  const double longest = std::max(equatorial, polar);
+  return axisym::spheroid(equatorial / longest, polar / longest, n.elements, n.grading);
+}
+
 State make(const Ellipsoid& shape, const RelaxInput& input) {
-  const axisym::Numerics& n = input.numerics;
-  const axisym::Nodes X =
-    shape.axes ? axisym::spheroid((*shape.axes)[0], (*shape.axes)[1], n.elements, n.grading)
-               : axisym::spheroid(*shape.reduced_volume, shape.prolate, n.elements, n.grading);
+  const axisym::Nodes X = spheroid(shape, input.numerics);
   return {X, axisym::Field::Constant(X.cols(), input.initial_order)};
 }
 
+axisym::Nodes harmonic_sphere(const Harmonics& sphere, const axisym::Numerics& n) {
+  try {
+    return axisym::harmonic_sphere(modes_of(sphere.shape), n.elements, n.grading);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("[start] modes: {}", error.what()));
+  }
+}
+
 State make(const Harmonics& sphere, const RelaxInput& input) {
-  const axisym::Numerics& n = input.numerics;
-  State state{axisym::harmonic_sphere(modes_of(sphere.shape), n.elements, n.grading), {}};
+  State state{harmonic_sphere(sphere, input.numerics), {}};
   double order = model::full_order;
   if (input.model == model::Model::SBEH) {
     const auto rest = sphere.order ? sphere.order : model::sphere_rest_order(input.material);
@@ -49,20 +62,27 @@ State make(const Harmonics& sphere, const RelaxInput& input) {
   }
   const auto order_modes = modes_of(sphere.order_modes);
   state.beta.resize(state.X.cols());
-  for (Eigen::Index i = 0; i < state.beta.size(); ++i)
-    state.beta[i] =
-      order + axisym::zonal_sum(order_modes, std::atan2(state.X(0, i), state.X(1, i)));
+  for (Eigen::Index i = 0; i < state.beta.size(); ++i) {
+    const double theta = std::atan2(state.X(0, i), state.X(1, i));
+    state.beta[i] = order + axisym::zonal_sum(order_modes, theta);
+    if (!(std::abs(state.beta[i]) <= 1))
+      throw std::invalid_argument(
+        fmt::format("[start] order_modes: the order is {:.3g} at theta = {:.3g}: must be in -1 ... 1",
+                    state.beta[i], theta));
+  }
   return state;
 }
 
-State make(const ScanRow& row, const RelaxInput&) {
+State make(const ScanRow& row, const RelaxInput& input) {
   const PointKey key{row.reduced_volume, row.L, row.model, row.branch};
   const std::filesystem::path file =
     std::filesystem::path(row.folder) / "points" / (stem(key) + ".csv");
   if (!std::filesystem::exists(file))
     throw OutputError(fmt::format("{}: is not there; the rows of that scan stand in {}/scan.csv",
                                   file.string(), row.folder));
-  return read_profile(file);
+  State state = read_profile(file);
+  if (input.model == model::Model::SSH) state.beta.setConstant(model::full_order);
+  return state;
 }
 
 // Writes what the observer sees at the times asked for.
@@ -72,7 +92,7 @@ class Recorder {
       : input_(input), material_(start.material), folder_(folder),
         series_(folder / "series.csv"), index_(folder / "profiles.csv"),
         terminal_(isatty(STDERR_FILENO) != 0) {
-    std::filesystem::create_directories(folder / "profiles");
+    make_folder(folder / "profiles");
     series_.append(series_header());
     index_.append("index,time,file");
   }
@@ -81,8 +101,8 @@ class Recorder {
     if (exact && contains(input_.output_times, record.time)) write_row(record, state);
     if (exact && contains(input_.profile_times, record.time)) write_state(record, state);
     if (terminal_ && ++steps_ % 20 == 0)
-      fmt::print(stderr, "\r\033[Kt = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}",
-                 record.time, input_.end_time, record.time_step, record.energy.total());
+      tell(fmt::format("\r\033[Kt = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}",
+                       record.time, input_.end_time, record.time_step, record.energy.total()));
     return interrupt_signal() == 0;
   }
 
@@ -90,7 +110,7 @@ class Recorder {
   void finish(const axisym::FlowResult& run) {
     if (run.last.time != last_row_) write_row(run.last, run.state);
     if (run.last.time != last_profile_) write_state(run.last, run.state);
-    if (terminal_ && steps_ >= 20) fmt::print(stderr, "\n");
+    if (terminal_ && steps_ >= 20) tell("\n");
   }
   int profiles() const { return profiles_; }
 
@@ -131,9 +151,11 @@ RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& pat
                        std::string_view version) {
   const RelaxStart start = start_of(input);
   const OutputFolder folder(path);
-  if (std::filesystem::exists(folder / "run.toml"))
-    throw OutputError(fmt::format("{}: already holds a run; choose another folder with -o or move it "
-                                  "away", path.string()));
+  for (const char* result : {"run.toml", "series.csv", "scan.csv"})
+    if (std::filesystem::exists(folder / result))
+      throw OutputError(fmt::format("{}: already holds a run (see its {}), which is not overwritten; "
+                                    "choose another folder with -o or move it away",
+                                    path.string(), result));
   write_file(folder / "run.toml", describe(input, version));
 
   Recorder recorder(input, start, folder);

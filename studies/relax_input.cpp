@@ -5,6 +5,8 @@
 #include "studies/spelling.h"
 #include "studies/toml_reader.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 
 namespace sbeh::studies {
@@ -13,7 +15,8 @@ namespace {
 
 constexpr Interval reduced_volumes{.low = 0, .high = 1, .low_open = true};
 constexpr Interval orders = between(0, 1);
-constexpr int largest_degree = 32;  // of harmonics
+constexpr int largest_degree = 32;      // of harmonics
+constexpr double largest_aspect = 1000;  // of ellipsoids
 
 // ---- [start] ------------------------------------------------------------------------------------
 
@@ -68,6 +71,8 @@ Ellipsoid read_ellipsoid(const TomlTable& start) {
     start.refuse("kind", "must not be given together with axes, which tell it");
     const std::vector<double> axes = start.numbers("axes", above(0));
     if (axes.size() != 2) start.fail("axes", "must be two numbers, equatorial and polar semi-axis");
+    if (std::max(axes[0], axes[1]) / largest_aspect > std::min(axes[0], axes[1]))
+      start.fail("axes", fmt::format("must not differ by more than a factor of {}", largest_aspect));
     ellipsoid.axes = {axes[0], axes[1]};
   } else {
     ellipsoid.reduced_volume = start.number("reduced_volume", reduced_volumes);

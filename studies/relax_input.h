@@ -18,7 +18,7 @@ namespace sbeh::studies {
 /// is there.
 struct Ellipsoid {
   std::optional<double> reduced_volume;       ///< V_r, 0 < V_r <= 1
-  std::optional<std::array<double, 2>> axes;  ///< semi-axes > 0: equatorial, polar
+  std::optional<std::array<double, 2>> axes;  ///< semi-axes > 0: equatorial, polar; up to 1 : 1000
   bool prolate = false;                       ///< which ellipsoid of that reduced volume
 };
 

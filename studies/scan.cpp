@@ -1,8 +1,9 @@
 #include "studies/scan.h"
 
+#include "studies/branch_lines.h"
+#include "studies/branch_points.h"
 #include "studies/describe.h"
 #include "studies/interrupt.h"
-#include "studies/oblate_points.h"
 #include "studies/output.h"
 #include "studies/profile_file.h"
 #include "studies/progress.h"
@@ -37,17 +38,13 @@ class ScanFolder {
  public:
   ScanFolder(const ScanInput& input, const std::filesystem::path& path, std::string_view version)
       : folder_(path), table_(prepare(input, version)),
-        progress_("points", int(keys_of(input).size()), int(table_.rows().size())) {}
+        progress_(progress_of(input)) {}
 
-  bool has(const PointKey& key) {
-    const std::lock_guard lock(mutex_);
-    return table_.find(key) != nullptr;
-  }
+  bool has(const PointKey& key) { return row_of(key).has_value(); }
 
   /// The row and state of a point that was finished before.
   std::optional<PointOutcome> finished(const PointKey& key) {
-    const std::lock_guard lock(mutex_);
-    const PointResult* row = table_.find(key);
+    const std::optional<PointResult> row = row_of(key);
     if (!row) return {};
     PointOutcome point{*row, {}};
     if (row->diagnostics) point.state = read_profile(profile_path(key));
@@ -59,12 +56,18 @@ class ScanFolder {
     if (point.state) write_profile(profile_path(point.row.key), *point.state);
     const std::lock_guard lock(mutex_);
     table_.append(point.row);
+    ++computed_;
     progress_.advance();
+  }
+
+  void write(std::string_view name, const std::string& text) const {
+    write_file(folder_ / name, text);
   }
 
   std::filesystem::path series_path(const PointKey& key) const {
     return folder_ / ("points/" + stem(key) + ".series.csv");
   }
+  int computed() const { return computed_; }
   ScanTable& table() { return table_; }
   Progress& progress() { return progress_; }
 
@@ -81,10 +84,20 @@ class ScanFolder {
       throw OutputError(fmt::format("{}: holds a scan with other parameters (see its run.toml); "
                                     "choose another folder with -o", folder_.path().string()));
     }
-    std::error_code error;
-    std::filesystem::create_directories(folder_ / "points", error);
-    if (error) throw OutputError(fmt::format("{}/points: {}", folder_.path().string(), error.message()));
+    make_folder(folder_ / "points");
     return folder_;
+  }
+  Progress progress_of(const ScanInput& input) {
+    const std::vector<PointKey> keys = keys_of(input);
+    const auto there = std::count_if(keys.begin(), keys.end(), [&](const auto& k) { return has(k); });
+    return Progress("points", int(keys.size()), int(there));
+  }
+  // None when its profile has gone: then the point counts as not computed.
+  std::optional<PointResult> row_of(const PointKey& key) {
+    const std::lock_guard lock(mutex_);
+    const PointResult* row = table_.find(key);
+    if (!row || (row->diagnostics && !std::filesystem::exists(profile_path(key)))) return {};
+    return *row;
   }
   std::filesystem::path profile_path(const PointKey& key) const {
     return folder_ / ("points/" + stem(key) + ".csv");
@@ -92,8 +105,9 @@ class ScanFolder {
 
   OutputFolder folder_;
   ScanTable table_;
+  std::mutex mutex_;  // before progress_, whose start asks for rows
   Progress progress_;
-  std::mutex mutex_;
+  int computed_ = 0;
 };
 
 // Keeps the point unless it is there; gives it either way. Empty when interrupted.
@@ -141,13 +155,17 @@ void scan_column(const ScanInput& input, ScanFolder& folder, const std::string& 
   if (wants(input, Model::SBEH)) scan_order_column(input, folder, branch, ssh);
 }
 
-// What cannot be reached fails, with the reason.
-void fail_column(const ScanInput& input, ScanFolder& folder, double v, const std::string& branch,
-                 const std::string& reason) {
+// Without an SSH shape nothing of a reduced volume can be reached: all its points share the reason.
+void give_up_column(const ScanInput& input, ScanFolder& folder, double v, const std::string& branch,
+                    const PointResult& ssh) {
   for (const double L : input.L)
     for (const Model model : input.models) {
       const PointKey key{v, L, model, branch};
-      point(folder, key, [&] { return failed_point(key, reason); });
+      point(folder, key, [&] {
+        PointOutcome outcome = failed_point(key, "no SSH shape to start from: " + ssh.stop_reason);
+        outcome.row.status = ssh.status;
+        return outcome;
+      });
     }
 }
 
@@ -161,12 +179,12 @@ void scan_spheres(const ScanInput& input, ScanFolder& folder, const std::string&
 
 // Reduced volumes in the order in which the chain of SSH shapes reaches them: up from the entry, then
 // down from it.
-std::vector<double> chain_of(const std::vector<double>& volumes) {
+std::vector<double> chain_of(const std::vector<double>& volumes, double entry) {
   std::vector<double> chain;
   for (const double v : volumes)
-    if (v > entry_volume && v < 1) chain.push_back(v);
+    if (v > entry && v < 1) chain.push_back(v);
   for (auto v = volumes.rbegin(); v != volumes.rend(); ++v)
-    if (*v <= entry_volume) chain.push_back(*v);
+    if (*v <= entry) chain.push_back(*v);
   return chain;
 }
 
@@ -174,13 +192,15 @@ std::vector<double> chain_of(const std::vector<double>& volumes) {
 template <class BranchOff>
 void walk_chain(const ScanInput& input, ScanFolder& folder, const std::string& branch,
                 BranchOff&& branch_off) {
-  const auto entry = enter_branch(input, input.L.front());
+  const double L = input.L.front();
+  const auto entry = enter_branch(input, branch, L);
+  const double entry_volume = entry ? entry->at.reduced_volume : axisym::entry_volume;
   std::optional<Neighbour> last = entry;
   bool below = false;
-  for (const double v : chain_of(input.reduced_volume)) {
+  for (const double v : chain_of(input.reduced_volume, entry_volume)) {
     if (interrupt_signal()) return;
     if (v <= entry_volume && !std::exchange(below, true)) last = entry;
-    const PointKey key{v, input.L.front(), Model::SSH, branch};
+    const PointKey key{v, L, Model::SSH, branch};
     const auto compute = [&] {
       return last ? follow_to(input, key, *last)
                   : failed_point(key, "Newton's method failed at the entry of the branch");
@@ -189,10 +209,10 @@ void walk_chain(const ScanInput& input, ScanFolder& folder, const std::string& b
       wants(input, Model::SSH) ? point(folder, key, compute) : compute();
     if (!ssh) return;
     if (ssh->row.status != PointStatus::stationary) {
-      fail_column(input, folder, v, branch, "no SSH shape to start from: " + ssh->row.stop_reason);
+      give_up_column(input, folder, v, branch, ssh->row);
       continue;
     }
-    last = Neighbour{{v, input.L.front()}, *ssh->state};
+    last = Neighbour{{v, L}, *ssh->state};
     branch_off(*last);
   }
 }
@@ -223,6 +243,14 @@ void scan_by_flow(const ScanInput& input, ScanFolder& folder) {
   });
 }
 
+// folds.csv and equal_energy.csv, from the finished points.
+void write_lines(const ScanInput& input, ScanFolder& folder) {
+  const PointLookup point = [&](const PointKey& key) { return folder.finished(key); };
+  if (wants(input, Model::SBEH)) folder.write("folds.csv", table_of(find_folds(input, point)));
+  if (input.branches.size() > 1)
+    folder.write("equal_energy.csv", table_of(find_equal_energies(input, point)));
+}
+
 }  // namespace
 
 ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& path,
@@ -230,12 +258,12 @@ ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& path,
   const auto start = std::chrono::steady_clock::now();
   ScanFolder folder(input, path, version);
   ScanSummary summary;
-  const int before = int(folder.table().rows().size());
   if (input.method == Method::flow)
     scan_by_flow(input, folder);
   else
     for (const std::string& branch : input.branches) scan_by_newton(input, folder, branch);
   folder.progress().finish();
+  if (!interrupt_signal() && input.method == Method::newton) write_lines(input, folder);
   folder.table().sort();
 
   for (const auto& [key, row] : folder.table().rows()) {
@@ -244,7 +272,7 @@ ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& path,
     summary.unresolved += row.status == PointStatus::unresolved;
     summary.failed += row.status == PointStatus::failed;
   }
-  summary.computed = summary.points - before;
+  summary.computed = folder.computed();
   summary.interrupted = interrupt_signal() != 0;
   summary.seconds =
     std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

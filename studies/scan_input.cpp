@@ -3,16 +3,24 @@
 #include "studies/material_input.h"
 #include "studies/toml_reader.h"
 
+#include <fmt/format.h>
+
 namespace sbeh::studies {
 
 const char* name(Method method) { return method == Method::newton ? "newton" : "flow"; }
 
 const std::vector<std::string>& known_branches() {
-  static const std::vector<std::string> branches{"oblate"};
+  static const std::vector<std::string> branches{"oblate", "prolate", "stomatocyte"};
   return branches;
 }
 
+std::size_t point_count(const ScanInput& input) {
+  return input.reduced_volume.size() * input.L.size() * input.models.size() * input.branches.size();
+}
+
 namespace {
+
+constexpr std::size_t most_points = 1'000'000;  // 20 GB of profiles
 
 void read_scan_table(const TomlTable& table, ScanInput& input) {
   input.reduced_volume = table.grid("reduced_volume", {.low = 0, .high = 1, .low_open = true});
@@ -27,6 +35,9 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
     table.refuse("end_time", "must not be given without method = \"flow\"");
   input.flow_end_time = table.number("end_time", above(0), input.flow_end_time);
   table.reject_unknown_keys();
+  if (point_count(input) > most_points)
+    table.fail("L", fmt::format("must have fewer values: that makes {} points with the other lists, "
+                                "more than {}", point_count(input), most_points));
 }
 
 }  // namespace

@@ -20,7 +20,7 @@ enum class Method {
 const char* name(Method method);
 
 /// The input of a scan: table [scan], optional [material] and [numerics], all keys as the members.
-/// The points are all combinations of reduced_volume, L, models and branches.
+/// The points are all combinations of reduced_volume, L, models and branches, a million at most.
 struct ScanInput {
   std::vector<double> reduced_volume;  ///< V_r, each in 0 < V_r <= 1; ascending
   std::vector<double> L;               ///< one-constant elastic constants, each > 0; ascending
@@ -34,6 +34,8 @@ struct ScanInput {
 
 /// The branches of stationary shapes that can be asked for by name.
 const std::vector<std::string>& known_branches();
+
+std::size_t point_count(const ScanInput& input);
 
 /// Throws InputError (toml_reader.h).
 ScanInput read_scan(const std::filesystem::path& path);

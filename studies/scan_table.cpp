@@ -14,8 +14,9 @@ namespace {
 constexpr const char* header =
   "model,reduced_volume,L,branch,status,energy,energy_distortion,energy_bending,"
   "energy_thermotropic,order_min,order_max,order_mean,order_std,order_variance,H_pole,H_rim,"
-  "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,stop_reason";
-constexpr std::size_t columns = 26;
+  "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,stop_reason,"
+  "class,negative_directions,self_contact,fold_side";
+constexpr std::size_t columns = 30;
 
 constexpr std::array<const char*, 3> status_words{"stationary", "unresolved", "failed"};
 
@@ -53,8 +54,10 @@ std::string line_of(const PointResult& row) {
   if (row.diagnostics) m = measures(*row.diagnostics);
   for (const double value : m) line += fmt::format(",{}", value);
   return line
-       + fmt::format(",{:.3g},{},{:.4g},{}", row.residual, row.steps, row.wall_seconds,
-                     csv_field(row.stop_reason));
+       + fmt::format(",{:.3g},{},{:.4g},{},{},{},{:d},{}", row.residual, row.steps,
+                     row.wall_seconds, csv_field(row.stop_reason), row.shape,
+                     row.negative_directions ? std::to_string(*row.negative_directions) : "",
+                     row.self_contact, row.fold_side);
 }
 
 std::optional<PointResult> row_of(const std::string& line) {
@@ -76,6 +79,10 @@ std::optional<PointResult> row_of(const std::string& line) {
     && parse_number(f[24], row.wall_seconds);
   row.steps = int(steps);
   row.stop_reason = f[25];
+  row.shape = f[26];
+  if (!f[27].empty()) row.negative_directions = std::atoi(f[27].c_str());
+  row.self_contact = f[28] == "1";
+  row.fold_side = f[29];
   return ok ? std::optional(row) : std::nullopt;
 }
 
@@ -94,14 +101,15 @@ ScanTable::ScanTable(const OutputFolder& folder) : path_(folder / "scan.csv") {
     if (!std::getline(text, line) || line != header)
       throw OutputError(fmt::format("{}: is no table of this version's scans; choose another folder "
                                     "with -o or move the old one away", path_.string()));
-    while (std::getline(text, line)) {
+    for (int number = 2; std::getline(text, line); ++number) {
       const bool whole = !text.eof();  // its line end is there
       const auto row = row_of(line);
       if (row && whole) {
         rows_.insert_or_assign(row->key, *row);
-      } else if (!text.eof()) {
-        throw OutputError(fmt::format("{}: row {} is damaged; mend or delete that line",
-                                      path_.string(), rows_.size() + 2));
+      } else if (whole) {
+        throw OutputError(
+          fmt::format("{}:{}: is damaged; delete that line to have its point computed again",
+                      path_.string(), number));
       }
     }
     sort();

@@ -4,17 +4,24 @@
 #include "studies/describe.h"
 #include "studies/interrupt.h"
 #include "studies/output.h"
+#include "studies/progress.h"
 #include "studies/relax.h"
 #include "studies/scan.h"
+#include "studies/spelling.h"
 #include "studies/toml_reader.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 #include <tbb/global_control.h>
 
+#include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <memory>
+#include <stdexcept>
 #include <string>
+#include <string_view>
 #include <sys/wait.h>
 #include <unistd.h>
 #include <vector>
@@ -30,6 +37,8 @@ struct Arguments {
   int threads = 0;
   bool no_pictures = false;
 };
+
+void complain(std::string_view what) { studies::tell(fmt::format("sbeh: {}\n", what)); }
 
 // `results/NAME` for NAME.toml, unless -o says otherwise.
 fs::path folder_of(const Arguments& a) {
@@ -47,7 +56,7 @@ int draw(const std::vector<std::string>& arguments) {
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
     execv(program.c_str(), argv.data());
-    fmt::print(stderr, "sbeh: {}: cannot be started\n", program.string());
+    complain(fmt::format("{}: cannot be started", program.string()));
     _exit(127);
   }
   int status = 0;
@@ -59,12 +68,14 @@ void draw_results(const Arguments& a, const std::string& kind, const fs::path& f
   if (a.no_pictures) return;
   std::fflush(nullptr);
   if (draw({kind, folder.string()}) != 0)
-    fmt::print(stderr, "sbeh: no pictures; the tables in {} are complete. "
-                       "Try again with: sbeh picture {} {}\n",
-               folder.string(), kind, folder.string());
+    complain(fmt::format("no pictures; the tables in {0} are complete. "
+                         "Try again with: sbeh picture {1} {0}",
+                         folder.string(), kind));
 }
 
 int exit_code_of_interrupt() { return 128 + studies::interrupt_signal(); }
+// What a program ends with that has done its work, unless it was told to end while drawing.
+int exit_code_of_success() { return studies::interrupt_signal() ? exit_code_of_interrupt() : 0; }
 
 int scan(const Arguments& a) {
   const studies::ScanInput input = studies::read_scan(a.input);
@@ -74,11 +85,11 @@ int scan(const Arguments& a) {
              s.points, (folder / "scan.csv").string(), s.stationary, s.unresolved, s.failed,
              s.computed, s.seconds);
   if (s.interrupted) {
-    fmt::print(stderr, "sbeh: interrupted; the same command goes on from here\n");
+    complain("interrupted; the same command goes on from here");
     return exit_code_of_interrupt();
   }
   draw_results(a, "scan", folder);
-  return 0;
+  return exit_code_of_success();
 }
 
 int relax(const Arguments& a) {
@@ -90,16 +101,20 @@ int relax(const Arguments& a) {
              "history in {}, {} profiles beside it\n",
              axisym::describe(s.run.stop), last.time, s.run.steps, last.rejected,
              last.energy.total(), (folder / "series.csv").string(), s.profiles);
-  if (s.run.stop == axisym::FlowStop::interrupted) return exit_code_of_interrupt();
+  if (s.run.stop == axisym::FlowStop::interrupted) {
+    complain(fmt::format("interrupted; what is in {} stays there, but an evolution is not resumed: "
+                         "to run it again from its start, choose another folder with -o",
+                         folder.string()));
+    return exit_code_of_interrupt();
+  }
   draw_results(a, "relax", folder);
-  return s.run.stop == axisym::FlowStop::step_too_small ? 1 : 0;
+  return s.run.stop == axisym::FlowStop::step_too_small ? 1 : exit_code_of_success();
 }
 
 int check(const Arguments& a) {
   if (studies::kind_of(a.input) == studies::InputKind::scan) {
     const studies::ScanInput input = studies::read_scan(a.input);
-    const std::size_t points = input.reduced_volume.size() * input.L.size() * input.models.size()
-                             * input.branches.size();
+    const std::size_t points = studies::point_count(input);
     // About 10 ms a point by Newton, 1 s by the flow, on one core of 2026; 20 kB a profile.
     const double seconds = double(points) * (input.method == studies::Method::newton ? 0.01 : 1);
     fmt::print("{}: a scan of {} points by {}, about {:.0f} s of one core and {:.1f} MB\n\n{}",
@@ -118,8 +133,22 @@ int check(const Arguments& a) {
   return 0;
 }
 
+// The words of the command line that CLI11 did not take, with what may have been meant.
+int complain_of_command_line(const CLI::App& app, const CLI::ParseError& error) {
+  const std::vector<std::string> rest = app.remaining();
+  if (!app.get_subcommands().empty() || rest.empty() || rest.front().starts_with('-'))
+    return app.exit(error) == 0 ? 0 : 2;
+  std::vector<std::string> known;
+  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  const auto meant = studies::nearest(rest.front(), known);
+  complain(fmt::format("{}: unknown command{} Known: {}", rest.front(),
+                       meant ? fmt::format("; did you mean {}?", *meant) : ".",
+                       fmt::join(known, ", ")));
+  return 2;
+}
+
 int run(int argc, char** argv) {
-  CLI::App app{"Shapes and dynamics of fluid lipid membranes with liquid-crystalline order."};
+  CLI::App app{"Shapes and dynamics of fluid lipid membranes with liquid-crystalline order.", "sbeh"};
   app.set_version_flag("--version", SBEH_VERSION);
   app.require_subcommand(1);
   Arguments a;
@@ -130,18 +159,20 @@ int run(int argc, char** argv) {
     command->add_option("-o,--output", a.folder, "folder for the results (results/NAME)");
     command->add_flag("--no-pictures", a.no_pictures, "tables only");
     command->add_option("--threads", a.threads, "at most so many (all cores)")
-      ->check(CLI::PositiveNumber);
+      ->check(CLI::Range(1, 4096));
     return command;
   };
   const CLI::App* scan_command = add("scan", "stationary shapes over a (V_r, L) grid", true);
   const CLI::App* relax_command = add("relax", "one axisymmetric evolution", true);
   const CLI::App* check_command = add("check", "say whether an input is right, and what it asks for", false);
-  CLI::App* picture_command = app.add_subcommand("picture", "draw the pictures of a folder again");
+  CLI::App* picture_command =
+    app.add_subcommand("picture", "draw the pictures of a folder again: picture scan|relax DIR");
   picture_command->prefix_command();
+  picture_command->set_help_flag();  // `sbeh picture --help` is the picture program's
   try {
     app.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? 0 : 2;
+    return complain_of_command_line(app, error);
   }
   if (*picture_command) return draw(picture_command->remaining());
 
@@ -150,28 +181,36 @@ int run(int argc, char** argv) {
   if (a.threads > 0)
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
                                                   std::size_t(a.threads));
-  if (*scan_command) return scan(a);
-  if (*relax_command) return relax(a);
-  if (*check_command) return check(a);
+  try {
+    if (*scan_command) return scan(a);
+    if (*relax_command) return relax(a);
+    if (*check_command) return check(a);
+  } catch (const std::invalid_argument& error) {  // only the start itself could tell
+    throw studies::InputError(fmt::format("{}: {}", a.input, error.what()));
+  }
   return 2;
+}
+
+int run_and_report(int argc, char** argv) {
+  try {
+    return run(argc, argv);
+  } catch (const studies::InputError& error) {
+    complain(error.what());
+    return 2;
+  } catch (const studies::OutputError& error) {
+    complain(error.what());
+    return 2;
+  } catch (const std::exception& error) {
+    complain(error.what());
+    return 1;
+  }
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const studies::InputError& error) {
-    fmt::print(stderr, "sbeh: {}\n", error.what());
-    return 2;
-  } catch (const studies::OutputError& error) {
-    fmt::print(stderr, "sbeh: {}\n", error.what());
-    return 2;
-  } catch (const std::invalid_argument& error) {
-    fmt::print(stderr, "sbeh: {}\n", error.what());
-    return 2;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "sbeh: {}\n", error.what());
-    return 1;
-  }
+  const int code = run_and_report(argc, argv);
+  if (std::fflush(stdout) == 0) return code;
+  complain("standard output cannot be written");
+  return code == 0 ? 2 : code;
 }

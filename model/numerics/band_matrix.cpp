@@ -34,9 +34,9 @@ Eigen::VectorXd BandMatrix::times(const Eigen::VectorXd& x) const {
 }
 
 bool BandMatrix::factor() {
-  return LAPACKE_dgbtrf_work(LAPACK_COL_MAJOR, n_, n_, width_, width_, storage_.data(),
-                             int(storage_.rows()), pivots_.data())
-      == 0;
+  const int info = LAPACKE_dgbtrf_work(LAPACK_COL_MAJOR, n_, n_, width_, width_, storage_.data(),
+                                       int(storage_.rows()), pivots_.data());
+  return info == 0 && storage_.row(2 * width_).allFinite();  // NaN spreads to the pivots
 }
 
 int BandMatrix::determinant_sign() const {
@@ -61,13 +61,12 @@ BorderedSolution solve_bordered(const BandMatrix& A, const Eigen::MatrixXd& B,
   Eigen::MatrixXd columns(A.size(), m + 1);  // A⁻¹ (B, f)
   columns << B, f;
   A.solve(columns);
-  const Eigen::MatrixXd schur = D - C.transpose() * columns.leftCols(m);
-  const Eigen::FullPivLU<Eigen::MatrixXd> lu(schur);
-  if (m > 0 && !lu.isInvertible()) return {};
-  const int sign = A.determinant_sign() * (m > 0 && lu.determinant() < 0 ? -1 : 1);
-  const Eigen::VectorXd y =
-    m > 0 ? Eigen::VectorXd(lu.solve(g - C.transpose() * columns.col(m))) : Eigen::VectorXd();
-  return {columns.col(m) - columns.leftCols(m) * y, y, sign};
+  if (m == 0) return {columns.col(0), Eigen::VectorXd(0), A.determinant_sign()};
+  const Eigen::FullPivLU<Eigen::MatrixXd> schur(D - C.transpose() * columns.leftCols(m));
+  if (!schur.isInvertible()) return {};
+  const Eigen::VectorXd y = schur.solve(g - C.transpose() * columns.col(m));
+  return {columns.col(m) - columns.leftCols(m) * y, y,
+          schur.determinant() < 0 ? -A.determinant_sign() : A.determinant_sign()};
 }
 
 }  // namespace sbeh::model

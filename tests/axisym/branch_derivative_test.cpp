@@ -39,13 +39,16 @@ auto rate_of(const F& f, double h) {
   return Value((4 * near - far) / 3);
 }
 
+Eigen::VectorXd gradient_rate(const BranchState& b, const Direction& direction) {
+  return direction.L
+       * gradient_rate_by_L(paper_material(b.at.L), b.solution, node_normals(b.solution.state.X));
+}
+
 Increment tangent_of(const BranchState& b, const Direction& direction) {
-  const Material material = paper_material(b.at.L);
-  NewtonSystem system(material, Model::SBEH, int(b.solution.H.size()));
+  NewtonSystem system(paper_material(b.at.L), Model::SBEH, int(b.solution.H.size()));
   EXPECT_TRUE(system.linearise(b.solution));
   Increment t;
-  EXPECT_TRUE(system.tangent(direction.L * gradient_rate_by_L(material, Model::SBEH, b.solution),
-                             direction.volume, t));
+  EXPECT_TRUE(system.tangent(gradient_rate(b, direction), direction.volume, t));
   EXPECT_EQ(t.parameter, 1);
   return t;
 }
@@ -86,10 +89,9 @@ TEST(Tangent, solves_the_assembled_equations) {
     Eigen::VectorXd v(node_unknowns * nodes);
     for (Eigen::Index i = 0; i < nodes; ++i)
       v.segment<node_unknowns>(node_unknowns * i) << t.d[i], t.Lambda[i], t.H[i], t.beta[i];
-    const Eigen::VectorXd rate =
-      direction.L * gradient_rate_by_L(paper_material(b.at.L), Model::SBEH, b.solution);
     Eigen::VectorXd miss =
-      L.hessian.times(v) + L.constraints * Eigen::Vector2d(t.tension, t.pressure) + rate;
+      L.hessian.times(v) + L.constraints * Eigen::Vector2d(t.tension, t.pressure)
+                         + gradient_rate(b, direction);
     miss[node_d] = 0;  // the north pole is held
     // Rounding of the products: 1e-16 times the largest term of a row.
     double largest = 0;

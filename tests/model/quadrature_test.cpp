@@ -16,13 +16,16 @@ constexpr double rounding = 50 * std::numeric_limits<double>::epsilon();
 double factorial(int n) { return std::tgamma(n + 1); }
 
 double integral_of_power(const IntervalRule& rule, int a) {
-  return (rule.weights.array() * rule.points.array().pow(a)).sum();
+  double sum = 0;
+  for (int i = 0; i < rule.size(); ++i) sum += rule.weights[i] * std::pow(rule.points[i], a);
+  return sum;
 }
 
 double integral_of_monomial(const TriangleRule& rule, int a, int b) {
-  return (rule.weights.transpose().array() * rule.points.row(0).array().pow(a)
-          * rule.points.row(1).array().pow(b))
-      .sum();
+  double sum = 0;
+  for (int i = 0; i < rule.size(); ++i)
+    sum += rule.weights[i] * std::pow(rule.points(0, i), a) * std::pow(rule.points(1, i), b);
+  return sum;
 }
 
 TEST(GaussRule, is_exact_up_to_degree_2n_minus_1) {

@@ -1,10 +1,10 @@
-// Single points of a scan of the oblate branch, each from its neighbour or from an ellipsoid.
+// Single points of a scan along a branch, each from its neighbour or from an ellipsoid.
 //
 // Neighbours are handed on as positions and order alone, which is what a point's file keeps, so that
 // a resumed scan continues from the same bits as an uninterrupted one.
 #pragma once
 
-#include "axisym/continuation.h"
+#include "axisym/branch_entry.h"
 #include "axisym/flow.h"
 #include "studies/scan_table.h"
 #include "studies/series_file.h"
@@ -29,11 +29,15 @@ struct Neighbour {
 /// A failed point, with the reason.
 PointOutcome failed_point(const PointKey& key, std::string reason);
 
-/// The reduced volume at which the classical oblate branch is entered from a spheroid.
-inline constexpr double entry_volume = 0.95;
+/// Newton's method from positions and order alone; empty when it fails.
+std::optional<axisym::BranchState> settled(const model::Material& material, model::Model model,
+                                           const Neighbour& at);
 
-/// SSH's oblate at entry_volume and the elastic constant L; empty when Newton fails.
-std::optional<Neighbour> enter_branch(const ScanInput& input, double L);
+/// The branch of that name, one of known_branches().
+axisym::Branch branch_of(const std::string& name);
+
+/// SSH's state from which a branch is followed, at the elastic constant L; empty when Newton fails.
+std::optional<Neighbour> enter_branch(const ScanInput& input, const std::string& branch, double L);
 
 /// Follows the branch of `model` from a neighbour (of the same model) to the point of the key.
 PointOutcome follow_to(const ScanInput& input, const PointKey& key, const Neighbour& from);
@@ -47,10 +51,14 @@ PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neigh
 /// The point beyond a fold: the fold's row and state under another L.
 PointOutcome beyond_fold(const PointKey& key, const PointOutcome& fold);
 
+/// The fold in which a branch of SBEH ends as L grows, at the reduced volume of a state on it; empty
+/// when there is none below L = 2.
+std::optional<axisym::BranchState> fold_above(const ScanInput& input, const Neighbour& from);
+
 /// V_r = 1: the sphere, with the uniform order at rest there.
 PointOutcome sphere_point(const ScanInput& input, const PointKey& key);
 
-/// The flow from the oblate spheroid with β = 2/3 to rest, polished by Newton's method. Records
+/// The flow from the spheroid (oblate or prolate) with β = 2/3 to rest, polished by Newton's method. Records
 /// every accepted step. Empty when interrupted.
 std::optional<PointOutcome> flow_to_rest(const ScanInput& input, const PointKey& key,
                                          std::vector<SeriesRow>& history);

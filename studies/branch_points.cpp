@@ -1,5 +1,7 @@
-#include "studies/oblate_points.h"
+#include "studies/branch_points.h"
 
+#include "axisym/shape_class.h"
+#include "axisym/stability.h"
 #include "axisym/start_shapes.h"
 #include "axisym/stationary.h"
 #include "model/rest_order.h"
@@ -30,41 +32,29 @@ class Clock {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
-// Oblate: symmetric top to bottom and flatter than wide.
-bool is_oblate(const axisym::Diagnostics& d, const State& state) {
-  const Eigen::Index last = state.X.cols() - 1;
-  const double top_radius = state.X(0, last / 4), bottom_radius = state.X(0, last - last / 4);
-  return std::abs(top_radius - bottom_radius) < 1e-3 && d.thickness_pole < 2 * d.radius_equator;
-}
-
+// What a state is, apart from the branch that led to it.
 PointOutcome stationary(const model::Material& material, const PointKey& key, const State& state) {
   PointOutcome point{{.key = key, .status = PointStatus::stationary,
                       .diagnostics = axisym::diagnose(material, state),
                       .stop_reason = "stationary"}, state};
-  const axisym::Diagnostics& d = *point.row.diagnostics;
-  if (d.rim_resolution > axisym::resolution_limit) {
-    point.row.status = PointStatus::unresolved;
-    point.row.stop_reason = fmt::format(
+  PointResult& row = point.row;
+  const axisym::Diagnostics& d = *row.diagnostics;
+  const axisym::ShapeClass shape = axisym::classify(state.X);
+  row.shape = axisym::name(shape);
+  row.self_contact = axisym::crosses_itself(state.X);
+  if (d.resolution > axisym::resolution_limit) {
+    row.status = PointStatus::unresolved;
+    row.stop_reason = fmt::format(
       "|H| times node spacing is {:.2f} at the rim, more than {}: use more elements",
-      d.rim_resolution, axisym::resolution_limit);
-  } else if (d.thickness_pole <= 0) {
-    point.row.status = PointStatus::unresolved;
-    point.row.stop_reason = fmt::format(
-      "the poles have passed through each other (thickness {:.3g}): contact is not in the model",
-      d.thickness_pole);
-  } else if (!is_oblate(d, state)) {
-    point.row.status = PointStatus::failed;
-    point.row.stop_reason = "the state found is no oblate: the branch was left";
+      d.resolution, axisym::resolution_limit);
+  } else if (row.self_contact) {
+    row.status = PointStatus::unresolved;
+    row.stop_reason = "the surface passes through itself: contact is not in the model";
+  } else if (row.shape != key.branch) {
+    row.status = PointStatus::failed;
+    row.stop_reason = fmt::format("the state found is of class {}: the branch was left", row.shape);
   }
   return point;
-}
-
-std::optional<BranchState> settle(const model::Material& material, Model model,
-                                  const Neighbour& at) {
-  const auto r = axisym::solve_stationary(material, model, axisym::target_of(at.at.reduced_volume),
-                                          axisym::guess_from(material, at.state));
-  if (r.status != axisym::NewtonStatus::converged) return {};
-  return BranchState{.at = at.at, .solution = r.solution, .determinant_sign = r.determinant_sign, .iterations = r.iterations};
 }
 
 PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
@@ -77,11 +67,16 @@ PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
   PointOutcome point = stationary(material, key, result.state.solution.state);
   point.row.residual = axisym::residual_of(material, key.model, result.state.solution);
   point.row.steps = result.state.iterations;
+  point.row.negative_directions =
+    axisym::negative_directions(material, key.model, result.state.solution);
+  point.row.fold_side = "before";
   if (result.arrival == axisym::Arrival::fold) {
     point.row.status = PointStatus::unresolved;
+    point.row.fold_side = "at";
     point.row.stop_reason = fmt::format(
-      "the smooth oblate branch ends in a fold at V_r = {:.6g}, L = {:.6g}; beyond it the rim "
-      "sharpens without limit; the values are those at the fold", at.reduced_volume, at.L);
+      "the smooth {} branch ends in a fold at V_r = {:.6g}, L = {:.6g}{}; the values are those at "
+      "the fold", key.branch, at.reduced_volume, at.L,
+      key.model == Model::SBEH ? "; beyond it the rim sharpens without limit" : "");
   }
   return point;
 }
@@ -93,19 +88,38 @@ PointOutcome failed_point(const PointKey& key, std::string reason) {
            .stop_reason = std::move(reason)}, {}};
 }
 
-std::optional<Neighbour> enter_branch(const ScanInput& input, double L) {
-  const axisym::Numerics& n = input.numerics;
-  const State start{axisym::spheroid(entry_volume, false, n.elements, n.grading),
-                    axisym::Field::Constant(3 * n.elements + 1, model::full_order)};
-  const Neighbour spheroid{{entry_volume, L}, start};
-  const auto settled = settle(input.material.with_L(L), Model::SSH, spheroid);
-  if (!settled) return {};
-  return Neighbour{settled->at, settled->solution.state};
+std::optional<BranchState> settled(const model::Material& material, Model model,
+                                   const Neighbour& at) {
+  const auto r = axisym::solve_stationary(material, model, axisym::target_of(at.at.reduced_volume),
+                                          axisym::guess_from(material, at.state));
+  if (r.status != axisym::NewtonStatus::converged) return {};
+  return BranchState{.at = at.at, .solution = r.solution, .determinant_sign = r.determinant_sign, .iterations = r.iterations};
+}
+
+axisym::Branch branch_of(const std::string& name) {
+  if (name == "oblate") return axisym::Branch::oblate;
+  return name == "prolate" ? axisym::Branch::prolate : axisym::Branch::stomatocyte;
+}
+
+std::optional<Neighbour> enter_branch(const ScanInput& input, const std::string& branch, double L) {
+  const auto entry =
+    axisym::enter_branch(branch_of(branch), input.material.with_L(L), input.numerics);
+  if (!entry) return {};
+  return Neighbour{entry->state.at, entry->state.solution.state};
+}
+
+std::optional<BranchState> fold_above(const ScanInput& input, const Neighbour& from) {
+  const auto start = settled(input.material.with_L(from.at.L), Model::SBEH, from);
+  if (!start) return {};
+  const auto result = axisym::follow(input.material, Model::SBEH, *start,
+                                     {from.at.reduced_volume, 2}, input.numerics);
+  if (result.arrival != axisym::Arrival::fold) return {};
+  return result.state;
 }
 
 PointOutcome follow_to(const ScanInput& input, const PointKey& key, const Neighbour& from) {
   const Clock clock;
-  const auto start = settle(input.material.with_L(from.at.L), key.model, from);
+  const auto start = settled(input.material.with_L(from.at.L), key.model, from);
   if (!start) return failed_point(key, "Newton's method failed at the neighbouring point");
   PointOutcome point =
     outcome_of(input, key, axisym::follow(input.material, key.model, *start,
@@ -118,9 +132,9 @@ PointOutcome follow_to(const ScanInput& input, const PointKey& key, const Neighb
 PointOutcome rescale_to(const ScanInput& input, const PointKey& key, const Neighbour& from) {
   const Clock clock;
   const PlanePoint at{key.reduced_volume, key.L};
-  const auto settled = settle(input.material.with_L(key.L), key.model, {at, from.state});
-  if (!settled) return follow_to(input, key, from);
-  PointOutcome point = outcome_of(input, key, {axisym::Arrival::reached, *settled});
+  const auto state = settled(input.material.with_L(key.L), key.model, {at, from.state});
+  if (!state) return follow_to(input, key, from);
+  PointOutcome point = outcome_of(input, key, {axisym::Arrival::reached, *state});
   point.row.wall_seconds = clock.seconds();
   return point;
 }
@@ -129,7 +143,7 @@ PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neigh
   const Clock clock;
   // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly.
   for (double L = std::min(key.L, 0.01); L > 1e-5; L /= 2) {
-    const auto first = settle(input.material.with_L(L), key.model, {{key.reduced_volume, L}, ssh.state});
+    const auto first = settled(input.material.with_L(L), key.model, {{key.reduced_volume, L}, ssh.state});
     if (!first) continue;
     PointOutcome point =
       outcome_of(input, key, axisym::follow(input.material, key.model, *first,
@@ -160,7 +174,7 @@ PointOutcome sphere_point(const ScanInput& input, const PointKey& key) {
                     axisym::Field::Constant(3 * elements + 1, *order)};
   PointOutcome point{{.key = key, .status = PointStatus::stationary,
                       .diagnostics = axisym::diagnose(material, state),
-                      .stop_reason = "the sphere"}, state};
+                      .shape = "sphere", .stop_reason = "the sphere"}, state};
   point.row.wall_seconds = clock.seconds();
   return point;
 }
@@ -170,7 +184,7 @@ std::optional<PointOutcome> flow_to_rest(const ScanInput& input, const PointKey&
   const Clock clock;
   const model::Material material = input.material.with_L(key.L);
   const axisym::Numerics& n = input.numerics;
-  const State start{axisym::spheroid(key.reduced_volume, false, n.elements, n.grading),
+  const State start{axisym::spheroid(key.reduced_volume, key.branch == "prolate", n.elements, n.grading),
                     axisym::Field::Constant(3 * n.elements + 1, model::full_order)};
   const axisym::FlowSchedule schedule{.end_time = input.flow_end_time, .output_times = {}};
   const axisym::FlowResult run = axisym::run_flow(
@@ -185,7 +199,7 @@ std::optional<PointOutcome> flow_to_rest(const ScanInput& input, const PointKey&
   PointOutcome point = stationary(material, key, run.state);
   point.row.residual = std::max(run.last.normal_speed, run.last.order_speed);
   if (run.stop == axisym::FlowStop::at_rest) {
-    if (const auto polished = settle(material, key.model, end)) {
+    if (const auto polished = settled(material, key.model, end)) {
       point = outcome_of(input, key, {axisym::Arrival::reached, *polished});
       point.row.stop_reason = fmt::format("at rest at t = {:.4g}", run.last.time);
     }

@@ -1,0 +1,42 @@
+// The lines of a diagram: where a branch of SBEH ends in a fold, and where two branches have equal
+// energy.
+#pragma once
+
+#include "studies/branch_points.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace sbeh::studies {
+
+/// Gives the state of a finished stationary point; empty where there is none.
+using PointLookup = std::function<std::optional<PointOutcome>(const PointKey&)>;
+
+/// A fold of a branch at a reduced volume of the scan.
+struct FoldRow {
+  std::string branch;
+  double reduced_volume, L, energy, order_min, H_abs_max;
+};
+
+/// The folds of SBEH in which the branches end as L grows, below L = 2, one per reduced volume and
+/// branch, each followed from the point of largest L that is stationary. In parallel.
+std::vector<FoldRow> find_folds(const ScanInput& input, const PointLookup& point);
+
+/// Two branches of equal energy.
+struct EqualEnergyRow {
+  std::string first, second;
+  double L, reduced_volume, energy;
+};
+
+/// For every L and pair of branches: the reduced volumes between two of the scan's at which their
+/// energies (SBEH's, or SSH's when only that is scanned) are equal, by Newton's method with the
+/// slope ∂U/∂V = P. In parallel.
+std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const PointLookup& point);
+
+/// folds.csv: reduced_volume,L,energy,order_min,H_abs_max,branch.
+std::string table_of(const std::vector<FoldRow>& rows);
+/// equal_energy.csv: first,second,L,reduced_volume,energy.
+std::string table_of(const std::vector<EqualEnergyRow>& rows);
+
+}  // namespace sbeh::studies
