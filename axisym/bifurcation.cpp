@@ -1,5 +1,7 @@
 #include "axisym/bifurcation.h"
 
+#include "axisym/redistribute.h"
+
 #include <cmath>
 #include <numbers>
 
@@ -52,50 +54,57 @@ std::optional<SoftMode> antisymmetric_mode(const model::Material& material, mode
   return {};
 }
 
+namespace {
+
+// A symmetric state on the line with its softest antisymmetric mode.
+struct Sample {
+  double mu;
+  StationaryState s;
+  SoftMode mode;
+};
+
+// Plain Newton steps keep the symmetry; the arclength's tangent would see the other branch.
+std::optional<Sample> sample(const Line& line, double mu, const StationaryState& near,
+                             const Numerics& numerics) {
+  const NewtonResult r = solve_stationary(line.material(mu), line.model(), line.target(mu),
+                                          redistribute(near, numerics.grading));
+  if (r.status != NewtonStatus::converged) return {};
+  const auto mode = antisymmetric_mode(line.material(mu), line.model(), r.solution);
+  if (!mode) return {};
+  return Sample{mu, r.solution, *mode};
+}
+
+}  // namespace
+
 std::optional<Pitchfork> find_pitchfork(const model::Material& material, model::Model model,
                                         const BranchState& from, PlanePoint to,
                                         const Numerics& numerics) {
   const Line line(material, model, from.at, to);
-  // The branch is followed in steps; within the step of the sign change by secants.
-  BranchState a = from;
-  double mu_a = 0;
-  auto mode_a = antisymmetric_mode(line.material(0), model, a.solution);
+  auto a = sample(line, 0, from.solution, numerics);
   constexpr int steps = 16;
-  for (int k = 1; k <= steps && mode_a; ++k) {
-    const double mu_b = double(k) / steps;
-    const FollowResult next = follow(material, model, a, line.at(mu_b), numerics);
-    if (next.arrival != Arrival::reached) return {};
-    BranchState b = next.state;
-    auto mode_b = antisymmetric_mode(line.material(mu_b), model, b.solution);
-    if (!mode_b) return {};
-    if (mode_a->eigenvalue * mode_b->eigenvalue > 0) {
+  for (int k = 1; k <= steps && a; ++k) {
+    auto b = sample(line, double(k) / steps, a->s, numerics);
+    if (!b) return {};
+    if (a->mode.eigenvalue * b->mode.eigenvalue > 0) {
       a = b;
-      mu_a = mu_b;
-      mode_a = mode_b;
       continue;
     }
     // Secants. At the zero itself the matrix is singular: the last estimate is not solved for.
-    double fa = mode_a->eigenvalue, fb = mode_b->eigenvalue, before = mu_a, mu = mu_b;
-    const auto estimate = [&] { return (before * fb - mu * fa) / (fb - fa); };
-    for (int iteration = 0; iteration < 12 && std::abs(estimate() - mu) > 1e-7; ++iteration) {
-      const double next_mu = estimate();
-      const FollowResult closer = follow(material, model, b, line.at(next_mu), numerics);
-      if (closer.arrival != Arrival::reached) break;
-      b = closer.state;
-      const auto mode = antisymmetric_mode(line.material(next_mu), model, b.solution);
-      if (!mode) break;
-      before = mu;
-      fa = fb;
-      mu = next_mu;
-      fb = mode->eigenvalue;
-      mode_b = mode;
+    const auto zero = [&] {
+      const double fa = a->mode.eigenvalue, fb = b->mode.eigenvalue;
+      return (a->mu * fb - b->mu * fa) / (fb - fa);
+    };
+    for (int iteration = 0; iteration < 12 && std::abs(zero() - b->mu) > 1e-7; ++iteration) {
+      const auto next = sample(line, zero(), b->s, numerics);
+      if (!next) break;
+      a = b;
+      b = next;
     }
-    mu = estimate();
-    Increment along = mode_b->direction;
+    Increment along = b->mode.direction;
     along.parameter = 0;
     const double rms = std::sqrt((along.d.squaredNorm() + along.beta.squaredNorm())
                                  / double(along.d.size()));
-    return Pitchfork{{mu, b.solution, scaled(along, 1 / rms), b.determinant_sign}};
+    return Pitchfork{{zero(), b->s, scaled(along, 1 / rms), 0}};
   }
   return {};
 }

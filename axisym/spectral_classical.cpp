@@ -1,7 +1,8 @@
 #include "axisym/spectral_classical.h"
 
-#include <algorithm>
 #include <ceres/ceres.h>
+
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -68,11 +69,11 @@ double ClassicalMinimum::reduced_energy() const { return state.energy / (8 * pi)
 
 std::shared_ptr<const Basis> basis_for(Branch branch, double reduced_volume, int cutoff) {
   if (branch != Branch::stomatocyte) return basis(Symmetry::top_bottom, cutoff);
-  // Place and width of the rim along the branch, in steps so that neighbours share a basis.
-  const double v = 0.05 * std::round(reduced_volume / 0.05);
-  return basis(Symmetry::none, cutoff,
-               {.a = 1 - 0.08 * std::pow(0.74, (0.65 - v) / 0.1),
-                .x0 = 0.5 - 0.055 * v - 0.03 * v * v});
+  // Width and place of the rim along the branch, fitted for 0.1 < V_r < 0.66.
+  const double v = reduced_volume;
+  return basis(
+      Symmetry::none, cutoff,
+      {.a = 1 - 0.08 * std::pow(0.72, (0.65 - v) / 0.1), .x0 = 0.5 - 0.053 * v - 0.03 * v * v});
 }
 
 int usual_cutoff(Branch branch) { return branch == Branch::stomatocyte ? 72 : 36; }
@@ -99,7 +100,6 @@ std::optional<VectorXd> minimise_squares(const Problem& classical, const VectorX
   for (int i = 0; i < most_shifts; ++i) {
     ceres::Solver::Summary summary;
     ceres::Solve(options, &problem, &summary);
-    if (getenv("CER")) printf("    ceres %d: %d iterations cost %.10f %s %.2f ms\n",i,(int)summary.iterations.size(),summary.final_cost,ceres::TerminationTypeToString(summary.termination_type),summary.total_time_in_seconds*1e3);
     if (summary.termination_type == ceres::FAILURE) return {};
     const VectorXd miss = expand(classical, y)->measures - target;
     if (miss.cwiseAbs().maxCoeff() < tolerance) break;
@@ -108,8 +108,7 @@ std::optional<VectorXd> minimise_squares(const Problem& classical, const VectorX
   return y;
 }
 
-std::optional<ClassicalMinimum> sharpen(Branch branch, double reduced_volume,
-                                        const Curve& start) {
+std::optional<ClassicalMinimum> sharpen(Branch branch, double reduced_volume, const Curve& start) {
   const Problem problem = Problem::classical(start.basis);
   const auto state = minimise(problem, target_of(problem, reduced_volume), pack(start));
   if (!state || !is_of_class(branch, curve_of(problem, state->y))) return {};
@@ -120,15 +119,14 @@ std::optional<ClassicalMinimum> minimum_from(Branch branch, double reduced_volum
                                              const Curve& start) {
   constexpr double resolved = 1e-11;
   constexpr int coarse_cutoff = 36, most = 250;
-  const Problem coarse =
-    Problem::classical(basis_for(branch, reduced_volume, coarse_cutoff));
+  const Problem coarse = Problem::classical(basis_for(branch, reduced_volume, coarse_cutoff));
   const auto near = minimise_squares(coarse, target_of(coarse, reduced_volume),
                                      pack(on_basis(start, coarse.basis)));
   if (!near) return {};
   Curve curve = curve_of(coarse, *near);
   for (int cutoff = usual_cutoff(branch); cutoff <= most; cutoff = cutoff * 3 / 2) {
-    const auto found = sharpen(
-      branch, reduced_volume, on_basis(curve, basis_for(branch, reduced_volume, cutoff)));
+    const auto found =
+        sharpen(branch, reduced_volume, on_basis(curve, basis_for(branch, reduced_volume, cutoff)));
     if (!found || tail(found->state.y) < resolved) return found;
     curve = found->curve();
   }
@@ -145,23 +143,21 @@ std::optional<ClassicalMinimum> minimum(Branch branch, double reduced_volume) {
   const double first = std::min(reduced_volume, safe);
   const auto found = minimum_from(branch, first, invaginated_sphere(first, start_basis));
   if (!found || first == reduced_volume) return found;
-  return minimum_along(branch, reduced_volume, *found);
+  return minimum_along(branch, reduced_volume, first, found->curve());
 }
 
-std::optional<ClassicalMinimum> minimum_along(Branch branch, double reduced_volume,
-                                              const ClassicalMinimum& from) {
+std::optional<ClassicalMinimum> minimum_along(Branch branch, double reduced_volume, double v,
+                                              Curve curve) {
   constexpr double longest = 0.06;
-  constexpr double end = 0.6613;  // stomatocytes: just beyond the last one, only to choose steps
-  double v = from.reduced_volume;
-  Curve curve = from.curve();
+  constexpr double end = 0.6613;  // of stomatocytes, or just beyond: only to choose steps
   while (true) {
     double step = std::clamp(reduced_volume - v, -longest, longest);
     if (branch == Branch::stomatocyte && step > 0) step = std::min(step, 0.6 * (end - v));
     v += step;
     if (std::abs(reduced_volume - v) < 1e-12) return minimum_from(branch, reduced_volume, curve);
     if (std::abs(step) < 1e-4) return {};
-    const auto next = sharpen(
-      branch, v, on_basis(curve, basis_for(branch, reduced_volume, usual_cutoff(branch))));
+    const auto next =
+        sharpen(branch, v, on_basis(curve, basis_for(branch, v, usual_cutoff(branch))));
     if (!next) return {};
     curve = next->curve();
   }

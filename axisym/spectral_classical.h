@@ -2,7 +2,7 @@
 #pragma once
 
 #include "axisym/classical_shape.h"
-#include "axisym/spectral_lagrangian.h"
+#include "axisym/spectral_newton.h"
 
 namespace sbeh::axisym::spectral {
 
@@ -38,9 +38,9 @@ std::optional<ClassicalMinimum> minimum_from(Branch branch, double reduced_volum
                                              const Curve& start);
 /// The same from a spheroid, or from a sphere with an invagination.
 std::optional<ClassicalMinimum> minimum(Branch branch, double reduced_volume);
-/// The same from a minimum of the branch, in as many steps as it takes.
+/// The same from a shape of the branch at another volume, in as many steps as it takes.
 std::optional<ClassicalMinimum> minimum_along(Branch branch, double reduced_volume,
-                                              const ClassicalMinimum& from);
+                                              double start_volume, Curve start);
 
 /// Largest coefficient among the last tenth of the modes.
 double tail(const Eigen::VectorXd& coefficients);

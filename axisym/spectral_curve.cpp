@@ -19,18 +19,24 @@ namespace {
 // Points per wave number of the cutoff on the whole curve.
 constexpr double oversampling = 2;
 
-// cos and sin of multiples of π/(2N), from a table: all angles of the midpoint grid are such.
+// cos and sin of jπ/(2N), from tables: all angles of the midpoint grid are such.
 class TrigTable {
  public:
-  explicit TrigTable(int N) : period_(4 * N), cos_(std::size_t(period_)) {
-    for (int j = 0; j < period_; ++j) cos_[std::size_t(j)] = std::cos(2 * pi * j / period_);
+  explicit TrigTable(int N) : period_(4 * N), cos_(std::size_t(period_)), sin_(cos_) {
+    for (int j = 0; j < period_; ++j) {
+      cos_[std::size_t(j)] = std::cos(2 * pi * j / period_);
+      sin_[std::size_t(j)] = std::sin(2 * pi * j / period_);
+    }
   }
-  double cos(long j) const { return cos_[std::size_t(j % period_)]; }
-  double sin(long j) const { return cos(j + 3L * (period_ / 4)); }
+  // j ∈ [0, 4N)
+  double cos(int j) const { return cos_[std::size_t(j)]; }
+  double sin(int j) const { return sin_[std::size_t(j)]; }
+  // j + step, step ∈ [0, 4N), in that range
+  int next(int j, int step) const { return j + step < period_ ? j + step : j + step - period_; }
 
  private:
   int period_;
-  std::vector<double> cos_;
+  std::vector<double> cos_, sin_;
 };
 
 // Angle by arc length: pairs (s, ψ), s rising.
@@ -72,8 +78,8 @@ double bisect(double low, double high, auto&& f) {
 // V_r of the spheroid with semi-axes 1, 1 and c.
 double spheroid_volume(double c) {
   const double e = std::sqrt(std::abs(1 - c * c)) / std::max(1., c);
-  const double area = c < 1 ? 2 * pi * (1 + (1 - e * e) / e * std::atanh(e))
-                            : 2 * pi * (1 + c / e * std::asin(e));
+  const double area =
+      c < 1 ? 2 * pi * (1 + (1 - e * e) / e * std::atanh(e)) : 2 * pi * (1 + c / e * std::asin(e));
   return 6 * std::sqrt(pi) * (4 * pi / 3 * c) / std::pow(area, 1.5);
 }
 
@@ -88,6 +94,7 @@ double Grading::slope(double x) const {
   return (1 - a * std::cos(pi * (x - x0))) * (1 - a * std::cos(pi * (x + x0))) / scale;
 }
 double Grading::inverse(double at) const {
+  if (a == 0) return at;
   return bisect(0, 1, [&](double x) { return sigma(x) - at; });
 }
 
@@ -110,27 +117,29 @@ std::shared_ptr<const Basis> basis(Symmetry symmetry, int cutoff, const Grading&
   B->S.resize(points, n), B->dS.resize(points, n);
   B->C.resize(points, n + 1), B->dC.resize(points, n + 1);
   VectorXd slope(points);
-  const TrigTable trig(N);
   for (int j = 0; j < points; ++j) {
     B->x[j] = (j + 0.5) / N;
     slope[j] = grading.slope(B->x[j]);
-    B->C(j, 0) = 1, B->dC(j, 0) = 0;
-    for (int i = 0; i < n; ++i) {
-      const int k = B->k[std::size_t(i)];
-      const double c = trig.cos(long(k) * (2 * j + 1)), s = trig.sin(long(k) * (2 * j + 1));
-      B->S(j, i) = s, B->dS(j, i) = k * pi * c / slope[j];
-      B->C(j, i + 1) = c, B->dC(j, i + 1) = -k * pi * s / slope[j];
+  }
+  const TrigTable trig(N);
+  B->C.col(0).setOnes(), B->dC.col(0).setZero();
+  for (int i = 0; i < n; ++i) {
+    const int k = B->k[std::size_t(i)];
+    for (int j = 0, at = k; j < points; ++j, at = trig.next(at, 2 * k)) {
+      B->S(j, i) = trig.sin(at), B->C(j, i + 1) = trig.cos(at);
+      B->dS(j, i) = k * pi * trig.cos(at) / slope[j];
+      B->dC(j, i + 1) = -k * pi * trig.sin(at) / slope[j];
     }
   }
   // Of a symmetric curve cos ψ has odd wave numbers alone.
-  const int highest = (N - 1 - 1) / step * step + 1;
+  const int highest = (N - 2) / step * step + 1;
   MatrixXd sines(points, (highest - 1) / step + 1), cosines = sines;
   B->odd.setZero(points);
   for (int m = 1; m <= highest; m += step) {
     const int i = (m - 1) / step;
-    for (int j = 0; j < points; ++j) {
-      sines(j, i) = trig.sin(long(m) * (2 * j + 1)) / (m * pi);
-      cosines(j, i) = trig.cos(long(m) * (2 * j + 1)) * 2 / points;
+    for (int j = 0, at = m; j < points; ++j, at = trig.next(at, 2 * m)) {
+      sines(j, i) = trig.sin(at) / (m * pi);
+      cosines(j, i) = trig.cos(at) * 2 / points;
     }
     // f = Σ d_m sin(mπx) has ∫f = Σ 2 d_m/(mπ) over odd m.
     if (m % 2 == 1) B->odd += sines.col(i) * 4 / points;
@@ -180,26 +189,28 @@ Eigen::Matrix2Xd profile(const Curve& curve, int intervals) {
   const std::vector<int>& k = curve.basis->k;
   const int N = std::max(intervals, 2 * curve.basis->cutoff);
   const TrigTable trig(N);
-  VectorXd cosine(N), sine(N);
+  VectorXd psi(N), cosine(N), sine(N);
+  for (int j = 0; j < N; ++j) psi[j] = pi * (j + 0.5) / N;
+  for (std::size_t i = 0; i < k.size(); ++i)
+    for (int j = 0, at = k[i]; j < N; ++j, at = trig.next(at, 2 * k[i]))
+      psi[j] += curve.b[Eigen::Index(i)] * trig.sin(at);
   for (int j = 0; j < N; ++j) {
-    double psi = pi * (j + 0.5) / N;
-    for (std::size_t i = 0; i < k.size(); ++i)
-      psi += curve.b[Eigen::Index(i)] * trig.sin(long(k[i]) * (2 * j + 1));
     const double slope = curve.basis->grading.slope((j + 0.5) / N);
-    cosine[j] = slope * std::cos(psi), sine[j] = slope * std::sin(psi);
+    cosine[j] = slope * std::cos(psi[j]), sine[j] = slope * std::sin(psi[j]);
   }
-  // r = Σ a_m sin(mπx)/(mπ), z = Σ d_m cos(mπx)/(mπ) for σ' cos ψ = Σ a_m cos(mπx), σ' sin ψ = Σ d_m sin(mπx).
+  // σ' cos ψ = Σ a_m cos(mπx) gives r = Σ a_m sin(mπx)/(mπ), σ' sin ψ = Σ d_m sin(mπx) gives
+  // z = Σ d_m cos(mπx)/(mπ).
   Eigen::Matrix2Xd whole = Eigen::Matrix2Xd::Zero(2, N + 1);
   for (int m = 1; m < N; ++m) {
     double a = 0, d = 0;
-    for (int j = 0; j < N; ++j) {
-      a += cosine[j] * trig.cos(long(m) * (2 * j + 1));
-      d += sine[j] * trig.sin(long(m) * (2 * j + 1));
+    for (int j = 0, at = m; j < N; ++j, at = trig.next(at, 2 * m)) {
+      a += cosine[j] * trig.cos(at);
+      d += sine[j] * trig.sin(at);
     }
     const double scale = 2 * curve.length / (N * m * pi);
-    for (int j = 0; j <= N; ++j) {
-      whole(0, j) += scale * a * trig.sin(2L * m * j);
-      whole(1, j) += scale * d * trig.cos(2L * m * j);
+    for (int j = 0, at = 0; j <= N; ++j, at = trig.next(at, 2 * m)) {
+      whole(0, j) += scale * a * trig.sin(at);
+      whole(1, j) += scale * d * trig.cos(at);
     }
   }
   whole(0, 0) = whole(0, N) = 0;
@@ -222,7 +233,8 @@ bool touches_itself(const Eigen::Matrix2Xd& p) {
     const Eigen::Vector2d low = a.cwiseMin(b), high = a.cwiseMax(b);
     for (Eigen::Index j = i + 2; j < last; ++j) {
       const Eigen::Vector2d c = p.col(j), d = p.col(j + 1);
-      if ((c.cwiseMin(d).array() > high.array()).any() || (c.cwiseMax(d).array() < low.array()).any())
+      if ((c.cwiseMin(d).array() > high.array()).any()
+          || (c.cwiseMax(d).array() < low.array()).any())
         continue;
       if (side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0) return true;
     }
@@ -254,8 +266,9 @@ Curve curve_through(const Eigen::Matrix2Xd& profile, std::shared_ptr<const Basis
 Curve spheroid(double reduced_volume, bool prolate, std::shared_ptr<const Basis> basis) {
   assert(reduced_volume > 0 && reduced_volume < 1);
   const double c =
-    prolate ? bisect(1 + 1e-9, 1e3, [&](double t) { return spheroid_volume(t) - reduced_volume; })
-            : bisect(1e-3, 1 - 1e-9, [&](double t) { return spheroid_volume(t) - reduced_volume; });
+      prolate
+          ? bisect(1 + 1e-9, 1e3, [&](double t) { return spheroid_volume(t) - reduced_volume; })
+          : bisect(1e-3, 1 - 1e-9, [&](double t) { return spheroid_volume(t) - reduced_volume; });
   constexpr int samples = 400;
   Eigen::Matrix2Xd polygon(2, samples + 1);
   for (int j = 0; j <= samples; ++j) {

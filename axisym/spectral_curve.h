@@ -10,6 +10,7 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <memory>
 #include <vector>
 

@@ -1,10 +1,9 @@
 #include "axisym/spectral_lagrangian.h"
 
-#include <Eigen/Cholesky>
-#include <Eigen/Eigenvalues>
 #include <Eigen/QR>
-#include <array>
 #include <ceres/jet.h>
+
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -89,9 +88,10 @@ struct Sampled {
     const Angles at = angles(spectral::curve_of(p, y));
     R = radius_jacobian(B, at);
     const VectorXd c = order_of(p, y);
-    value = {at.psi, at.dpsi, at.r,
-             p.with_order ? VectorXd(B.C * c)
-                          : VectorXd::Constant(B.points(), model::full_order),
+    value = {at.psi,
+             at.dpsi,
+             at.r,
+             p.with_order ? VectorXd(B.C * c) : VectorXd::Constant(B.points(), model::full_order),
              p.with_order ? VectorXd(B.dC * c) : VectorXd::Zero(B.points()),
              VectorXd::Constant(B.points(), y[0])};
   }
@@ -104,11 +104,16 @@ struct Sampled {
   const MatrixXd& jacobian(int field) const {
     const Basis& B = *problem.basis;
     switch (field) {
-      case psi: return B.S;
-      case dpsi: return B.dS;
-      case radius: return R;
-      case order: return B.C;
-      default: return B.dC;
+      case psi:
+        return B.S;
+      case dpsi:
+        return B.dS;
+      case radius:
+        return R;
+      case order:
+        return B.C;
+      default:
+        return B.dC;
     }
   }
   // Σ_j of pointwise derivatives times Jacobians: a gradient by y.
@@ -120,8 +125,8 @@ struct Sampled {
                          + jacobian(dpsi).transpose() * g.col(dpsi)
                          + jacobian(radius).transpose() * g.col(radius);
     if (problem.with_order)
-      result.tail(n + 1) = jacobian(order).transpose() * g.col(order)
-                         + jacobian(dorder).transpose() * g.col(dorder);
+      result.tail(n + 1) =
+          jacobian(order).transpose() * g.col(order) + jacobian(dorder).transpose() * g.col(dorder);
     return result;
   }
 };
@@ -211,8 +216,7 @@ MatrixXd hessian(const Problem& problem, const VectorXd& y, const Multipliers& m
     for (const std::size_t f : rows) {
       const MatrixXd& D = sampled.jacobian(int(f));
       MatrixXd T = MatrixXd::Zero(N, sampled.jacobian(int(*columns.begin())).cols());
-      for (const std::size_t h : columns)
-        T += second[f][h].asDiagonal() * sampled.jacobian(int(h));
+      for (const std::size_t h : columns) T += second[f][h].asDiagonal() * sampled.jacobian(int(h));
       result.block(first, from, D.cols(), T.cols()).noalias() += D.transpose() * T;
     }
   };
@@ -233,8 +237,7 @@ MatrixXd hessian(const Problem& problem, const VectorXd& y, const Multipliers& m
     add_length({order, dorder}, 1 + n);
   }
   // r = M cos ψ is curved in b.
-  const VectorXd bend =
-    sampled.value[psi].array().cos() * (B.M.transpose() * g_radius).array();
+  const VectorXd bend = sampled.value[psi].array().cos() * (B.M.transpose() * g_radius).array();
   result.block(1, 1, n, n).noalias() -= B.S.transpose() * (bend.asDiagonal() * B.S);
   return result;
 }
@@ -276,84 +279,6 @@ VectorXd target_of(const Problem& problem, double reduced_volume) {
 
 Multipliers estimate_multipliers(const Expansion& at) {
   return at.jacobian.transpose().householderQr().solve(-at.gradient);
-}
-
-namespace {
-
-// ∇𝓛 falls with the wave number like the coefficients of a smooth function, k² times theirs.
-double residual_of(const Problem& problem, const VectorXd& lagrangian_gradient) {
-  const int n = problem.basis->modes();
-  double largest = 0;
-  for (Eigen::Index i = 0; i < lagrangian_gradient.size(); ++i) {
-    const Eigen::Index mode = i <= n ? i : i - n;
-    largest = std::max(largest, std::abs(lagrangian_gradient[i]) / double(1 + mode));
-  }
-  return largest;
-}
-
-}  // namespace
-
-std::optional<Critical> minimise(const Problem& problem, const VectorXd& target, VectorXd y) {
-  constexpr int most_iterations = 60;
-  constexpr double penalty = 1e3;
-  const double tolerance = 1e-10;
-  std::optional<Expansion> at = expand(problem, y);
-  double before = std::numeric_limits<double>::infinity();
-  for (int iteration = 0; at && iteration < most_iterations; ++iteration) {
-    const Multipliers lambda = estimate_multipliers(*at);
-    const VectorXd gradient = at->gradient + at->jacobian.transpose() * lambda;
-    const VectorXd miss = at->measures - target;
-    const double residual = std::max(residual_of(problem, gradient), miss.cwiseAbs().maxCoeff());
-
-    // In coordinates (normal, tangential) to the constraints.
-    const Eigen::HouseholderQR<MatrixXd> qr(at->jacobian.transpose());
-    const Eigen::Index m = miss.size(), U = y.size();
-    MatrixXd H = hessian(problem, y, lambda);
-    H.applyOnTheLeft(qr.householderQ().adjoint());
-    H.applyOnTheRight(qr.householderQ());
-    const bool settled = residual < tolerance && residual > 0.1 * before;
-    if (settled || residual < 1e-14) {
-      const MatrixXd reduced = H.bottomRightCorner(U - m, U - m);
-      const double stiffness =
-        Eigen::SelfAdjointEigenSolver<MatrixXd>(reduced, Eigen::EigenvaluesOnly).eigenvalues()[0];
-      if (!(stiffness > 0)) return {};
-      return Critical{.y = y, .multipliers = lambda, .energy = at->energy, .residual = residual,
-                      .stiffness = stiffness, .iterations = iteration};
-    }
-    before = residual;
-
-    VectorXd step(U);
-    step.head(m) = qr.matrixQR().topLeftCorner(m, m).triangularView<Eigen::Upper>().transpose()
-                     .solve(-miss);
-    VectorXd downhill = gradient;
-    downhill.applyOnTheLeft(qr.householderQ().adjoint());
-    const VectorXd force = -downhill.tail(U - m) - H.bottomLeftCorner(U - m, m) * step.head(m);
-    const Eigen::LLT<MatrixXd> llt(H.bottomRightCorner(U - m, U - m));
-    if (llt.info() == Eigen::Success) {
-      step.tail(U - m) = llt.solve(force);
-    } else {  // uphill directions turned round
-      const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H.bottomRightCorner(U - m, U - m));
-      const VectorXd stiff = eigen.eigenvalues().cwiseAbs().cwiseMax(1e-3);
-      step.tail(U - m) = eigen.eigenvectors()
-                       * (eigen.eigenvectors().transpose() * force).cwiseQuotient(stiff);
-    }
-    step.applyOnTheLeft(qr.householderQ());
-
-    const auto merit = [&](const Expansion& e) {
-      const VectorXd off = e.measures - target;
-      return e.energy + lambda.dot(off) + penalty / 2 * off.squaredNorm();
-    };
-    const double now = merit(*at);
-    double length = 1;
-    std::optional<Expansion> next;
-    for (; length > 1e-4; length /= 2) {
-      next = expand(problem, y + length * step);
-      if (next && merit(*next) <= now + 1e-11 * std::abs(now)) break;
-    }
-    y += length * step;
-    at = next;
-  }
-  return {};
 }
 
 }  // namespace sbeh::axisym::spectral

@@ -1,4 +1,4 @@
-// The energy on a spectral curve with its Lagrangian, exact derivatives and Newton's method on them.
+// The energy on a spectral curve, and its Lagrangian with exact first and second derivatives.
 //
 //   𝓛(y) = U(y) + Σ (A − 4π) − P (V − V₀) + χ ∫cos ψ dσ,   y = (ℓ, b, c): length, angle, order.
 // Per σ, with r in units of ℓ and primes for d/dσ:
@@ -58,20 +58,5 @@ Eigen::Vector2d pole_curvatures(const Curve& curve);
 Eigen::VectorXd target_of(const Problem& problem, double reduced_volume);
 /// Multipliers which balance the gradient best.
 Multipliers estimate_multipliers(const Expansion& at);
-
-/// A critical point.
-struct Critical {
-  Eigen::VectorXd y;
-  Multipliers multipliers;
-  double energy;
-  double residual;   ///< largest component of ∇𝓛/(1 + k), where k is the unknown's wave number
-  double stiffness;  ///< smallest eigenvalue of the second variation at fixed measures, > 0: a minimum
-  int iterations;
-};
-
-/// Minimises U on the constraints by Newton's method with a line search, starting from y. Empty unless
-/// it ends in a minimum, to rounding.
-std::optional<Critical> minimise(const Problem& problem, const Eigen::VectorXd& target,
-                                 Eigen::VectorXd y);
 
 }  // namespace sbeh::axisym::spectral

@@ -84,8 +84,8 @@ OrderedMinimum report(double reduced_volume, const Problem& problem, const Criti
   out.order = VectorXd::Constant(points, c[0]);
   for (Index j = 0; j < points; ++j)
     for (std::size_t i = 0; i < B.k.size(); ++i)
-      out.order[j] += c[Index(i) + 1]
-                    * std::cos(B.k[i] * std::numbers::pi * double(j) / double(points - 1));
+      out.order[j] +=
+          c[Index(i) + 1] * std::cos(B.k[i] * std::numbers::pi * double(j) / double(points - 1));
   return out;
 }
 
@@ -120,9 +120,10 @@ std::optional<ClassicalShape> minimise_classical(Branch branch, double reduced_v
   require_reduced_volume(reduced_volume);
   constexpr int cutoff = 24;  // as many modes as a polygon determines well
   const auto found =
-    near ? minimum_from(branch, reduced_volume,
-                        curve_through(near->profile, basis_for(branch, reduced_volume, cutoff)))
-         : minimum(branch, reduced_volume);
+      near ? minimum_along(
+          branch, reduced_volume, near->reduced_volume,
+          curve_through(near->profile, basis_for(branch, near->reduced_volume, cutoff)))
+           : minimum(branch, reduced_volume);
   if (!found) return {};
   return shape_of(branch, *found);
 }
@@ -133,7 +134,8 @@ std::vector<ClassicalShape> minimise_branch(Branch branch,
   std::optional<ClassicalMinimum> last;
   for (const double v : reduced_volumes) {
     require_reduced_volume(v);
-    auto found = last ? minimum_along(branch, v, *last) : minimum(branch, v);
+    auto found =
+        last ? minimum_along(branch, v, last->reduced_volume, last->curve()) : minimum(branch, v);
     if (!found) continue;
     shapes.push_back(shape_of(branch, *found));
     last = std::move(found);

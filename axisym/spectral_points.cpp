@@ -2,12 +2,12 @@
 #include "axisym/spectral_classical.h"
 #include "axisym/spectral_minimiser.h"
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
-#include <Eigen/QR>
+
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <string>
 
 namespace sbeh::axisym {
 namespace {
@@ -18,8 +18,7 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-// Bounds what rounding does to any of the five volumes: the largest change seen between gradings and
-// numbers of modes is 3e-13.
+// Bounds what rounding does to the five volumes: beyond 40 modes they change by at most 2e-13.
 constexpr double rounding = 5e-12;
 
 [[noreturn]] void lost(const char* point) {
@@ -74,19 +73,12 @@ SpecialPoint equal_energies(Sweep& one, Sweep& other, double guess) {
 // multiplier of the closure vanishes on symmetric shapes, its derivative against odd ones does not.
 double odd_stiffness(const ClassicalMinimum& symmetric) {
   const Basis& half = *symmetric.problem.basis;
-  const Problem whole =
-    Problem::classical(basis(Symmetry::none, half.cutoff, half.grading));
+  const Problem whole = Problem::classical(basis(Symmetry::none, half.cutoff, half.grading));
   const VectorXd y = pack(on_basis(symmetric.curve(), whole.basis));
-  const VectorXd multipliers =
-    Eigen::Vector3d(symmetric.tension(), -symmetric.pressure(), 0);
+  const VectorXd multipliers = Eigen::Vector3d(symmetric.tension(), -symmetric.pressure(), 0);
   const auto odd = Eigen::seq(1, Eigen::last, 2);  // y[k] is b_k
   const VectorXd closure = expand(whole, y)->jacobian.row(2);
-  MatrixXd H = hessian(whole, y, multipliers)(odd, odd);
-  const Eigen::HouseholderQR<MatrixXd> qr(MatrixXd(closure(odd)));
-  H.applyOnTheLeft(qr.householderQ().adjoint());
-  H.applyOnTheRight(qr.householderQ());
-  const MatrixXd reduced = H.bottomRightCorner(H.rows() - 1, H.cols() - 1);
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(reduced, Eigen::EigenvaluesOnly).eigenvalues()[0];
+  return stiffness(hessian(whole, y, multipliers)(odd, odd), closure(odd).transpose());
 }
 
 // A critical point of the Lagrangian where it crosses the plane direction·y = t: volume is an unknown
@@ -109,7 +101,7 @@ void cross(const Problem& problem, const VectorXd& direction, double t, Crossing
     bordered.block(U + 1, 0, 1, U) = direction.transpose();  // in place of the volume
     VectorXd residual(U + 3);
     residual << e->gradient + e->jacobian.transpose() * at.multipliers, e->measures[0] - 4 * pi,
-      direction.dot(at.y) - t, e->measures[2];
+        direction.dot(at.y) - t, e->measures[2];
     const Eigen::PartialPivLU<MatrixXd> lu(bordered);
     const VectorXd step = lu.solve(-residual);
     const VectorXd tangent = lu.solve(VectorXd::Unit(U + 3, U + 1));
@@ -126,7 +118,10 @@ SpecialPoint largest_volume(Sweep& stomatocyte) {
   VectorXd direction = after.state.y - before.state.y;
   const double step = direction.norm() / 2;
   direction.normalize();
-  Crossing at{.y = after.state.y, .multipliers = after.state.multipliers, .volume = 0, .energy = 0,
+  Crossing at{.y = after.state.y,
+              .multipliers = after.state.multipliers,
+              .volume = 0,
+              .energy = 0,
               .slope = 0};
   const double t = direction.dot(at.y);
   root_near(t + step, t + 2 * step, [&](double plane) {
@@ -166,12 +161,12 @@ SpecialPoints points_with(int symmetric_cutoff, int stomatocyte_cutoff) {
 SpecialPoints minimise_special_points() {
   const SpecialPoints coarse = points_with(48, 72);
   SpecialPoints fine = points_with(64, 96);
-  for (SpecialPoint SpecialPoints::* point :
+  for (SpecialPoint SpecialPoints::*point :
        {&SpecialPoints::prolate_oblate, &SpecialPoints::oblate_stomatocyte,
         &SpecialPoints::stomatocyte_fold, &SpecialPoints::oblate_symmetry_loss,
         &SpecialPoints::oblate_self_contact})
     (fine.*point).error =
-      rounding + std::abs((fine.*point).reduced_volume - (coarse.*point).reduced_volume);
+        rounding + std::abs((fine.*point).reduced_volume - (coarse.*point).reduced_volume);
   return fine;
 }
 

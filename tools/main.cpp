@@ -7,6 +7,7 @@
 #include "studies/progress.h"
 #include "studies/relax.h"
 #include "studies/scan.h"
+#include "studies/seifert.h"
 #include "studies/spelling.h"
 #include "studies/toml_reader.h"
 
@@ -35,6 +36,7 @@ struct Arguments {
   std::string input, folder;
   std::vector<std::string> picture;
   int threads = 0;
+  int elements = 96;
   bool no_pictures = false;
 };
 
@@ -133,6 +135,13 @@ int check(const Arguments& a) {
   return 0;
 }
 
+int seifert(const Arguments& a) {
+  const fs::path folder = a.folder.empty() ? fs::path("results/seifert") : fs::path(a.folder);
+  fmt::print("{}", studies::table_of(studies::run_seifert(folder, a.elements)));
+  fmt::print("tables in {}\n", folder.string());
+  return 0;
+}
+
 // The words of the command line that CLI11 did not take, with what may have been meant.
 int complain_of_command_line(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> rest = app.remaining();
@@ -165,6 +174,11 @@ int run(int argc, char** argv) {
   const CLI::App* scan_command = add("scan", "stationary shapes over a (V_r, L) grid", true);
   const CLI::App* relax_command = add("relax", "one axisymmetric evolution", true);
   const CLI::App* check_command = add("check", "say whether an input is right, and what it asks for", false);
+  CLI::App* seifert_command =
+    app.add_subcommand("seifert", "the classical diagram by three witnesses");
+  seifert_command->add_option("-o,--output", a.folder, "folder for the results (results/seifert)");
+  seifert_command->add_option("--elements", a.elements, "of the finite elements (96)")
+    ->check(CLI::Range(32, 4096));
   CLI::App* picture_command =
     app.add_subcommand("picture", "draw the pictures of a folder again: picture scan|relax DIR");
   picture_command->prefix_command();
@@ -185,6 +199,7 @@ int run(int argc, char** argv) {
     if (*scan_command) return scan(a);
     if (*relax_command) return relax(a);
     if (*check_command) return check(a);
+    if (*seifert_command) return seifert(a);
   } catch (const std::invalid_argument& error) {  // only the start itself could tell
     throw studies::InputError(fmt::format("{}: {}", a.input, error.what()));
   }

@@ -1,6 +1,5 @@
 // Derivatives along branches of stationary states: the tangent, and the energy by L, V and A.
 #include "axisym/newton_system.h"
-
 #include "tests/axisym/cases.h"
 
 namespace sbeh::axisym {
@@ -20,8 +19,8 @@ constexpr Direction by_L{"L", 1, 0, 2e-4}, by_volume{"volume", 0, 1, 1e-2};
 // The state near b at other parameters, on the same nodes.
 StationaryState neighbour(const Material& material, Model model, const BranchState& b,
                           const Target& target) {
-  const NewtonResult r = solve_stationary(material, model, target, b.solution,
-                                          {.iterations = 20, .tolerance = 1e-11});
+  const NewtonResult r =
+      solve_stationary(material, model, target, b.solution, {.iterations = 20, .tolerance = 1e-11});
   EXPECT_EQ(r.status, NewtonStatus::converged);
   return r.solution;
 }
@@ -61,11 +60,11 @@ Increment differenced(const BranchState& b, const Direction& direction) {
   for (const int k : {-2, -1, 1, 2}) s.push_back(neighbour(b, direction, k * direction.step));
   const auto rate = [&](const auto& of) {
     return rate_of(
-      [&](double step) {
-        const int k = int(std::lround(step / direction.step));
-        return of(s[std::size_t(k < 0 ? k + 2 : k + 1)]);
-      },
-      direction.step);
+        [&](double step) {
+          const int k = int(std::lround(step / direction.step));
+          return of(s[std::size_t(k < 0 ? k + 2 : k + 1)]);
+        },
+        direction.step);
   };
   Increment t;
   t.d = rate([&](const StationaryState& x) -> Field {
@@ -89,8 +88,8 @@ TEST(Tangent, solves_the_assembled_equations) {
     Eigen::VectorXd v(node_unknowns * nodes);
     for (Eigen::Index i = 0; i < nodes; ++i)
       v.segment<node_unknowns>(node_unknowns * i) << t.d[i], t.Lambda[i], t.H[i], t.beta[i];
-    Eigen::VectorXd miss =
-      L.hessian.times(v) + L.constraints * Eigen::Vector2d(t.tension, t.pressure)
+    Eigen::VectorXd miss = L.hessian.times(v)
+                         + L.constraints * Eigen::Vector2d(t.tension, t.pressure)
                          + gradient_rate(b, direction);
     miss[node_d] = 0;  // the north pole is held
     // Rounding of the products: 1e-16 times the largest term of a row.
@@ -110,7 +109,7 @@ TEST(Tangent, is_the_difference_of_neighbouring_solutions_to_the_error_of_the_cu
   // discrete balance along the tangent is met only to the error of H, of order 3.
   for (const Direction& direction : {by_L, by_volume}) {
     OrderTable d(std::string("tangent by ") + direction.name + ": d", "h"), beta("  beta", "h"),
-      H("  H", "h"), Lambda("  Lambda", "h"), multipliers("  tension and pressure", "h");
+        H("  H", "h"), Lambda("  Lambda", "h"), multipliers("  tension and pressure", "h");
     for (const int elements : {12, 24, 48}) {
       const BranchState b = oblate(Model::SBEH, {0.7, 0.05}, elements);
       const Increment t = tangent_of(b, direction), s = differenced(b, direction);
@@ -121,8 +120,8 @@ TEST(Tangent, is_the_difference_of_neighbouring_solutions_to_the_error_of_the_cu
       beta.add(1. / elements, miss(s.beta, t.beta));
       H.add(1. / elements, miss(s.H, t.H));
       Lambda.add(1. / elements, miss(s.Lambda, t.Lambda));
-      multipliers.add(1. / elements, std::abs(s.tension / t.tension - 1)
-                                       + std::abs(s.pressure / t.pressure - 1));
+      multipliers.add(1. / elements,
+                      std::abs(s.tension / t.tension - 1) + std::abs(s.pressure / t.pressure - 1));
     }
     for (const OrderTable* table : {&d, &beta, &H, &Lambda, &multipliers}) table->print();
     // From 12 to 48 elements: two halvings.
@@ -135,7 +134,8 @@ TEST(Tangent, is_the_difference_of_neighbouring_solutions_to_the_error_of_the_cu
 
 // Relative miss of a rate of the energy, at 12, 24 and 48 elements.
 template <class Miss>
-void expect_exact_to_the_order_of_the_energy(const std::string& what, Model model, const Miss& miss) {
+void expect_exact_to_the_order_of_the_energy(const std::string& what, Model model,
+                                             const Miss& miss) {
   OrderTable table(std::string(name(model)) + ": " + what, "h");
   double last = 0;
   for (const int elements : {12, 24, 48}) {
@@ -158,29 +158,30 @@ double energy_at(const BranchState& b, Model model, double dL, double dA, double
 
 TEST(EnergyAlongTheBranch, changes_with_L_by_its_elastic_part_over_L) {
   expect_exact_to_the_order_of_the_energy(
-    "dU/dL against U_EL/L", Model::SBEH, [](const BranchState& b) {
-      const double slope = rate_of(
-        [&](double dL) { return energy_at(b, Model::SBEH, dL, 0, 0); }, by_L.step);
-      return slope * b.at.L / elastic(energy_of(paper_material(b.at.L), b.solution)) - 1;
-    });
+      "dU/dL against U_EL/L", Model::SBEH, [](const BranchState& b) {
+        const double slope =
+            rate_of([&](double dL) { return energy_at(b, Model::SBEH, dL, 0, 0); }, by_L.step);
+        return slope * b.at.L / elastic(energy_of(paper_material(b.at.L), b.solution)) - 1;
+      });
 }
 
 TEST(EnergyAlongTheBranch, changes_with_volume_by_the_pressure) {
   for (const Model model : {Model::SBEH, Model::SSH})
     expect_exact_to_the_order_of_the_energy("dU/dV against P", model, [&](const BranchState& b) {
       const double slope =
-        rate_of([&](double dV) { return energy_at(b, model, 0, 0, dV); }, by_volume.step);
+          rate_of([&](double dV) { return energy_at(b, model, 0, 0, dV); }, by_volume.step);
       return slope / b.solution.pressure - 1;
     });
 }
 
 TEST(EnergyAlongTheBranch, changes_with_area_by_minus_the_tension) {
   for (const Model model : {Model::SBEH, Model::SSH})
-    expect_exact_to_the_order_of_the_energy("dU/dA against -Sigma", model, [&](const BranchState& b) {
-      const double slope =
-        rate_of([&](double dA) { return energy_at(b, model, 0, dA, 0); }, 2 * by_volume.step);
-      return slope / b.solution.tension + 1;
-    });
+    expect_exact_to_the_order_of_the_energy(
+        "dU/dA against -Sigma", model, [&](const BranchState& b) {
+          const double slope =
+              rate_of([&](double dA) { return energy_at(b, model, 0, dA, 0); }, 2 * by_volume.step);
+          return slope / b.solution.tension + 1;
+        });
 }
 
 TEST(Virial, of_a_stationary_state_closes_at_the_order_of_the_energy) {
@@ -194,9 +195,8 @@ TEST(Virial, of_a_stationary_state_closes_at_the_order_of_the_energy) {
       const BranchState b = oblate(model, {0.7, 0.05}, count);
       const Target t = target_of(b.at.reduced_volume);
       const Material material = paper_material(b.at.L);
-      const double u =
-        model == Model::SSH ? material.potential.value(model::full_order) * t.area
-                            : energy_of(material, b.solution).thermotropic;
+      const double u = model == Model::SSH ? material.potential.value(model::full_order) * t.area
+                                           : energy_of(material, b.solution).thermotropic;
       const double lhs = 1.5 * b.solution.pressure * t.volume;
       table.add(1. / count, (b.solution.tension * t.area + u) / lhs - 1);
     }

@@ -50,12 +50,13 @@ TEST(SSH, has_shapes_that_do_not_depend_on_L) {
   BranchState row = first_oblate(Model::SSH);
   for (const double v : grid_volumes) {
     row = reach(Model::SSH, row, {v, 0.05});
-    const BranchState low = reach(Model::SSH, row, {v, 0.01}), high = reach(Model::SSH, row, {v, 0.07});
+    const BranchState low = reach(Model::SSH, row, {v, 0.01}),
+                      high = reach(Model::SSH, row, {v, 0.07});
     const double miss = (low.solution.state.X - high.solution.state.X).cwiseAbs().maxCoeff();
     std::printf("V_r %.1f: largest distance of nodes between L = 0.01 and 0.07: %.1e\n", v, miss);
     EXPECT_LT(miss, 1e-9);
     const double ratio = elastic(energy_of(paper_material(0.07), high.solution))
-                         / elastic(energy_of(paper_material(0.01), low.solution));
+                       / elastic(energy_of(paper_material(0.01), low.solution));
     EXPECT_NEAR(ratio, 7, 1e-9);
   }
 }
@@ -102,7 +103,7 @@ TEST(Follow, does_not_claim_to_reach_what_is_not_there) {
   for (const PlanePoint nowhere : {PlanePoint{1.02, 0.05}, PlanePoint{0.8, -0.01}})
     EXPECT_NE(follow(paper_material(0.05), Model::SBEH, b, nowhere, with_elements(24)).arrival,
               Arrival::reached)
-      << nowhere.reduced_volume << ' ' << nowhere.L;
+        << nowhere.reduced_volume << ' ' << nowhere.L;
 }
 
 FollowResult towards(const BranchState& from, double L, int elements) {
@@ -117,8 +118,8 @@ TEST(Fold, of_the_smooth_oblate_at_06_lies_at_L_007064) {
     const FollowResult r = towards(refined(Model::SBEH, b, elements), 0.12, elements);
     ASSERT_EQ(r.arrival, Arrival::fold) << elements << " elements";
     const Diagnostics d = diagnose(paper_material(r.state.at.L), r.state.solution.state);
-    std::printf("%d elements: L* = %.10f, |H| %.4f and order %.5f at the rim, %d arc steps\n", elements,
-                r.state.at.L, d.H_abs_max, d.order_min, r.state.iterations);
+    std::printf("%d elements: L* = %.10f, |H| %.4f and order %.5f at the rim, %d arc steps\n",
+                elements, r.state.at.L, d.H_abs_max, d.order_min, r.state.iterations);
     found.push_back(r.state.at.L);
     EXPECT_LT(r.state.iterations, 200);
     EXPECT_GT(d.H_abs_max, 5);  // the end of a branch of smooth states
@@ -133,8 +134,10 @@ TEST(Fold, of_the_smooth_oblate_at_06_lies_at_L_007064) {
 }
 
 TEST(Fold, does_not_depend_on_where_the_way_begins_or_how_far_it_asks) {
-  const BranchState far = oblate(Model::SBEH, {0.6, 0.03}, 48), near = reach(Model::SBEH, far, {0.6, 0.07});
-  const FollowResult a = towards(far, 0.12, 48), b = towards(near, 0.12, 48), c = towards(near, 0.071, 48);
+  const BranchState far = oblate(Model::SBEH, {0.6, 0.03}, 48),
+                    near = reach(Model::SBEH, far, {0.6, 0.07});
+  const FollowResult a = towards(far, 0.12, 48), b = towards(near, 0.12, 48),
+                     c = towards(near, 0.071, 48);
   for (const FollowResult* r : {&a, &b, &c}) ASSERT_EQ(r->arrival, Arrival::fold);
   // Located where the tangent's parameter component is 1e-7 of its length, and nodes differ.
   EXPECT_NEAR(a.state.at.L, b.state.at.L, 1e-7);
@@ -151,7 +154,7 @@ TEST(Fold, is_approached_by_the_order_at_the_rim_like_a_square_root) {
   for (const double distance : {4e-6, 1e-6, 2.5e-7}) {
     s = reach(Model::SBEH, s, {0.6, fold.state.at.L - distance});
     table.add(distance, diagnose({}, s.solution.state).order_min
-                          - diagnose({}, fold.state.solution.state).order_min);
+                            - diagnose({}, fold.state.solution.state).order_min);
   }
   EXPECT_NEAR(table.print(), 0.5, 0.05);
 }

@@ -8,9 +8,10 @@
 #include "axisym/redistribute.h"
 #include "axisym/start_shapes.h"
 
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdio>
-#include <gtest/gtest.h>
 #include <limits>
 #include <numbers>
 #include <string>
@@ -53,9 +54,11 @@ inline Numerics with_elements(int elements) {
 /// Newton from a guess at a point of the plane; must converge.
 inline BranchState settled(Model model, PlanePoint at, const StationaryState& guess) {
   const NewtonResult r =
-    solve_stationary(paper_material(at.L), model, target_of(at.reduced_volume), guess);
+      solve_stationary(paper_material(at.L), model, target_of(at.reduced_volume), guess);
   EXPECT_EQ(r.status, NewtonStatus::converged) << "V_r = " << at.reduced_volume;
-  return {.at = at, .solution = r.solution, .determinant_sign = r.determinant_sign,
+  return {.at = at,
+          .solution = r.solution,
+          .determinant_sign = r.determinant_sign,
           .iterations = r.iterations};
 }
 
@@ -66,8 +69,8 @@ inline BranchState first_oblate(Model model, int elements = 24) {
   Numerics numerics = with_elements(elements);
   numerics.tolerance = 1e-4;
   const FlowResult run =
-    run_flow(material, model, ordered_spheroid(at.reduced_volume, elements),
-             target_of(at.reduced_volume), numerics, {.end_time = 0.2, .output_times = {}});
+      run_flow(material, model, ordered_spheroid(at.reduced_volume, elements),
+               target_of(at.reduced_volume), numerics, {.end_time = 0.2, .output_times = {}});
   return settled(model, at, redistribute(guess_from(material, run.state), numerics.grading));
 }
 

@@ -99,7 +99,7 @@ Orders measure(const Spheroid& s, const char* name,
                const std::function<Nodes(const Curve&, int)>& place) {
   const std::string what = std::string(name) + ", a = " + std::to_string(s.a) + ": ";
   OrderTable A(what + "area", "h"), V(what + "volume", "h"), H(what + "H in L2", "h"),
-    W(what + "int H dS", "h"), K(what + "int K dS - 4 pi", "h");
+      W(what + "int H dS", "h"), K(what + "int K dS - 4 pi", "h");
   for (const int elements : {12, 24, 48}) {
     const Nodes X = place(s.curve(), elements);
     const double h = 1. / elements;
@@ -144,7 +144,7 @@ TEST(Curve, through_lobatto_points_has_area_of_order_6_H_of_order_3_and_Gauss_Bo
 TEST(Curve, on_the_unit_sphere_has_H_minus_2_and_K_1) {
   const Curve circle = [](double t) { return Eigen::Vector2d(std::sin(t), std::cos(t)); };
   OrderTable A("sphere: area", "h"), V("sphere: volume", "h"), H("sphere: H + 2 in L2", "h"),
-    K("sphere: K - 1 in L2", "h");
+      K("sphere: K - 1 in L2", "h");
   for (const int elements : {12, 24, 48}) {
     const Nodes X = through_lobatto_points(circle, elements);
     const Field h = mean_curvature(X);

@@ -10,7 +10,7 @@ using namespace test;
 State relaxed(const Material& material, Model model, double time) {
   return run_flow(material, model, ordered_spheroid(0.8, 48), target_of(0.8), {},
                   {.end_time = time, .output_times = {}})
-    .state;
+      .state;
 }
 
 TEST(EnergyLaw, holds_per_step_to_first_order_in_tau) {
@@ -20,7 +20,7 @@ TEST(EnergyLaw, holds_per_step_to_first_order_in_tau) {
     const State start = relaxed(material, model, 0.02);
     TimeStepper stepper(material, model, element_count(start.X));
     OrderTable first(std::string(name(model)) + ": (U_old - U_new)/(tau D) - 1, first step", "tau"),
-      whole("  energy lost until t = 0.008 against the sum of tau D, relative", "tau");
+        whole("  energy lost until t = 0.008 against the sum of tau D, relative", "tau");
     for (const int steps : {8, 16, 32, 64}) {
       const double tau = 8e-3 / steps;
       State s = start;
@@ -84,13 +84,13 @@ struct Problem {
 // The accepted steps of a run under step control, outputs met.
 std::vector<double> accepted_steps(const Problem& p) {
   std::vector<double> steps;
-  const FlowResult run =
-    run_flow(p.material, p.model, p.start, p.target, {},
-             {.end_time = output_times.back(), .output_times = output_times, .stop_at_rest = false},
-             [&](const FlowRecord& record, const State&, bool) {
-               if (record.time_step > 0) steps.push_back(record.time_step);
-               return true;
-             });
+  const FlowResult run = run_flow(
+      p.material, p.model, p.start, p.target, {},
+      {.end_time = output_times.back(), .output_times = output_times, .stop_at_rest = false},
+      [&](const FlowRecord& record, const State&, bool) {
+        if (record.time_step > 0) steps.push_back(record.time_step);
+        return true;
+      });
   EXPECT_EQ(run.stop, FlowStop::end_time);
   return steps;
 }
@@ -123,9 +123,10 @@ TEST(EnergyHistory, extrapolated_in_tau_is_stable_to_1e_6_at_every_output_time) 
   const auto steps = accepted_steps(p);
   const auto one = divided_run(p, steps, 1), two = divided_run(p, steps, 2),
              four = divided_run(p, steps, 4);
-  std::printf("%zu steps; t, energy, change from whole to halved steps, to quartered, their ratio, "
-              "change of the extrapolated energy\n",
-              steps.size());
+  std::printf(
+      "%zu steps; t, energy, change from whole to halved steps, to quartered, their ratio, "
+      "change of the extrapolated energy\n",
+      steps.size());
   double first = 0, second = 0;
   for (std::size_t k = 0; k < output_times.size(); ++k) {
     const double coarse = (4 * two[k] - one[k]) / 3, fine = (4 * four[k] - two[k]) / 3;

@@ -19,16 +19,16 @@ TEST(Flow, meets_output_times_exactly_and_sees_every_step) {
   std::vector<double> met;
   int seen = 0;
   double last_time = -1;
-  const FlowResult run =
-    oblate_run(with_elements(24), {.end_time = 0.05, .output_times = asked, .stop_at_rest = false},
-               [&](const FlowRecord& record, const State& state, bool exact) {
-                 EXPECT_GT(record.time, last_time);
-                 EXPECT_EQ(state.beta.size(), state.X.cols());
-                 last_time = record.time;
-                 if (exact) met.push_back(record.time);
-                 ++seen;
-                 return true;
-               });
+  const FlowResult run = oblate_run(
+      with_elements(24), {.end_time = 0.05, .output_times = asked, .stop_at_rest = false},
+      [&](const FlowRecord& record, const State& state, bool exact) {
+        EXPECT_GT(record.time, last_time);
+        EXPECT_EQ(state.beta.size(), state.X.cols());
+        last_time = record.time;
+        if (exact) met.push_back(record.time);
+        ++seen;
+        return true;
+      });
   EXPECT_EQ(run.stop, FlowStop::end_time);
   EXPECT_EQ(run.last.time, 0.05);
   EXPECT_EQ(met, (std::vector<double>{0, 1e-5, 1e-3, 0.00123456789, 0.01, 0.05}));
@@ -41,13 +41,13 @@ TEST(Flow, takes_output_times_that_differ_by_rounding_for_one) {
   for (int k = 1; k <= 9; ++k) asked.insert(asked.end(), {k * 1e-3, 0.001 * k + 1e-18 * k});
   asked.insert(asked.end(), {0.01, std::nextafter(0.01, 1)});
   const Numerics numerics = with_elements(24);
-  const FlowResult run = oblate_run(
-    numerics, {.end_time = std::nextafter(asked.back(), 1), .output_times = asked},
-    [&](const FlowRecord& record, const State&, bool) {
-      const double step = record.time > 0 ? record.time_step : numerics.first_step;
-      EXPECT_GE(step, numerics.smallest_step) << "at t = " << record.time;
-      return true;
-    });
+  const FlowResult run =
+      oblate_run(numerics, {.end_time = std::nextafter(asked.back(), 1), .output_times = asked},
+                 [&](const FlowRecord& record, const State&, bool) {
+                   const double step = record.time > 0 ? record.time_step : numerics.first_step;
+                   EXPECT_GE(step, numerics.smallest_step) << "at t = " << record.time;
+                   return true;
+                 });
   EXPECT_EQ(run.stop, FlowStop::end_time) << describe(run.stop);
 }
 
@@ -63,19 +63,19 @@ TEST(Flow, keeps_area_and_volume_to_rounding) {
 struct Output {
   double energy, error;  // what the tolerance in position is worth in energy: force times it
 };
-std::vector<Output> history(const Numerics& numerics, const std::vector<double>& times, int& rejected,
-                            double& first_accepted) {
+std::vector<Output> history(const Numerics& numerics, const std::vector<double>& times,
+                            int& rejected, double& first_accepted) {
   std::vector<Output> outputs;
   first_accepted = 0;
-  const FlowResult run = oblate_run(
-    numerics, {.end_time = times.back(), .output_times = times, .stop_at_rest = false},
-    [&](const FlowRecord& r, const State&, bool exact) {
-      if (first_accepted == 0) first_accepted = r.time_step;
-      if (exact && r.time > 0)
-        outputs.push_back(
-          {r.energy.total(), numerics.tolerance * r.dissipation.total() / r.normal_speed});
-      return true;
-    });
+  const FlowResult run =
+      oblate_run(numerics, {.end_time = times.back(), .output_times = times, .stop_at_rest = false},
+                 [&](const FlowRecord& r, const State&, bool exact) {
+                   if (first_accepted == 0) first_accepted = r.time_step;
+                   if (exact && r.time > 0)
+                     outputs.push_back({r.energy.total(), numerics.tolerance * r.dissipation.total()
+                                                              / r.normal_speed});
+                   return true;
+                 });
   EXPECT_EQ(run.stop, FlowStop::end_time);
   rejected = run.last.rejected;
   return outputs;
@@ -107,7 +107,8 @@ TEST(Flow, forgets_rejected_steps) {
 
 TEST(Flow, gives_the_same_bits_twice) {
   const FlowSchedule schedule{.end_time = 0.01, .output_times = {0.003}};
-  const FlowResult a = oblate_run(with_elements(24), schedule), b = oblate_run(with_elements(24), schedule);
+  const FlowResult a = oblate_run(with_elements(24), schedule),
+                   b = oblate_run(with_elements(24), schedule);
   EXPECT_EQ(a.state.X, b.state.X);
   EXPECT_EQ(a.state.beta, b.state.beta);
   EXPECT_EQ(a.steps, b.steps);
@@ -119,16 +120,16 @@ TEST(Flow, goes_on_from_an_output_as_if_nothing_had_happened) {
   State middle;
   double next_step = 0;
   const FlowResult through =
-    oblate_run(with_elements(24), whole, [&](const FlowRecord& r, const State& s, bool exact) {
-      if (r.time == 0.01 && exact) middle = s;
-      if (r.time > 0.01 && next_step == 0) next_step = r.time_step;
-      return true;
-    });
+      oblate_run(with_elements(24), whole, [&](const FlowRecord& r, const State& s, bool exact) {
+        if (r.time == 0.01 && exact) middle = s;
+        if (r.time > 0.01 && next_step == 0) next_step = r.time_step;
+        return true;
+      });
   Numerics numerics = with_elements(24);
   numerics.first_step = next_step;
   const FlowResult rest =
-    run_flow(paper_material(0.05), Model::SBEH, middle, target_of(0.7), numerics,
-             {.end_time = 0.01, .output_times = {}, .stop_at_rest = false});
+      run_flow(paper_material(0.05), Model::SBEH, middle, target_of(0.7), numerics,
+               {.end_time = 0.01, .output_times = {}, .stop_at_rest = false});
   // Equal but for the rounding of the times.
   EXPECT_NEAR(rest.last.energy.total(), through.last.energy.total(), 1e-11);
 }
@@ -136,10 +137,9 @@ TEST(Flow, goes_on_from_an_output_as_if_nothing_had_happened) {
 TEST(Flow, is_interrupted_by_an_observer_that_returns_false) {
   for (const int stop_at : {1, 5}) {
     int seen = 0;
-    const FlowResult run = oblate_run(with_elements(24), {.end_time = 1, .output_times = {}},
-                                      [&](const FlowRecord&, const State&, bool) {
-                                        return ++seen < stop_at;
-                                      });
+    const FlowResult run =
+        oblate_run(with_elements(24), {.end_time = 1, .output_times = {}},
+                   [&](const FlowRecord&, const State&, bool) { return ++seen < stop_at; });
     EXPECT_EQ(run.stop, FlowStop::interrupted);
     EXPECT_EQ(seen, stop_at);
     EXPECT_EQ(run.steps, stop_at - 1);
@@ -158,8 +158,8 @@ TEST(Flow, stops_when_the_step_it_may_take_is_too_large_for_the_tolerance) {
 TEST(Flow, just_before_the_fold_rests_at_the_smooth_oblate) {
   const PlanePoint at{0.6, 0.07};  // the fold is at L = 0.07064
   const Material material = paper_material(at.L);
-  const FlowResult run = run_flow(material, Model::SBEH, ordered_spheroid(0.6, 48), target_of(0.6), {},
-                                  {.end_time = 300, .output_times = {}});
+  const FlowResult run = run_flow(material, Model::SBEH, ordered_spheroid(0.6, 48), target_of(0.6),
+                                  {}, {.end_time = 300, .output_times = {}});
   ASSERT_EQ(run.stop, FlowStop::at_rest) << describe(run.stop);
   const BranchState b = oblate(Model::SBEH, at, 48);
   const double expected = energy_of(material, b.solution).total();
@@ -172,12 +172,13 @@ TEST(Flow, just_before_the_fold_rests_at_the_smooth_oblate) {
 
 TEST(Flow, past_the_fold_ends_with_a_reason_in_bounded_steps) {
   const Material material = paper_material(0.08);
-  const FlowResult run = run_flow(material, Model::SBEH, ordered_spheroid(0.6, 48), target_of(0.6), {},
-                                  {.end_time = 300, .output_times = {}});
+  const FlowResult run = run_flow(material, Model::SBEH, ordered_spheroid(0.6, 48), target_of(0.6),
+                                  {}, {.end_time = 300, .output_times = {}});
   const Diagnostics d = diagnose(material, run.state);
-  std::printf("%s at t = %.3f after %d steps (%d rejected): |H| %.1f, order_min %.4f, resolution %.3f\n",
-              describe(run.stop).c_str(), run.last.time, run.steps, run.last.rejected, d.H_abs_max,
-              d.order_min, d.resolution);
+  std::printf(
+      "%s at t = %.3f after %d steps (%d rejected): |H| %.1f, order_min %.4f, resolution %.3f\n",
+      describe(run.stop).c_str(), run.last.time, run.steps, run.last.rejected, d.H_abs_max,
+      d.order_min, d.resolution);
   EXPECT_TRUE(run.stop == FlowStop::unresolved || run.stop == FlowStop::step_too_small);
   EXPECT_LT(run.steps, 3000);
   EXPECT_LT(run.last.rejected, 1000);

@@ -34,7 +34,10 @@ std::vector<NamedMaterial> materials() {
 StationaryState any_state() {
   const Eigen::Index nodes = 3 * elements + 1;
   StationaryState s{.state = {.X = Nodes(2, nodes), .beta = Field(nodes)},
-                    .H = Field(nodes), .Lambda = Field(nodes), .tension = 1.3, .pressure = -2.1};
+                    .H = Field(nodes),
+                    .Lambda = Field(nodes),
+                    .tension = 1.3,
+                    .pressure = -2.1};
   for (Eigen::Index i = 0; i < nodes; ++i) {
     const double t = pi * double(i) / double(nodes - 1);
     s.state.X.col(i) << (1 + 0.2 * std::cos(t)) * std::sin(t), 0.7 * std::cos(t);
@@ -52,7 +55,10 @@ double lagrangian(const Material& material, const StationaryState& s, const Node
   for (int e = 0; e < elements; ++e)
     for (const ShapeValues& shape : assembly_points()) {
       const CurvePoint p = curve_point(s.state.X, e, shape);
-      const PointFields<double> q{p.x[0], p.dx[0], p.dx[1], value_at(s.H, e, shape),
+      const PointFields<double> q{p.x[0],
+                                  p.dx[0],
+                                  p.dx[1],
+                                  value_at(s.H, e, shape),
                                   value_at(s.state.beta, e, shape),
                                   slope_at(s.state.beta, e, shape)};
       const auto density = lagrangian_density(material, s.tension, s.pressure, q);
@@ -117,10 +123,10 @@ TEST(Lagrangian, gradient_is_the_difference_of_the_value_in_every_block) {
       for (unsigned seed : {1u, 2u, 3u}) {
         const Eigen::VectorXd v = random_direction(block, seed);
         const double expected =
-          difference([&](double t) { return lagrangian(material, moved(s, n, v, t), n); });
+            difference([&](double t) { return lagrangian(material, moved(s, n, v, t), n); });
         const double scale = L.gradient.cwiseAbs().dot(v.cwiseAbs());
         EXPECT_NEAR(L.gradient.dot(v), expected, accuracy * scale)
-          << name << ", " << block_names[block];
+            << name << ", " << block_names[block];
         EXPECT_GT(scale, 0.1) << name << ", " << block_names[block];
       }
   }
@@ -142,7 +148,7 @@ TEST(Lagrangian, hessian_is_the_difference_of_the_gradient_in_every_block) {
         const auto rows = Eigen::seqN(row, s.H.size(), Eigen::Index(node_unknowns));
         const double scale = product(rows).cwiseAbs().maxCoeff();
         EXPECT_LT((product(rows) - expected(rows)).cwiseAbs().maxCoeff(), accuracy * (scale + 0.1))
-          << name << ", " << block_names[row] << " by " << block_names[block];
+            << name << ", " << block_names[row] << " by " << block_names[block];
       }
     }
   }
@@ -172,10 +178,9 @@ TEST(Lagrangian, knows_area_and_volume_and_their_gradients) {
   EXPECT_NEAR(L.area, area(s.state.X), 1e-9);
   EXPECT_NEAR(L.volume, volume(s.state.X), 1e-13);
   const Eigen::VectorXd v = random_direction(node_d, 5);
-  const double dA =
-    difference([&](double t) { return assembled({}, moved(s, n, v, t), n).area; });
+  const double dA = difference([&](double t) { return assembled({}, moved(s, n, v, t), n).area; });
   const double dV =
-    difference([&](double t) { return assembled({}, moved(s, n, v, t), n).volume; });
+      difference([&](double t) { return assembled({}, moved(s, n, v, t), n).volume; });
   EXPECT_NEAR(L.constraints.col(0).dot(v), dA, accuracy);
   EXPECT_NEAR(L.constraints.col(1).dot(v), -dV, accuracy);
 }
@@ -187,15 +192,15 @@ TEST(Lagrangian, at_exact_curvature_and_zero_multiplier_is_the_energy) {
   const Material material = materials()[1].material;
   const Energy e = energy(material, s.state, s.H);
   // The same density with 6 and with 10 Gauss points per element.
-  EXPECT_NEAR(lagrangian(material, s, node_normals(s.state.X)), e.total(), 1e-8 * std::abs(e.total()));
+  EXPECT_NEAR(lagrangian(material, s, node_normals(s.state.X)), e.total(),
+              1e-8 * std::abs(e.total()));
 }
 
 TEST(Lagrangian, ties_H_to_the_curve_by_its_derivative_in_Lambda) {
   // ∂𝓛/∂Λ = 0 is the curvature equation: it holds for mean_curvature of any curve.
   StationaryState s = any_state();
   s.H = mean_curvature(s.state.X);
-  const LagrangianDerivatives L =
-    assembled(paper_material(0.05), s, node_normals(s.state.X));
+  const LagrangianDerivatives L = assembled(paper_material(0.05), s, node_normals(s.state.X));
   const auto rows = Eigen::seqN(int(node_Lambda), s.H.size(), Eigen::Index(node_unknowns));
   EXPECT_LT(L.gradient(rows).cwiseAbs().maxCoeff(), 1e-12);
 }

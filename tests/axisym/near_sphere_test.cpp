@@ -43,8 +43,8 @@ class TwoModes {
 
   void operator()(const Amplitudes& x, Amplitudes& rate, double) const {
     const double kappa = m_.kappa(beta_);
-    const double coupling = (2 + m_.spontaneous_curvature) * m_.kappa_slope(beta_)
-                          + m_.kappa_gauss_slope(beta_);
+    const double coupling =
+        (2 + m_.spontaneous_curvature) * m_.kappa_slope(beta_) + m_.kappa_gauss_slope(beta_);
     double with = 0, without = 0;  // Σ k u u̇ = without + s · with
     std::array<double, 2> force{};
     for (int l : {2, 3}) {
@@ -60,9 +60,9 @@ class TwoModes {
       const double n = l * (l + 1), k = n - 2;
       rate[i] = -k * (force[i] + kappa * s * x[i]) / drag(l);
       rate[i + 2] = model_ == Model::SSH
-                    ? 0
-                    : -((m_.l1() * n + order_stiffness()) * x[i + 2] + coupling * k * x[i])
-                        / m_.order_drag();
+                      ? 0
+                      : -((m_.l1() * n + order_stiffness()) * x[i + 2] + coupling * k * x[i])
+                            / m_.order_drag();
     }
   }
 
@@ -84,8 +84,8 @@ Ratios theory(const TwoModes& modes, Amplitudes x) {
   Ratios q;
   for (int k = 0; k < outputs; ++k) {
     odeint::integrate_adaptive(
-      odeint::make_controlled<odeint::runge_kutta_dopri5<Amplitudes>>(1e-13, 1e-10), modes, x,
-      k * dt, (k + 1) * dt, dt / 10);
+        odeint::make_controlled<odeint::runge_kutta_dopri5<Amplitudes>>(1e-13, 1e-10), modes, x,
+        k * dt, (k + 1) * dt, dt / 10);
     q[k] = x[0] / x[1];
   }
   return q;
@@ -134,7 +134,8 @@ Start start(const TwoModes& modes, double eps, double sign) {
 }
 
 // Equal extrapolated steps.
-Ratios flow(const Material& material, const TwoModes& modes, const State& s, double eps, int count) {
+Ratios flow(const Material& material, const TwoModes& modes, const State& s, double eps,
+            int count) {
   Numerics numerics = with_elements(elements);
   numerics.tolerance = 0.1;
   numerics.first_step = numerics.largest_step = modes.end_time() / count;
@@ -143,14 +144,14 @@ Ratios flow(const Material& material, const TwoModes& modes, const State& s, dou
   Ratios q = Ratios::Zero();
   Eigen::Index next = 0;
   const FlowResult run =
-    run_flow(material, modes.model(), s, {area(s.X), volume(s.X)}, numerics, schedule,
-             [&](const FlowRecord& record, const State& state, bool exact) {
-               if (exact && record.time > 0 && next < outputs) {
-                 const Eigen::Array2d u = two_amplitudes(state.X);
-                 q[next++] = u[0] / u[1];
-               }
-               return true;
-             });
+      run_flow(material, modes.model(), s, {area(s.X), volume(s.X)}, numerics, schedule,
+               [&](const FlowRecord& record, const State& state, bool exact) {
+                 if (exact && record.time > 0 && next < outputs) {
+                   const Eigen::Array2d u = two_amplitudes(state.X);
+                   q[next++] = u[0] / u[1];
+                 }
+                 return true;
+               });
   EXPECT_EQ(run.stop, FlowStop::end_time);
   EXPECT_EQ(next, outputs);
   EXPECT_EQ(run.steps, count);
@@ -194,7 +195,7 @@ TEST_P(NearSphere, follows_the_two_mode_theory_as_the_amplitudes_vanish) {
     EXPECT_GT(std::abs(std::log(ratio * u3_start / u2_start)), 0.2);
 
     OrderTable one("  largest relative miss of one run", "epsilon"),
-      odd("  half the difference of both signs", "epsilon"), mean("  their mean", "epsilon");
+        odd("  half the difference of both signs", "epsilon"), mean("  their mean", "epsilon");
     for (const double eps : {0.04, 0.02, 0.01}) {
       const Ratios plus = misses(material, modes, eps, 1), minus = misses(material, modes, eps, -1);
       one.add(eps, plus.abs().maxCoeff());

@@ -27,8 +27,8 @@ double exact_order(const Material& m, double time) {
     slope = -(9 * m.L1 * b + m.potential.slope(b)) / (1.5 * m.immobility);
   };
   odeint::integrate_adaptive(
-    odeint::make_controlled<odeint::runge_kutta_dopri5<double>>(1e-13, 1e-13), rate, beta, 0., time,
-    1e-3);
+      odeint::make_controlled<odeint::runge_kutta_dopri5<double>>(1e-13, 1e-13), rate, beta, 0.,
+      time, 1e-3);
   return beta;
 }
 
@@ -108,9 +108,9 @@ TEST(Sphere, ends_at_the_root_of_the_rest_equation) {
 
 TEST(Sphere, runs_under_step_control_like_any_other_shape) {
   const Material material = paper_material(0.05);
-  const FlowResult run = run_flow(material, Model::SBEH, uniform_sphere(start_order), unit_sphere,
-                                  with_elements(elements),
-                                  {.end_time = end_time, .output_times = {}, .stop_at_rest = false});
+  const FlowResult run = run_flow(
+      material, Model::SBEH, uniform_sphere(start_order), unit_sphere, with_elements(elements),
+      {.end_time = end_time, .output_times = {}, .stop_at_rest = false});
   EXPECT_EQ(run.stop, FlowStop::end_time) << describe(run.stop);
   EXPECT_NEAR(diagnose(material, run.state).order_mean, exact_order(material, end_time), 1e-4);
 }

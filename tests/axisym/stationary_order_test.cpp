@@ -9,10 +9,11 @@ using namespace test;
 // ∫ H² dS/16π: the bending energy without its Gaussian part in units of the sphere's, F/8πκ.
 double bending_in_units_of_the_sphere(const StationaryState& s) {
   double sum = 0;
-  for_each_point(s.state.X, diagnostic_points(), [&](int e, const ShapeValues& q, const CurvePoint& p) {
-    const double h = value_at(s.H, e, q);
-    sum += p.dS * h * h;
-  });
+  for_each_point(s.state.X, diagnostic_points(),
+                 [&](int e, const ShapeValues& q, const CurvePoint& p) {
+                   const double h = value_at(s.H, e, q);
+                   sum += p.dS * h * h;
+                 });
   return sum / (16 * pi);
 }
 
@@ -25,13 +26,15 @@ struct Case {
 // The observed order still carries the next power of h: a quarter of an order at 24 elements.
 constexpr double slack = 0.25;
 
-TEST(StationaryState, converges_at_order_6_in_the_energy_and_at_order_4_and_more_in_shape_and_order) {
+TEST(StationaryState,
+     converges_at_order_6_in_the_energy_and_at_order_4_and_more_in_shape_and_order) {
   for (const Case& c : {Case{Model::SSH, {0.8, 0.05}}, Case{Model::SBEH, {0.7, 0.05}},
                         Case{Model::SBEH, {0.6, 0.069}}}) {
     char title[80];
-    std::snprintf(title, sizeof title, "%s at (%g, %g): ", name(c.model), c.at.reduced_volume, c.at.L);
+    std::snprintf(title, sizeof title, "%s at (%g, %g): ", name(c.model), c.at.reduced_volume,
+                  c.at.L);
     OrderTable U(std::string(title) + "energy, relative", "h"), r("  r_equator", "h"),
-      z("  thickness", "h"), rim("  order at the rim", "h"), pole("  order at the pole", "h");
+        z("  thickness", "h"), rim("  order at the rim", "h"), pole("  order at the pole", "h");
     BranchState b = oblate(c.model, c.at, 24);
     double energy_before = 0;
     Diagnostics before{};
@@ -81,9 +84,9 @@ TEST(StationaryState, keeps_its_energy_to_1e_7_when_the_default_elements_are_dou
         const BranchState b = refined(model, reach(model, row, {v, L}), elements);
         const BranchState fine = refined(model, b, 2 * elements);
         const Material material = paper_material(L);
-        const double change = energy_of(material, b.solution).total()
-                              / energy_of(material, fine.solution).total()
-                            - 1;
+        const double change =
+            energy_of(material, b.solution).total() / energy_of(material, fine.solution).total()
+            - 1;
         std::printf("  V_r %.1f L %.2f: %.1e\n", v, L, change);
         EXPECT_LT(std::abs(change), 1e-7) << name(model) << " at V_r = " << v << ", L = " << L;
       }
@@ -102,8 +105,8 @@ TEST(StationaryState, has_the_energy_of_the_flow_at_rest_to_1e_7) {
     halved.largest_step /= 2;
     for (const Numerics& numerics : {Numerics{}, halved}) {
       const FlowResult run =
-        run_flow(material, model, ordered_spheroid(at.reduced_volume, numerics.elements),
-                 target_of(at.reduced_volume), numerics, {.end_time = 100, .output_times = {}});
+          run_flow(material, model, ordered_spheroid(at.reduced_volume, numerics.elements),
+                   target_of(at.reduced_volume), numerics, {.end_time = 100, .output_times = {}});
       EXPECT_EQ(run.stop, FlowStop::at_rest);
       const double change = run.last.energy.total() / expected - 1;
       std::printf("%s, tolerance %.1e: flow against Newton %.1e, at rest at t = %.2f\n",

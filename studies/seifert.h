@@ -1,0 +1,51 @@
+// The classical diagram by three witnesses: finite elements, shooting, and minimisation.
+#pragma once
+
+#include "axisym/classical_shape.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sbeh::studies {
+
+/// What one witness found.
+struct WitnessReport {
+  std::string witness;  ///< "elements", "shooting" or "minimiser"
+  std::vector<axisym::ClassicalShape> shapes;
+  axisym::SpecialPoints points;
+  double seconds = 0;
+};
+
+/// Largest disagreement of two witnesses over the shapes that both have.
+struct Disagreement {
+  std::string first, second;
+  axisym::Branch branch;
+  double energy, H_pole, pressure, tension;
+};
+
+struct SeifertSummary {
+  std::vector<WitnessReport> witnesses;
+  std::vector<Disagreement> disagreements;
+  /// The special points: the value of the witness with the smallest error; the error covers its own
+  /// and the disagreement with the others.
+  axisym::SpecialPoints points;
+};
+
+/// The five members of SpecialPoints with their names in tables.
+struct NamedPoint {
+  const char* name;
+  axisym::SpecialPoint axisym::SpecialPoints::* member;
+};
+const std::vector<NamedPoint>& special_point_names();
+
+/// Runs the three witnesses side by side and leaves branches.csv, points.csv, points_by_witness.csv
+/// and differences.csv in the folder. A folder that holds something else is refused.
+/// `elements` is that of the finite elements. Throws OutputError.
+SeifertSummary run_seifert(const std::filesystem::path& folder, int elements);
+
+/// The summary as a table for people.
+std::string table_of(const SeifertSummary& summary);
+
+}  // namespace sbeh::studies
