@@ -94,7 +94,7 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
       d.order_min = std::min(d.order_min, beta);
       d.order_max = std::max(d.order_max, beta);
       if (e > 0 && e < elements - 1) d.H_abs_max = std::max(d.H_abs_max, std::abs(h));
-      if (r > 0)
+      if (r > 1e-9)  // off the axis, where B_φφ is defined
         d.resolution = std::max(d.resolution, std::abs(h - B_phi) * length[e] / 3);
       if (r > d.radius_equator) {
         d.radius_equator = r;

@@ -51,7 +51,7 @@ inline constexpr double resolution_limit = 0.35;
 
 /// Runs the flow from `start`, keeping its own area and volume at `target` to rounding.
 /// A step is rejected and halved when its error exceeds Numerics::tolerance, when a solve fails, or
-/// when the energy rises; rejection leaves no trace but the count.
+/// when the energy rises and the step's error is not negligible; rejection leaves no trace but the count.
 FlowResult run_flow(const model::Material& material, model::Model model, const State& start,
                     const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe = {});

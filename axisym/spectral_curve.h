@@ -42,7 +42,7 @@ struct Basis {
   Eigen::VectorXd odd;    // N weights for odd functions
   Eigen::MatrixXd S, dS;  // N x n: sin(kπx) and its derivative by σ
   Eigen::MatrixXd C, dC;  // N x (n + 1): cos(kπx), k = 0 first, and its derivative by σ
-  Eigen::MatrixXd M;      // N x N: f ↦ ∫₀ (f − mean of f) dσ, for f even and periodic
+  Eigen::MatrixXd M;  // N x N: f ↦ ∫₀ˣ f dσ for f even and periodic; a mean of f dσ/dx is left out
 
   int modes() const { return int(k.size()); }
   int points() const { return int(x.size()); }

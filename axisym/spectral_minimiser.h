@@ -18,8 +18,8 @@ namespace sbeh::axisym {
 
 /// The minimum of F on a branch, sought from a spheroid or an invaginated sphere, or from `near`.
 /// Oblates and prolates are minima among the shapes symmetric top to bottom. Empty where the search does
-/// not end in a resolved minimum of the class asked for: stomatocytes end at V_r = 0.66 and are resolved
-/// from 0.1 on.
+/// not end in a resolved minimum of the class asked for. Stomatocytes are found from 0.1 to 2e-5 below
+/// their largest volume, 0.66085.
 /// Throws std::invalid_argument unless 0 < V_r < 1.
 std::optional<ClassicalShape> minimise_classical(Branch branch, double reduced_volume,
                                                  const ClassicalShape* near = nullptr);

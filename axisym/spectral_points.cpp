@@ -78,7 +78,8 @@ double odd_stiffness(const ClassicalMinimum& symmetric) {
   const VectorXd multipliers = Eigen::Vector3d(symmetric.tension(), -symmetric.pressure(), 0);
   const auto odd = Eigen::seq(1, Eigen::last, 2);  // y[k] is b_k
   const VectorXd closure = expand(whole, y)->jacobian.row(2);
-  return stiffness(hessian(whole, y, multipliers)(odd, odd), closure(odd).transpose());
+  const VectorXd odd_closure = closure(odd);
+  return stiffness(hessian(whole, y, multipliers)(odd, odd), odd_closure.transpose());
 }
 
 // A critical point of the Lagrangian where it crosses the plane direction·y = t: volume is an unknown

@@ -14,8 +14,16 @@
 #include <cstdio>
 #include <limits>
 #include <numbers>
+#include <ostream>
 #include <string>
 #include <vector>
+
+namespace sbeh::axisym {
+
+// Words instead of bytes in GoogleTest's messages.
+inline void PrintTo(FlowStop stop, std::ostream* out) { *out << describe(stop); }
+
+}  // namespace sbeh::axisym
 
 namespace sbeh::axisym::test {
 

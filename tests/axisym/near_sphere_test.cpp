@@ -16,6 +16,8 @@
 
 #include <boost/numeric/odeint.hpp>
 
+#include <ostream>
+
 namespace sbeh::axisym {
 namespace {
 
@@ -182,6 +184,8 @@ Material material_of(const Fluid& f) {
   if (f.unequal) m.L1 = 0.04, m.L2 = 0.03, m.L3 = -0.02;
   return m;
 }
+
+void PrintTo(const Fluid& f, std::ostream* out) { *out << f.name; }
 
 class NearSphere : public testing::TestWithParam<Fluid> {};
 

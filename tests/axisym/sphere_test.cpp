@@ -111,7 +111,7 @@ TEST(Sphere, runs_under_step_control_like_any_other_shape) {
   const FlowResult run = run_flow(
       material, Model::SBEH, uniform_sphere(start_order), unit_sphere, with_elements(elements),
       {.end_time = end_time, .output_times = {}, .stop_at_rest = false});
-  EXPECT_EQ(run.stop, FlowStop::end_time) << describe(run.stop);
+  EXPECT_EQ(run.stop, FlowStop::end_time);
   EXPECT_NEAR(diagnose(material, run.state).order_mean, exact_order(material, end_time), 1e-4);
 }
 

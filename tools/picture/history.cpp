@@ -15,9 +15,11 @@ History read_history(const std::filesystem::path& file, const std::string& colum
 
 Points History::log_log(double shift) const {
   constexpr double resolution = 0.004;  // of a decade
+  constexpr double shown = 1e-6;        // of the last time: what is earlier looks like the start
+  const double first = time.empty() ? 0.0 : shown * time.back();
   Points points;
   for (std::size_t i = 0; i < time.size(); ++i) {
-    if (!(time[i] > 0.0) || !(value[i] + shift > 0.0)) continue;
+    if (!(time[i] > 0.0) || time[i] < first || !(value[i] + shift > 0.0)) continue;
     const double x = std::log10(time[i]), y = std::log10(value[i] + shift);
     const bool last = i + 1 == time.size();
     const bool new_place = points.empty() || std::abs(x - points.back()[0]) > resolution

@@ -10,7 +10,7 @@
 namespace sbeh::picture {
 
 /// One column over time as points (log₁₀ t, log₁₀(value + shift)); rows where either is not positive
-/// are left out, so are points too close to tell apart.
+/// are left out, so are points too close to tell apart and those in the first millionth of the time.
 struct History {
   std::vector<double> time;
   std::vector<double> value;
