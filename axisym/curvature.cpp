@@ -34,7 +34,7 @@ bool correct_area_volume(Nodes& X, double area_asked, double volume_asked) {
   const auto miss = [&](const Nodes& Y) {
     return Eigen::Vector2d(area(Y) / area_asked - 1, volume(Y) / volume_asked - 1);
   };
-  const bool sphere = H.maxCoeff() - H.minCoeff() < 1e-5 * H.cwiseAbs().maxCoeff();
+  const bool sphere = is_sphere(axisym::area(X), axisym::volume(X));
   Eigen::Vector2d c = Eigen::Vector2d::Zero();
   for (int iteration = 0; iteration < 12; ++iteration) {
     Eigen::Vector2d residual = miss(moved(c));

@@ -81,6 +81,8 @@ double area(const Nodes& X);
 double volume(const Nodes& X);
 /// V_r = 6√π V / A^{3/2}, 1 for the sphere.
 double reduced_volume(double area, double volume);
+/// So near the sphere that area and volume are one constraint: V_r > 1 − 1e-7.
+inline bool is_sphere(double area, double volume) { return reduced_volume(area, volume) > 1 - 1e-7; }
 
 /// Length of every element, by quadrature.
 Eigen::VectorXd element_lengths(const Nodes& X);

@@ -90,7 +90,7 @@ bool TimeStepper::Workspace::solve_coupled(const model::Material& m, const State
   const Nodes& X = old.X;
   const double A = area(X), V = volume(X);
   // On a sphere a constant p and λ are the same unknown: area alone is kept there.
-  const bool sphere = reduced_volume(A, V) > 1 - 1e-7;
+  const bool sphere = is_sphere(A, V);
   const StepParameters step{.tau = tau, .area_rate = (target.area - A) / (tau * A)};
 
   coupled.set_zero();
@@ -219,6 +219,7 @@ StepResult TimeStepper::step(const State& old, const Target& target, double tau)
   if (H.size() == 0 || !H.allFinite()) return result;
   if (!work_->solve_coupled(material_, old, H, target, tau, result.fields)) return result;
   result.state.X = old.X + result.fields.Y;
+  result.state.X(0, 0) = result.state.X(0, old.X.cols() - 1) = 0;  // exactly
   result.state.beta = old.beta;
   if (model_ == model::Model::SBEH
       && !work_->solve_order(material_, old, H, result.fields, tau, result.state.beta))

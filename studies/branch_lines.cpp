@@ -1,5 +1,7 @@
 #include "studies/branch_lines.h"
 
+#include "studies/interrupt.h"
+
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
@@ -15,11 +17,13 @@ bool is_stationary(const std::optional<PointOutcome>& point) {
   return point && point->row.status == PointStatus::stationary && point->state;
 }
 
-// Runs find(k) for every k in parallel; the rows in the order of k.
+// Runs find(k) for every k in parallel; the rows in the order of k. Incomplete when interrupted.
 template <class Row, class Find>
 std::vector<Row> collect(std::size_t count, Find&& find) {
   std::vector<std::vector<Row>> found(count);
-  tbb::parallel_for(std::size_t(0), count, [&](std::size_t k) { found[k] = find(k); });
+  tbb::parallel_for(std::size_t(0), count, [&](std::size_t k) {
+    if (!interrupt_signal()) found[k] = find(k);
+  });
   std::vector<Row> rows;
   for (const auto& some : found) rows.insert(rows.end(), some.begin(), some.end());
   return rows;

@@ -3,9 +3,12 @@
 
 namespace sbeh::studies {
 
-/// From now on SIGINT and SIGTERM are remembered instead of ending the program at once, and a file
-/// that reaches the limit of its size is an error of the write, as a full disk is.
+/// From now on SIGINT and SIGTERM are remembered instead of ending the program at once.
 void catch_interrupts();
+
+/// From now on a file that reaches the limit of its size is an error of the write, as a full disk is,
+/// instead of the end of the program.
+void let_writes_fail();
 
 /// The signal that came, 0 if none.
 int interrupt_signal();

@@ -81,9 +81,13 @@ AppendFile::AppendFile(fs::path path) : path_(std::move(path)) {
 }
 
 void AppendFile::append(std::string_view line) {
-  errno = 0;
-  file_ << line << '\n';
-  file_.flush();
+  if (file_) {
+    errno = 0;
+    file_ << line << '\n';
+    file_.flush();
+    reason_ = errno;
+  }
+  errno = reason_;
   if (!file_) fail(path_, "cannot be written any further");
 }
 

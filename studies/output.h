@@ -51,6 +51,7 @@ class AppendFile {
  private:
   std::filesystem::path path_;
   std::ofstream file_;
+  int reason_ = 0;  // errno of the first failure: after it nothing is tried any more
 };
 
 }  // namespace sbeh::studies

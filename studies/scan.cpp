@@ -243,12 +243,14 @@ void scan_by_flow(const ScanInput& input, ScanFolder& folder) {
   });
 }
 
-// folds.csv and equal_energy.csv, from the finished points.
+// folds.csv and equal_energy.csv, from the finished points; not when interrupted.
 void write_lines(const ScanInput& input, ScanFolder& folder) {
   const PointLookup point = [&](const PointKey& key) { return folder.finished(key); };
-  if (wants(input, Model::SBEH)) folder.write("folds.csv", table_of(find_folds(input, point)));
-  if (input.branches.size() > 1)
-    folder.write("equal_energy.csv", table_of(find_equal_energies(input, point)));
+  const auto write = [&](std::string_view name, const auto& rows) {
+    if (!interrupt_signal()) folder.write(name, table_of(rows));
+  };
+  if (wants(input, Model::SBEH)) write("folds.csv", find_folds(input, point));
+  if (input.branches.size() > 1) write("equal_energy.csv", find_equal_energies(input, point));
 }
 
 }  // namespace
@@ -263,7 +265,7 @@ ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& path,
   else
     for (const std::string& branch : input.branches) scan_by_newton(input, folder, branch);
   folder.progress().finish();
-  if (!interrupt_signal() && input.method == Method::newton) write_lines(input, folder);
+  if (input.method == Method::newton) write_lines(input, folder);
   folder.table().sort();
 
   for (const auto& [key, row] : folder.table().rows()) {

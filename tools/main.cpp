@@ -145,12 +145,16 @@ int seifert(const Arguments& a) {
 // The words of the command line that CLI11 did not take, with what may have been meant.
 int complain_of_command_line(const CLI::App& app, const CLI::ParseError& error) {
   const std::vector<std::string> rest = app.remaining();
-  if (!app.get_subcommands().empty() || rest.empty() || rest.front().starts_with('-'))
-    return app.exit(error) == 0 ? 0 : 2;
+  if (!app.get_subcommands().empty() || rest.empty()) return app.exit(error) == 0 ? 0 : 2;
+  const std::string& word = rest.front();
+  const bool option = word.starts_with('-');
   std::vector<std::string> known;
-  for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
-  const auto meant = studies::nearest(rest.front(), known);
-  complain(fmt::format("{}: unknown command{} Known: {}", rest.front(),
+  if (option)
+    known = {"--help", "--version"};
+  else
+    for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+  const auto meant = studies::nearest(word, known);
+  complain(fmt::format("{}: unknown {}{} Known: {}", word, option ? "option" : "command",
                        meant ? fmt::format("; did you mean {}?", *meant) : ".",
                        fmt::join(known, ", ")));
   return 2;
@@ -190,7 +194,8 @@ int run(int argc, char** argv) {
   }
   if (*picture_command) return draw(picture_command->remaining());
 
-  studies::catch_interrupts();
+  studies::let_writes_fail();
+  if (*scan_command || *relax_command) studies::catch_interrupts();
   std::unique_ptr<tbb::global_control> limit;
   if (a.threads > 0)
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,

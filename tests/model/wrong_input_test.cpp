@@ -74,11 +74,18 @@ TEST(Material, that_is_not_finite_is_refused_with_name_and_value) {
     }
 }
 
-TEST(Material, may_have_no_friction_no_viscosity_and_no_bending_energy_at_all) {
+TEST(Material, may_have_no_friction_or_no_viscosity) {
   EXPECT_EQ(refusal([](Material& m) { m.friction_tangential = m.friction_normal = 0; }),
             "accepted");
   EXPECT_EQ(refusal([](Material& m) { m.viscosity = 0; }), "accepted");
-  EXPECT_EQ(refusal([](Material& m) { m.L2 = -0.1; }), "accepted");
+}
+
+TEST(Material, must_have_an_elastic_energy_bounded_below_in_the_curvatures) {
+  // (κ/2)H² + κ_G K is a form in the two principal curvatures.
+  EXPECT_EQ(refusal([](Material& m) { m.L2 = -0.1; }),
+            "2 L1 + 2 L2 + L3 = -0.1: must be >= 0 (Gaussian energy)");
+  EXPECT_EQ(refusal([](Material& m) { m.L3 = -0.15; }),
+            "2 L1 + L2 + L3 = -0.04999999999999999: must be >= 0 (bending energy)");
 }
 
 TEST(Potential, that_is_not_finite_is_refused_with_the_place_of_the_coefficient) {

@@ -55,7 +55,8 @@ TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
       {"models = [3]", ":4: [scan] models = 3: must be one of 'SBEH', 'SSH'"},
       {"models = []", ":4: [scan] models = []: must not be empty"},
       {"models = ['SSH', 'SSH']", ":4: [scan] models = 'SSH': must not be there twice"},
-      {"branches = ['prolate']", ":4: [scan] branches = 'prolate': must be 'oblate'"},
+      {"branches = ['pear']",
+       ":4: [scan] branches = 'pear': must be one of 'oblate', 'prolate', 'stomatocyte'"},
       {"method = 'fast'", ":4: [scan] method = 'fast': must be one of 'newton', 'flow'"},
       {"method = 1", ":4: [scan] method = 1: must be one of 'newton', 'flow'"},
       {"end_time = 3", ":4: [scan] end_time = 3: must not be given without method = 'flow'"},
@@ -202,7 +203,7 @@ TEST(RelaxInput, with_a_wrong_start_is_refused_with_line_key_and_value) {
       {"'harmonics'\norder_modes = 1", ":4: [start] order_modes = 1: " + pairs},
       {"'scan'", ":2: [start] folder: missing; must be a text in quotes"},
       {"'scan'\nfolder = ''", ":4: [start] folder = '': must not be empty"},
-      {"'scan'\nfolder = 'a'\nbranch = 'b'", ":5: [start] branch = 'b': must be 'oblate'"},
+      {"'scan'\nfolder = 'a'\nbranch = 'b'", ":5: [start] branch = 'b': must be one of 'oblate', 'prolate', 'stomatocyte'"},
       {"'scan'\nfolder = 'a'\nreduced_volume = 0.7\nL = 0", ":6: [start] L = 0: must be > 0"},
   };
   expect_messages(read_relax, "model = \"SBEH\"\n[start]\nshape = ", starts);

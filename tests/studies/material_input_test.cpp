@@ -117,7 +117,7 @@ TEST(Numerics, that_are_wrong_are_refused_with_line_key_and_value) {
       {"\ngrading = 5", ":6: [numerics] grading = 5: must be in 0 ... 4"},
       {"tolerance = 0", ":5: [numerics] tolerance = 0: must be in 1e-12 ... 0.1"},
       {"first_step = 1",
-       ":4: [numerics] largest_step = 0.5: must be >= first_step and smallest_step"},
+       ":4: [numerics] largest_step = 0.05: must be >= first_step and smallest_step"},
       {"extrapolate = 1", ":5: [numerics] extrapolate = 1: must be true or false"},
       {"elemnts = 32",
        ":5: [numerics] elemnts: unknown key; did you mean 'elements'? Known: elements, grading, "
