@@ -39,7 +39,11 @@ Trial try_step(TimeStepper& stepper, const State& old, const Target& target, dou
   if (!whole.ok) return trial;
   const StepResult first = stepper.step(old, target, tau / 2);
   if (!first.ok) return trial;
-  const StepResult second = stepper.step(first.state, target, tau / 2);
+  // Every step of the extrapolation begins without drift: pulled back halfway, the two halves would
+  // have lost what the whole step is to cancel.
+  const Target middle =
+    extrapolate ? Target{area(first.state.X), volume(first.state.X)} : target;
+  const StepResult second = stepper.step(first.state, middle, tau / 2);
   if (!second.ok) return trial;
 
   trial.error = largest_difference(second.state, whole.state, node_normals(old.X));
@@ -75,6 +79,17 @@ FlowRecord record_of(const Trial& trial, const State& old, double tau, const Ene
   return r;
 }
 
+// The output times and the end, ascending; those that differ by rounding are one.
+std::vector<double> stops_of(const FlowSchedule& schedule) {
+  std::vector<double> stops = schedule.output_times;
+  stops.push_back(schedule.end_time);
+  std::sort(stops.begin(), stops.end());
+  const auto same = [](double a, double b) { return b - a <= same_time * std::abs(b); };
+  stops.erase(std::unique(stops.begin(), stops.end(), same), stops.end());
+  if (same(stops.back(), schedule.end_time)) stops.back() = schedule.end_time;
+  return stops;
+}
+
 }  // namespace
 
 std::string describe(FlowStop stop) {
@@ -95,9 +110,7 @@ FlowResult run_flow(const model::Material& material, model::Model model, const S
   run.last.energy = energy(material, start, mean_curvature(start.X));
   TimeStepper stepper(material, model, element_count(start.X));
 
-  std::vector<double> stops = schedule.output_times;
-  stops.push_back(schedule.end_time);
-  std::sort(stops.begin(), stops.end());
+  const std::vector<double> stops = stops_of(schedule);
   auto next = stops.begin();
   const bool starts_with_output = *next <= 0;
   while (next != stops.end() && *next <= 0) ++next;

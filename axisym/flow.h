@@ -29,9 +29,13 @@ struct FlowRecord {
 /// interrupts the run.
 using FlowObserver = std::function<bool(const FlowRecord&, const State&, bool exact)>;
 
+/// Relative difference below which two output times are one.
+inline constexpr double same_time = 1e-10;
+
 struct FlowSchedule {
   double end_time = 1;
-  std::vector<double> output_times;  ///< met exactly, ascending; those beyond the end are ignored
+  std::vector<double> output_times;  ///< met exactly, in any order; those beyond the end are ignored,
+                                     ///< those that differ by less than same_time are met once
   bool stop_at_rest = true;          ///< at Numerics::rest_speed
 };
 
