@@ -9,7 +9,7 @@ namespace sbeh::axisym {
 
 namespace {
 constexpr double least_cosine = 0.6;  // between tangents of a step: more turning means a jump
-constexpr int quick_iterations = 9;  // more than these: the prediction was not on the branch
+constexpr int quick_iterations = 9;   // more than these: the prediction was not on the branch
 
 // Length of a direction: root mean square of motion and order, and the parameter.
 double length_of(const Increment& t) {
@@ -109,7 +109,8 @@ PathState locate_fold(const Line& line, const PathState& start, const PathState&
   const double sign = start.tangent.parameter < 0 ? -1 : 1;  // before the fold
   const auto slope = [sign](const PathState& p) { return sign * p.tangent.parameter; };
   double h = ds * slope(before) / (slope(before) - slope(beyond));
-  for (int iteration = 0; iteration < 40 && std::abs(slope(best)) > 1e-8 && h > 1e-12; ++iteration) {
+  for (int iteration = 0; iteration < 40 && std::abs(slope(best)) > 1e-8 && h > 1e-12;
+       ++iteration) {
     const auto next = arc_step(line, before, h);
     if (!next) {
       h /= 2;
@@ -129,8 +130,8 @@ PathState locate_fold(const Line& line, const PathState& start, const PathState&
 
 PathState with_fresh_nodes(const Line& line, const PathState& state, double grading) {
   const NewtonResult r =
-    solve_stationary(line.material(state.mu), line.model(), line.target(state.mu),
-                     redistribute(state.s, grading), {.iterations = quick_iterations});
+      solve_stationary(line.material(state.mu), line.model(), line.target(state.mu),
+                       redistribute(state.s, grading), {.iterations = quick_iterations});
   if (r.status != NewtonStatus::converged) return state;
   // The tangent as a field over the old nodes still tells which way is forward.
   const auto fresh = with_tangent(line, state.mu, r.solution, &state.tangent);

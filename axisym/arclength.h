@@ -56,7 +56,8 @@ std::optional<PathState> arc_step(const Line& line, const PathState& from, doubl
 
 /// The fold between a state and the one ds further, where the tangent's μ changes sign: its zero, by
 /// secants that move on from the nearest state before the fold.
-PathState locate_fold(const Line& line, const PathState& before, const PathState& beyond, double ds);
+PathState locate_fold(const Line& line, const PathState& before, const PathState& beyond,
+                      double ds);
 
 /// Redistributes the nodes of a state on the path and solves again; the state itself where that
 /// fails. Keeps the direction of the tangent.

@@ -102,8 +102,8 @@ std::optional<Pitchfork> find_pitchfork(const model::Material& material, model::
     }
     Increment along = b->mode.direction;
     along.parameter = 0;
-    const double rms = std::sqrt((along.d.squaredNorm() + along.beta.squaredNorm())
-                                 / double(along.d.size()));
+    const double rms =
+        std::sqrt((along.d.squaredNorm() + along.beta.squaredNorm()) / double(along.d.size()));
     return Pitchfork{{zero(), b->s, scaled(along, 1 / rms), 0}};
   }
   return {};

@@ -13,10 +13,10 @@ using model::Model;
 std::optional<BranchEntry> enter_branch(Branch branch, const model::Material& material,
                                         const Numerics& numerics) {
   const State start{
-    spheroid(entry_volume, branch == Branch::prolate, numerics.elements, numerics.grading),
-    Field::Constant(3 * numerics.elements + 1, model::full_order)};
-  const NewtonResult r = solve_stationary(material, Model::SSH, target_of(entry_volume),
-                                          guess_from(material, start));
+      spheroid(entry_volume, branch == Branch::prolate, numerics.elements, numerics.grading),
+      Field::Constant(3 * numerics.elements + 1, model::full_order)};
+  const NewtonResult r =
+      solve_stationary(material, Model::SSH, target_of(entry_volume), guess_from(material, start));
   if (r.status != NewtonStatus::converged) return {};
   const BranchState state{{entry_volume, material.L1}, r.solution, r.determinant_sign};
   if (branch != Branch::stomatocyte) return BranchEntry{state, {}, {}};
@@ -34,9 +34,9 @@ BranchState state_of(const Line& line, const PathState& p) {
 // The state on a mesh of so many elements, on the same side of the fold, tangent towards it.
 std::optional<PathState> lifted(const Line& line, const PathState& coarse,
                                 const Numerics& numerics) {
-  const NewtonResult r = solve_stationary(
-    line.material(coarse.mu), line.model(), line.target(coarse.mu),
-    redistribute(coarse.s, numerics.grading, numerics.elements));
+  const NewtonResult r =
+      solve_stationary(line.material(coarse.mu), line.model(), line.target(coarse.mu),
+                       redistribute(coarse.s, numerics.grading, numerics.elements));
   if (r.status != NewtonStatus::converged) return {};
   auto fine = with_tangent(line, coarse.mu, r.solution, nullptr);
   if (fine && fine->tangent.parameter * coarse.tangent.parameter < 0)

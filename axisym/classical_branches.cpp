@@ -29,20 +29,19 @@ model::Material classical_material() {
 
 BranchState moved(const BranchState& from, double reduced_volume, const Numerics& numerics) {
   const model::Material m = classical_material();
-  const FollowResult r =
-    follow(m, model::Model::SSH, from, {reduced_volume, m.L1}, numerics);
+  const FollowResult r = follow(m, model::Model::SSH, from, {reduced_volume, m.L1}, numerics);
   if (r.arrival != Arrival::reached)
-    throw std::domain_error(fmt::format("classical branch: not reached at reduced volume {}, it {}",
-                                        reduced_volume,
-                                        r.arrival == Arrival::fold ? "ends in a fold" : "was lost"));
+    throw std::domain_error(
+        fmt::format("classical branch: not reached at reduced volume {}, it {}", reduced_volume,
+                    r.arrival == Arrival::fold ? "ends in a fold" : "was lost"));
   return r.state;
 }
 
 BranchState entry(Branch branch, const Numerics& numerics) {
   const auto found = enter_branch(branch, classical_material(), numerics);
   if (!found)
-    throw std::domain_error(fmt::format("classical {}s: Newton's method failed at the entry",
-                                        name(branch)));
+    throw std::domain_error(
+        fmt::format("classical {}s: Newton's method failed at the entry", name(branch)));
   return found->state;
 }
 
@@ -52,13 +51,16 @@ double reduced_energy(const BranchState& b) {
 }
 
 ClassicalShape shape_of(Branch branch, const BranchState& b) {
-  ClassicalShape shape{.branch = branch, .reduced_volume = b.at.reduced_volume,
-                       .energy = reduced_energy(b), .H_pole = 0, .pressure = b.solution.pressure,
+  ClassicalShape shape{.branch = branch,
+                       .reduced_volume = b.at.reduced_volume,
+                       .energy = reduced_energy(b),
+                       .H_pole = 0,
+                       .pressure = b.solution.pressure,
                        .tension = b.solution.tension,
                        .self_contact = crosses_itself(b.solution.state.X),
                        .profile = b.solution.state.X,
-                       .negative_directions = negative_directions(
-                         classical_material(), model::Model::SSH, b.solution)};
+                       .negative_directions = negative_directions(classical_material(),
+                                                                  model::Model::SSH, b.solution)};
   const auto [north, south] = pole_curvatures(b.solution.state.X, b.solution.H);
   shape.H_pole = std::max(north, south);
   if (south > north) {
@@ -112,11 +114,11 @@ SpecialPoints special_points(const Numerics& numerics) {
     return SpecialPoint{b.at.reduced_volume, reduced_energy(b), 0};
   };
   return {
-    .prolate_oblate = equal_energy(oblate, prolate, 0.651, numerics),
-    .oblate_stomatocyte = equal_energy(flat, stomatocytes->state, 0.591, numerics),
-    .stomatocyte_fold = point(*stomatocytes->fold),
-    .oblate_symmetry_loss = point(*stomatocytes->pitchfork),
-    .oblate_self_contact = self_contact(flat, numerics),
+      .prolate_oblate = equal_energy(oblate, prolate, 0.651, numerics),
+      .oblate_stomatocyte = equal_energy(flat, stomatocytes->state, 0.591, numerics),
+      .stomatocyte_fold = point(*stomatocytes->fold),
+      .oblate_symmetry_loss = point(*stomatocytes->pitchfork),
+      .oblate_self_contact = self_contact(flat, numerics),
   };
 }
 
@@ -130,9 +132,9 @@ std::vector<ClassicalShape> element_branch(Branch branch, std::span<const double
   std::sort(order.begin(), order.end(),
             [&](auto i, auto j) { return reduced_volumes[i] > reduced_volumes[j]; });
   const BranchState start = entry(branch, numerics);
-  const auto first_below = std::stable_partition(
-    order.begin(), order.end(),
-    [&](std::size_t i) { return reduced_volumes[i] > start.at.reduced_volume; });
+  const auto first_below = std::stable_partition(order.begin(), order.end(), [&](std::size_t i) {
+    return reduced_volumes[i] > start.at.reduced_volume;
+  });
   std::reverse(order.begin(), first_below);
 
   std::vector<ClassicalShape> shapes(reduced_volumes.size());
@@ -157,7 +159,7 @@ SpecialPoints element_special_points(const Numerics& numerics) {
                             &SpecialPoints::stomatocyte_fold, &SpecialPoints::oblate_symmetry_loss,
                             &SpecialPoints::oblate_self_contact})
     (points.*member).error =
-      std::abs((points.*member).reduced_volume - (rough.*member).reduced_volume);
+        std::abs((points.*member).reduced_volume - (rough.*member).reduced_volume);
   return points;
 }
 

@@ -4,9 +4,12 @@ namespace sbeh::axisym {
 
 const char* name(Branch branch) {
   switch (branch) {
-    case Branch::oblate: return "oblate";
-    case Branch::prolate: return "prolate";
-    case Branch::stomatocyte: return "stomatocyte";
+    case Branch::oblate:
+      return "oblate";
+    case Branch::prolate:
+      return "prolate";
+    case Branch::stomatocyte:
+      return "stomatocyte";
   }
   return "";
 }

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <vector>
 
 namespace sbeh::axisym {
@@ -20,10 +21,10 @@ struct ClassicalShape {
   double energy;          ///< F/(8πκ), 1 on the sphere
   double H_pole;          ///< trace H, −2 on the unit sphere, at the pole where it is larger (the
                           ///< invaginated one of a stomatocyte)
-  double pressure;        ///< P R³/κ, P = ∂F/∂V at fixed area: 6 d(energy)/dV_r along the branch
-  double tension;         ///< Σ R²/κ, Σ = −∂F/∂A at fixed volume; 3PV = 2ΣA
-  bool self_contact;      ///< the profile touches or crosses itself
-  Eigen::Matrix2Xd profile;  // 2 x n: r, z along the whole curve, from the pole of H_pole on
+  double pressure;    ///< P R³/κ, P = ∂F/∂V at fixed area: 6 d(energy)/dV_r along the branch
+  double tension;     ///< Σ R²/κ, Σ = −∂F/∂A at fixed volume; 3PV = 2ΣA
+  bool self_contact;  ///< the profile touches or crosses itself
+  Eigen::Matrix2Xd profile;      // 2 x n: r, z along the whole curve, from the pole of H_pole on
   int negative_directions = -1;  ///< within axisymmetry; −1: this witness does not tell
 };
 

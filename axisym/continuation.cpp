@@ -65,8 +65,11 @@ FollowResult follow(const model::Material& material, model::Model model, const B
     }
     if (next->tangent.parameter <= 0) {
       const PathState fold = locate_fold(line, *here, *next, ds);
-      return {Arrival::fold, {.at = line.at(fold.mu),             .solution = fold.s,
-                              .determinant_sign = sign, .iterations = step}};
+      return {Arrival::fold,
+              {.at = line.at(fold.mu),
+               .solution = fold.s,
+               .determinant_sign = sign,
+               .iterations = step}};
     }
     if (next->mu >= 1) {
       const double share = (1 - here->mu) / (next->mu - here->mu);

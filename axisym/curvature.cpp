@@ -3,6 +3,7 @@
 #include "model/numerics/band_matrix.h"
 
 #include <Eigen/LU>
+
 #include <cmath>
 #include <numbers>
 
@@ -49,7 +50,8 @@ bool correct_area_volume(Nodes& X, double area_asked, double volume_asked) {
     Eigen::Matrix2d J;
     for (int k = 0; k < 2; ++k)
       J.col(k) = (miss(moved(c + h * Eigen::Vector2d::Unit(k)))
-                  - miss(moved(c - h * Eigen::Vector2d::Unit(k)))) / (2 * h);
+                  - miss(moved(c - h * Eigen::Vector2d::Unit(k))))
+               / (2 * h);
     if (sphere) J.row(1) << 0, 1;  // b = 0
     c -= J.fullPivLu().solve(residual);
   }

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <array>
 #include <span>
 
@@ -27,11 +28,11 @@ struct State {
 /// Shape functions of one element at one quadrature point; derivatives by the element's own
 /// coordinate in [0, 1].
 struct ShapeValues {
-  double x;                      ///< where in [0, 1]
-  double weight;                 ///< quadrature weight, summing to 1
-  std::array<double, 4> phi;     ///< P3
-  std::array<double, 4> dphi;    ///< P3, derivative
-  std::array<double, 4> phi2;    ///< P2, padded with a zero
+  double x;                    ///< where in [0, 1]
+  double weight;               ///< quadrature weight, summing to 1
+  std::array<double, 4> phi;   ///< P3
+  std::array<double, 4> dphi;  ///< P3, derivative
+  std::array<double, 4> phi2;  ///< P2, padded with a zero
 };
 
 /// Gauss points of the assembly (6 per element) and of the diagnostics (10 per element).
@@ -82,7 +83,9 @@ double volume(const Nodes& X);
 /// V_r = 6√π V / A^{3/2}, 1 for the sphere.
 double reduced_volume(double area, double volume);
 /// So near the sphere that area and volume are one constraint: V_r > 1 − 1e-7.
-inline bool is_sphere(double area, double volume) { return reduced_volume(area, volume) > 1 - 1e-7; }
+inline bool is_sphere(double area, double volume) {
+  return reduced_volume(area, volume) > 1 - 1e-7;
+}
 
 /// Length of every element, by quadrature.
 Eigen::VectorXd element_lengths(const Nodes& X);

@@ -12,16 +12,16 @@ namespace sbeh::axisym {
 
 Energy energy(const model::Material& material, const State& state, const Field& H) {
   Energy sum;
-  for_each_point(state.X, diagnostic_points(),
-                 [&](int e, const ShapeValues& s, const CurvePoint& p) {
-    const double h = value_at(H, e, s);
-    const double beta_s = slope_at(state.beta, e, s) / p.stretch;
-    const auto density = model::energy_density(material, value_at(state.beta, e, s),
-                                               beta_s * beta_s, h, gauss_curvature(h, p.B_phi));
-    sum.distortion += p.dS * density.distortion;
-    sum.bending += p.dS * (density.bending + density.gaussian);
-    sum.thermotropic += p.dS * density.thermotropic;
-  });
+  for_each_point(
+      state.X, diagnostic_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
+        const double h = value_at(H, e, s);
+        const double beta_s = slope_at(state.beta, e, s) / p.stretch;
+        const auto density = model::energy_density(material, value_at(state.beta, e, s),
+                                                   beta_s * beta_s, h, gauss_curvature(h, p.B_phi));
+        sum.distortion += p.dS * density.distortion;
+        sum.bending += p.dS * (density.bending + density.gaussian);
+        sum.thermotropic += p.dS * density.thermotropic;
+      });
   return sum;
 }
 
@@ -62,15 +62,15 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
   double beta_1 = 0;
   for_each_point(state.X, diagnostic_points(),
                  [&](int e, const ShapeValues& s, const CurvePoint& p) {
-    d.W2 += p.dS * value_at(H, e, s);
-    beta_1 += p.dS * value_at(state.beta, e, s);
-  });
+                   d.W2 += p.dS * value_at(H, e, s);
+                   beta_1 += p.dS * value_at(state.beta, e, s);
+                 });
   d.order_mean = beta_1 / d.area;
   for_each_point(state.X, diagnostic_points(),
                  [&](int e, const ShapeValues& s, const CurvePoint& p) {
-    const double excess = value_at(state.beta, e, s) - d.order_mean;
-    d.order_variance += p.dS * excess * excess / d.area;
-  });
+                   const double excess = value_at(state.beta, e, s) - d.order_mean;
+                   d.order_variance += p.dS * excess * excess / d.area;
+                 });
   d.order_std = std::sqrt(d.order_variance);
 
   d.order_min = d.order_max = state.beta[0];

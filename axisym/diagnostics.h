@@ -35,9 +35,9 @@ struct Diagnostics {
   double H_abs_max;       ///< largest |H|
   double radius_equator;  ///< largest r
   double thickness_pole;  ///< distance of the poles along the axis
-  double resolution;      ///< largest curvature of the generating curve times the node spacing: above
-                          ///< about 0.35 a rim or a neck is not resolved
-  double mesh_quality;    ///< shortest over longest element
+  double resolution;    ///< largest curvature of the generating curve times the node spacing: above
+                        ///< about 0.35 a rim or a neck is not resolved
+  double mesh_quality;  ///< shortest over longest element
 };
 Diagnostics diagnose(const model::Material& material, const State& state);
 

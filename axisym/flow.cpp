@@ -11,8 +11,8 @@ namespace {
 
 // A rise of the energy is the time step's fault when it is more than rounding and when the step's error
 // is not negligible; otherwise it is the mesh's, whose motion moves the discrete energy a little.
-constexpr double energy_noise = 1e-10;      // relative
-constexpr double negligible_error = 1e-2;   // of the tolerance
+constexpr double energy_noise = 1e-10;     // relative
+constexpr double negligible_error = 1e-2;  // of the tolerance
 
 // A step of the controlled scheme: one step of τ against two of τ/2.
 struct Trial {
@@ -29,7 +29,8 @@ double largest_difference(const State& a, const State& b, const Nodes& normals) 
 }
 
 Dissipation combine(double a, const Dissipation& x, double b, const Dissipation& y) {
-  return {a * x.friction + b * y.friction, a * x.order + b * y.order, a * x.viscous + b * y.viscous};
+  return {a * x.friction + b * y.friction, a * x.order + b * y.order,
+          a * x.viscous + b * y.viscous};
 }
 
 Trial try_step(TimeStepper& stepper, const State& old, const Target& target, double tau,
@@ -41,8 +42,7 @@ Trial try_step(TimeStepper& stepper, const State& old, const Target& target, dou
   if (!first.ok) return trial;
   // Every step of the extrapolation begins without drift: pulled back halfway, the two halves would
   // have lost what the whole step is to cancel.
-  const Target middle =
-    extrapolate ? Target{area(first.state.X), volume(first.state.X)} : target;
+  const Target middle = extrapolate ? Target{area(first.state.X), volume(first.state.X)} : target;
   const StepResult second = stepper.step(first.state, middle, tau / 2);
   if (!second.ok) return trial;
 
@@ -72,7 +72,7 @@ FlowRecord record_of(const Trial& trial, const State& old, double tau, const Ene
   r.energy_balance = spent > 0 ? (before.total() - after.total()) / spent : 1;
   const Nodes n = node_normals(old.X);
   r.normal_speed =
-    (trial.state.X - old.X).cwiseProduct(n).colwise().sum().cwiseAbs().maxCoeff() / tau;
+      (trial.state.X - old.X).cwiseProduct(n).colwise().sum().cwiseAbs().maxCoeff() / tau;
   r.order_speed = (trial.state.beta - old.beta).cwiseAbs().maxCoeff() / tau;
   r.lambda = trial.lambda;
   r.speed_max = trial.speed_max;
@@ -94,11 +94,16 @@ std::vector<double> stops_of(const FlowSchedule& schedule) {
 
 std::string describe(FlowStop stop) {
   switch (stop) {
-    case FlowStop::end_time: return "end time reached";
-    case FlowStop::at_rest: return "at rest";
-    case FlowStop::unresolved: return "curvature falls below the mesh scale";
-    case FlowStop::step_too_small: return "time step too small";
-    case FlowStop::interrupted: return "interrupted";
+    case FlowStop::end_time:
+      return "end time reached";
+    case FlowStop::at_rest:
+      return "at rest";
+    case FlowStop::unresolved:
+      return "curvature falls below the mesh scale";
+    case FlowStop::step_too_small:
+      return "time step too small";
+    case FlowStop::interrupted:
+      return "interrupted";
   }
   return "";
 }
@@ -125,10 +130,10 @@ FlowResult run_flow(const model::Material& material, model::Model model, const S
     const Trial trial = try_step(stepper, run.state, target, used, numerics.extrapolate);
     const Energy before = run.last.energy;
     const Energy after =
-      trial.ok ? energy(material, trial.state, mean_curvature(trial.state.X)) : Energy{};
+        trial.ok ? energy(material, trial.state, mean_curvature(trial.state.X)) : Energy{};
     const bool rises =
-      !(after.total() <= before.total() + energy_noise * (1 + std::abs(before.total())))
-      && trial.error > negligible_error * numerics.tolerance;
+        !(after.total() <= before.total() + energy_noise * (1 + std::abs(before.total())))
+        && trial.error > negligible_error * numerics.tolerance;
     if (!trial.ok || rises || trial.error > numerics.tolerance) {
       const double wanted = trial.ok && !rises ? std::sqrt(numerics.tolerance / trial.error) : 0;
       tau = used * std::clamp(0.9 * wanted, 0.1, 0.5);
@@ -146,7 +151,8 @@ FlowResult run_flow(const model::Material& material, model::Model model, const S
     run.state = trial.state;
     ++run.steps;
     if (exact) ++next;
-    if (observe && !observe(run.last, run.state, exact)) return run.stop = FlowStop::interrupted, run;
+    if (observe && !observe(run.last, run.state, exact))
+      return run.stop = FlowStop::interrupted, run;
     if (diagnose(material, run.state).resolution > resolution_limit)
       return run.stop = FlowStop::unresolved, run;
     if (schedule.stop_at_rest

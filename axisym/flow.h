@@ -34,9 +34,10 @@ inline constexpr double same_time = 1e-10;
 
 struct FlowSchedule {
   double end_time = 1;
-  std::vector<double> output_times;  ///< met exactly, in any order; those beyond the end are ignored,
-                                     ///< those that differ by less than same_time are met once
-  bool stop_at_rest = true;          ///< at Numerics::rest_speed
+  std::vector<double>
+      output_times;          ///< met exactly, in any order; those beyond the end are ignored,
+                             ///< those that differ by less than same_time are met once
+  bool stop_at_rest = true;  ///< at Numerics::rest_speed
 };
 
 enum class FlowStop { end_time, at_rest, unresolved, step_too_small, interrupted };

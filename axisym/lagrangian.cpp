@@ -31,9 +31,16 @@ struct NormalShapes {
 // Rows of B in the order of LagrangianData; element unknowns component-wise.
 std::array<model::DataRow<4>, data> data_rows(const NormalShapes& n, const ShapeValues& s) {
   constexpr int d = 4 * node_d, L = 4 * node_Lambda, H = 4 * node_H, b = 4 * node_beta;
-  return {{{d, n.r.data()}, {d, n.dr.data()}, {d, n.dz.data()},
-           {H, s.phi.data()}, {b, s.phi.data()}, {b, s.dphi.data()},
-           {L, n.r.data()}, {L, n.z.data()}, {L, n.dr.data()}, {L, n.dz.data()}}};
+  return {{{d, n.r.data()},
+           {d, n.dr.data()},
+           {d, n.dz.data()},
+           {H, s.phi.data()},
+           {b, s.phi.data()},
+           {b, s.dphi.data()},
+           {L, n.r.data()},
+           {L, n.z.data()},
+           {L, n.dr.data()},
+           {L, n.dz.data()}}};
 }
 
 std::array<double, data> point_data(const StationaryState& state, const NormalShapes& n, int e,
@@ -70,7 +77,7 @@ struct PointDerivatives {
 PointDerivatives differentiate(const model::Material& material, const StationaryState& state,
                                const std::array<double, data>& q) {
   const auto L =
-    lagrangian_density(material, state.tension, state.pressure, independent<Second>(q));
+      lagrangian_density(material, state.tension, state.pressure, independent<Second>(q));
   PointDerivatives d;
   d.hessian.setZero();
   auto gradient = d.gradient.head<nonlinear_data>();
@@ -123,7 +130,8 @@ void assemble(const model::Material& material, const StationaryState& state, con
       const auto rows = data_rows(shapes, s);
       const auto q = point_data(state, shapes, e, s);
       const PointDerivatives L = differentiate(material, state, q);
-      const First A = area_density(independent<First>(q)), V = volume_density(independent<First>(q));
+      const First A = area_density(independent<First>(q)),
+                  V = volume_density(independent<First>(q));
       model::add_matrix(rows, L.hessian, s.weight, matrix);
       model::add_vector(rows, L.gradient, s.weight, vector);
       model::add_vector(rows, padded(A), s.weight, dA);
@@ -151,8 +159,8 @@ Eigen::VectorXd gradient_rate_by_L(const model::Material& material, const Statio
     for (const ShapeValues& s : assembly_points()) {
       const NormalShapes shapes(normals, e, s);
       const auto q = independent<First>(point_data(state, shapes, e, s));
-      const First difference = lagrangian_density(unit, 0, 0, q).energy
-                             - lagrangian_density(zero, 0, 0, q).energy;
+      const First difference =
+          lagrangian_density(unit, 0, 0, q).energy - lagrangian_density(zero, 0, 0, q).energy;
       model::add_vector(data_rows(shapes, s), padded(difference), s.weight, vector);
     }
     for (int k = 0; k < element_unknowns; ++k)

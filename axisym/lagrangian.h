@@ -13,8 +13,19 @@ namespace sbeh::axisym {
 
 /// What the Lagrangian reads at a point; ' = derivative by the element's coordinate. It is linear in
 /// the last four, the multiplier Λ.
-enum LagrangianData { at_r, at_dr, at_dz, at_H, at_beta, at_dbeta,
-                      at_Lr, at_Lz, at_dLr, at_dLz, lagrangian_data };
+enum LagrangianData {
+  at_r,
+  at_dr,
+  at_dz,
+  at_H,
+  at_beta,
+  at_dbeta,
+  at_Lr,
+  at_Lz,
+  at_dLr,
+  at_dLz,
+  lagrangian_data
+};
 inline constexpr int nonlinear_data = at_Lr;
 template <class T>
 using PointFields = std::array<T, nonlinear_data>;
@@ -46,16 +57,16 @@ LagrangianDensity<T> lagrangian_density(const model::Material& material, double 
   const T stretch = sqrt(stretch_squared);
   const T dS = two_pi * r * stretch;
   const T B_phi = q[at_dz] / (r * stretch);
-  const auto energy = model::energy_density(material, q[at_beta],
-                                            T(q[at_dbeta] * q[at_dbeta] / stretch_squared),
-                                            q[at_H], T(B_phi * (q[at_H] - B_phi)));
+  const auto energy =
+      model::energy_density(material, q[at_beta], T(q[at_dbeta] * q[at_dbeta] / stretch_squared),
+                            q[at_H], T(B_phi * (q[at_H] - B_phi)));
   const T Hr = two_pi * r * q[at_H], weight = two_pi * r / stretch;
   return {
-    .energy = dS * (energy.total() + tension) - pressure * volume_density(q),
-    .curvature = {two_pi * stretch - Hr * q[at_dz],  // (H ν_r + 1/r, Λ_r)
-                  Hr * q[at_dr],                     // (H ν_z, Λ_z)
-                  weight * q[at_dr],                 // (t_r, ∂_s Λ_r)
-                  weight * q[at_dz]},                // (t_z, ∂_s Λ_z)
+      .energy = dS * (energy.total() + tension) - pressure * volume_density(q),
+      .curvature = {two_pi * stretch - Hr * q[at_dz],  // (H ν_r + 1/r, Λ_r)
+                    Hr * q[at_dr],                     // (H ν_z, Λ_z)
+                    weight * q[at_dr],                 // (t_r, ∂_s Λ_r)
+                    weight * q[at_dz]},                // (t_z, ∂_s Λ_z)
   };
 }
 
@@ -64,9 +75,9 @@ enum NodeUnknown { node_d, node_Lambda, node_H, node_beta, node_unknowns };
 
 /// Gradient and Hessian of the Lagrangian, and gradients of A, V.
 struct LagrangianDerivatives {
-  model::BandMatrix hessian;      // 4 nodes x 4 nodes
-  Eigen::VectorXd gradient;       // 4 nodes
-  Eigen::MatrixXd constraints;    // 4 nodes x 2: ∂A, −∂V
+  model::BandMatrix hessian;    // 4 nodes x 4 nodes
+  Eigen::VectorXd gradient;     // 4 nodes
+  Eigen::MatrixXd constraints;  // 4 nodes x 2: ∂A, −∂V
   double area, volume;
   explicit LagrangianDerivatives(int nodes);
 };

@@ -64,8 +64,7 @@ bool NewtonSystem::newton_step(const Target& target, const Parameter& parameter,
 
 bool NewtonSystem::tangent(const Eigen::VectorXd& gradient_rate, double volume_rate,
                            Increment& direction) {
-  const bool ok =
-    solve(-gradient_rate, Eigen::Vector2d(0, -volume_rate), nullptr, direction);
+  const bool ok = solve(-gradient_rate, Eigen::Vector2d(0, -volume_rate), nullptr, direction);
   direction.parameter = 1;
   return ok;
 }
@@ -96,7 +95,9 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
   determinant_sign_ = solution.determinant_sign;
 
   const Eigen::Index nodes = n / node_unknowns;
-  for (auto [field, c] : {std::pair{&out.d, node_d}, {&out.Lambda, node_Lambda}, {&out.H, node_H},
+  for (auto [field, c] : {std::pair{&out.d, node_d},
+                          {&out.Lambda, node_Lambda},
+                          {&out.H, node_H},
                           {&out.beta, node_beta}}) {
     field->resize(nodes);
     for (Eigen::Index i = 0; i < nodes; ++i) (*field)[i] = solution.x[index(i, c)];

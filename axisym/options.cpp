@@ -1,6 +1,7 @@
 #include "axisym/options.h"
 
 #include <fmt/format.h>
+
 #include <stdexcept>
 
 namespace sbeh::axisym {
@@ -9,7 +10,8 @@ namespace {
 template <class T>
 void require_range(const char* name, T value, T low, T high) {
   if (!(value >= low && value <= high))
-    throw std::invalid_argument(fmt::format("{} = {}: must be in {} ... {}", name, value, low, high));
+    throw std::invalid_argument(
+        fmt::format("{} = {}: must be in {} ... {}", name, value, low, high));
 }
 }  // namespace
 
@@ -23,7 +25,7 @@ void Numerics::validate() const {
   require_range("rest_speed", rest_speed, 1e-14, 1.0);
   if (smallest_step > largest_step || first_step > largest_step)
     throw std::invalid_argument(
-      fmt::format("largest_step = {}: must be >= first_step and smallest_step", largest_step));
+        fmt::format("largest_step = {}: must be >= first_step and smallest_step", largest_step));
 }
 
 }  // namespace sbeh::axisym

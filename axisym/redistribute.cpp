@@ -88,8 +88,8 @@ State redistribute(const State& state, double grading, int elements) {
 }
 
 StationaryState redistribute(const StationaryState& s, double grading, int elements) {
-  const auto at = places(s.state.X, s.H, grading,
-                         elements > 0 ? elements : element_count(s.state.X));
+  const auto at =
+      places(s.state.X, s.H, grading, elements > 0 ? elements : element_count(s.state.X));
   return {.state = interpolate(s.state, at),
           .H = interpolate(s.H, at),
           .Lambda = interpolate(s.Lambda, at),

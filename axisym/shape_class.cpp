@@ -8,10 +8,14 @@ namespace sbeh::axisym {
 
 const char* name(ShapeClass shape) {
   switch (shape) {
-    case ShapeClass::oblate: return "oblate";
-    case ShapeClass::prolate: return "prolate";
-    case ShapeClass::stomatocyte: return "stomatocyte";
-    case ShapeClass::pear: return "pear";
+    case ShapeClass::oblate:
+      return "oblate";
+    case ShapeClass::prolate:
+      return "prolate";
+    case ShapeClass::stomatocyte:
+      return "stomatocyte";
+    case ShapeClass::pear:
+      return "pear";
   }
   return "";
 }
@@ -29,14 +33,17 @@ Eigen::Matrix2Xd polygon(const Nodes& X) {
   return points;
 }
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) { return a[0] * b[1] - a[1] * b[0]; }
+double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
+  return a[0] * b[1] - a[1] * b[0];
+}
 
 bool segments_cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
                     const Eigen::Vector2d& d) {
   if (std::max(a[0], b[0]) < std::min(c[0], d[0]) || std::max(c[0], d[0]) < std::min(a[0], b[0])
       || std::max(a[1], b[1]) < std::min(c[1], d[1]) || std::max(c[1], d[1]) < std::min(a[1], b[1]))
     return false;
-  return cross(b - a, c - a) * cross(b - a, d - a) <= 0 && cross(d - c, a - c) * cross(d - c, b - c) <= 0;
+  return cross(b - a, c - a) * cross(b - a, d - a) <= 0
+      && cross(d - c, a - c) * cross(d - c, b - c) <= 0;
 }
 
 }  // namespace

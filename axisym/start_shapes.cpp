@@ -5,8 +5,9 @@
 
 #include <boost/math/special_functions/legendre.hpp>
 #include <boost/math/tools/roots.hpp>
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 #include <numbers>
 #include <stdexcept>
 
@@ -31,10 +32,10 @@ Nodes spheroid(double equatorial, double polar, int elements, double grading) {
   if (!(equatorial > 0 && polar > 0))
     throw std::invalid_argument("spheroid: both semi-axes must be > 0");
   return nodes_on(
-    [=](double theta) {
-      return Eigen::Vector2d(equatorial * std::sin(theta), polar * std::cos(theta));
-    },
-    elements, grading);
+      [=](double theta) {
+        return Eigen::Vector2d(equatorial * std::sin(theta), polar * std::cos(theta));
+      },
+      elements, grading);
 }
 
 namespace {
@@ -43,22 +44,23 @@ double spheroid_reduced_volume(double q) {
   const double e = std::sqrt(std::abs(1 - q * q));
   double area = 4 * pi;
   if (e > 1e-6)
-    area = q < 1 ? 2 * pi * (1 + q * q / e * std::atanh(e))
-                 : 2 * pi * (1 + q * q / e * std::atan(e));
+    area =
+        q < 1 ? 2 * pi * (1 + q * q / e * std::atanh(e)) : 2 * pi * (1 + q * q / e * std::atan(e));
   return 6 * std::sqrt(pi) * (4 * pi / 3 * q) / std::pow(area, 1.5);
 }
 }  // namespace
 
 Nodes spheroid(double v, bool prolate, int elements, double grading) {
   if (!(v > 0 && v <= 1))
-    throw std::invalid_argument(fmt::format("spheroid: reduced volume {}: must be in 0 < V_r <= 1", v));
+    throw std::invalid_argument(
+        fmt::format("spheroid: reduced volume {}: must be in 0 < V_r <= 1", v));
   const auto miss = [v](double log_q) { return spheroid_reduced_volume(std::exp(log_q)) - v; };
   double q = 1;
   if (v < 1 - 1e-12) {
     const double low = prolate ? 0 : -30, high = prolate ? 30 : 0;
     std::uintmax_t iterations = 200;
     const auto bracket = boost::math::tools::toms748_solve(
-      miss, low, high, boost::math::tools::eps_tolerance<double>(50), iterations);
+        miss, low, high, boost::math::tools::eps_tolerance<double>(50), iterations);
     q = std::exp(bracket.first);
   }
   Nodes X = spheroid(1, q, elements, grading);
@@ -69,7 +71,8 @@ Nodes spheroid(double v, bool prolate, int elements, double grading) {
 double zonal_sum(std::span<const Mode> modes, double theta) {
   double sum = 0;
   for (const Mode& mode : modes) {
-    if (mode.l < 0) throw std::invalid_argument(fmt::format("harmonic: l = {}: must be >= 0", mode.l));
+    if (mode.l < 0)
+      throw std::invalid_argument(fmt::format("harmonic: l = {}: must be >= 0", mode.l));
     sum += mode.amplitude * std::sqrt((2 * mode.l + 1) / (4 * pi))
          * boost::math::legendre_p(mode.l, std::cos(theta));
   }
@@ -78,14 +81,14 @@ double zonal_sum(std::span<const Mode> modes, double theta) {
 
 Nodes harmonic_sphere(std::span<const Mode> modes, int elements, double grading) {
   return nodes_on(
-    [modes](double theta) {
-      const double radius = 1 + zonal_sum(modes, theta);
-      if (!(radius > 0))
-        throw std::invalid_argument(
-          fmt::format("harmonic sphere: r = {:.3g} at theta = {:.3g}: must be > 0", radius, theta));
-      return Eigen::Vector2d(radius * std::sin(theta), radius * std::cos(theta));
-    },
-    elements, grading);
+      [modes](double theta) {
+        const double radius = 1 + zonal_sum(modes, theta);
+        if (!(radius > 0))
+          throw std::invalid_argument(fmt::format(
+              "harmonic sphere: r = {:.3g} at theta = {:.3g}: must be > 0", radius, theta));
+        return Eigen::Vector2d(radius * std::sin(theta), radius * std::cos(theta));
+      },
+      elements, grading);
 }
 
 }  // namespace sbeh::axisym

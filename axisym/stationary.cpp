@@ -4,6 +4,7 @@
 #include "axisym/newton_system.h"
 
 #include <Eigen/Dense>
+
 #include <algorithm>
 #include <limits>
 
@@ -11,8 +12,11 @@ namespace sbeh::axisym {
 
 StationaryState guess_from(const model::Material& material, const State& state) {
   const Eigen::Index nodes = state.beta.size();
-  StationaryState s{.state = state, .H = mean_curvature(state.X), .Lambda = Field(nodes),
-                    .tension = 0, .pressure = 0};
+  StationaryState s{.state = state,
+                    .H = mean_curvature(state.X),
+                    .Lambda = Field(nodes),
+                    .tension = 0,
+                    .pressure = 0};
   const Nodes n = node_normals(state.X);
   for (Eigen::Index i = 0; i < nodes; ++i) {
     const double r = state.X(0, i), beta = state.beta[i];
@@ -26,7 +30,7 @@ StationaryState guess_from(const model::Material& material, const State& state) 
   const auto displacements = Eigen::seqN(Eigen::Index(node_d), nodes, Eigen::Index(node_unknowns));
   const Eigen::MatrixXd forces = L.constraints(displacements, Eigen::all);
   const Eigen::Vector2d multipliers =
-    forces.completeOrthogonalDecomposition().solve(-L.gradient(displacements));
+      forces.completeOrthogonalDecomposition().solve(-L.gradient(displacements));
   s.tension = multipliers[0];
   s.pressure = multipliers[1];
   return s;
@@ -51,8 +55,7 @@ NewtonResult solve_stationary(const model::Material& material, model::Model mode
     }
     ++result.iterations;
     result.determinant_sign = system.determinant_sign();
-    const double change =
-      std::max(step.d.cwiseAbs().maxCoeff(), step.beta.cwiseAbs().maxCoeff());
+    const double change = std::max(step.d.cwiseAbs().maxCoeff(), step.beta.cwiseAbs().maxCoeff());
     system.apply(step, std::min(1., options.longest_step / change), s);
     if (change < options.tolerance) {
       result.status = NewtonStatus::converged;

@@ -6,6 +6,7 @@
 #include "model/numerics/contraction.h"
 
 #include <ceres/jet.h>
+
 #include <cmath>
 
 namespace sbeh::axisym {
@@ -38,10 +39,17 @@ std::array<int, element_unknowns> unknowns_of(int e) {
 // The rows of B, in the order of CoupledData: V_r V_z V_r' V_z' p H H' Y_r Y_z Y_r' Y_z'.
 std::array<model::DataRow<4>, coupled_data_size> data_rows(const ShapeValues& s) {
   const double *v = s.phi.data(), *d = s.dphi.data();
-  return {{{4 * V_r, v}, {4 * V_z, v}, {4 * V_r, d}, {4 * V_z, d},
+  return {{{4 * V_r, v},
+           {4 * V_z, v},
+           {4 * V_r, d},
+           {4 * V_z, d},
            {first_pressure, s.phi2.data()},
-           {4 * H_, v}, {4 * H_, d},
-           {4 * Y_r, v}, {4 * Y_z, v}, {4 * Y_r, d}, {4 * Y_z, d}}};
+           {4 * H_, v},
+           {4 * H_, d},
+           {4 * Y_r, v},
+           {4 * Y_z, v},
+           {4 * Y_r, d},
+           {4 * Y_z, d}}};
 }
 
 template <class Array, class T>
@@ -71,9 +79,7 @@ CoupledData<Jet> independent_data() {
 
 struct TimeStepper::Workspace {
   explicit Workspace(int count)
-      : elements(count),
-        coupled(stride * count + 6, half_width),
-        order(3 * count + 1, 3) {}
+      : elements(count), coupled(stride * count + 6, half_width), order(3 * count + 1, 3) {}
   int elements;
   model::BandMatrix coupled, order;
 
@@ -114,7 +120,8 @@ bool TimeStepper::Workspace::solve_coupled(const model::Material& m, const State
       const auto rows = data_rows(s);
       const double dS = point.geometry.dS;
       model::add_matrix(
-        rows, [&g](Eigen::Index i, Eigen::Index j) { return g[std::size_t(i)].v[j]; }, dS, matrix);
+          rows, [&g](Eigen::Index i, Eigen::Index j) { return g[std::size_t(i)].v[j]; }, dS,
+          matrix);
       Eigen::Matrix<double, int(coupled_data_size), 1> constant;
       for (std::size_t i = 0; i < coupled_data_size; ++i) constant[Eigen::Index(i)] = -g[i].a;
       model::add_vector(rows, constant, dS, vector);
@@ -127,16 +134,17 @@ bool TimeStepper::Workspace::solve_coupled(const model::Material& m, const State
     for (int i = 0; i < element_unknowns; ++i) rhs[index[i]] += vector[i];
   }
   const int last = int(X.cols()) - 1;
-  for (const int pinned : {unknown(0, V_r), unknown(last, V_r), unknown(0, Y_r), unknown(last, Y_r)}) {
+  for (const int pinned :
+       {unknown(0, V_r), unknown(last, V_r), unknown(0, Y_r), unknown(last, Y_r)}) {
     coupled.set_identity_row(pinned);  // on the axis
     rhs[pinned] = normal_flux[pinned] = 0;
   }
   if (!coupled.factor()) return false;
   const Eigen::Index borders = sphere ? 0 : 1;
   const Eigen::VectorXd volume_rate = Eigen::VectorXd::Constant(borders, (target.volume - V) / tau);
-  const auto solution = model::solve_bordered(
-    coupled, normal_flux.leftCols(borders), normal_flux.leftCols(borders),
-    Eigen::MatrixXd::Zero(borders, borders), rhs, volume_rate);
+  const auto solution =
+      model::solve_bordered(coupled, normal_flux.leftCols(borders), normal_flux.leftCols(borders),
+                            Eigen::MatrixXd::Zero(borders, borders), rhs, volume_rate);
   if (solution.x.size() == 0 || !solution.x.allFinite()) return false;
 
   out.V.resize(2, X.cols());
@@ -153,9 +161,8 @@ bool TimeStepper::Workspace::solve_coupled(const model::Material& m, const State
   return true;
 }
 
-bool TimeStepper::Workspace::solve_order(const model::Material& m, const State& old,
-                                         const Field& H, const StepFields& fields, double tau,
-                                         Field& beta) {
+bool TimeStepper::Workspace::solve_order(const model::Material& m, const State& old, const Field& H,
+                                         const StepFields& fields, double tau, Field& beta) {
   order.set_zero();
   beta = Field::Zero(old.beta.size());
   const Nodes relative = fields.V - fields.Y / tau;
@@ -163,15 +170,16 @@ bool TimeStepper::Workspace::solve_order(const model::Material& m, const State& 
     double slip = 0;
     for (int a = 0; a < 4; ++a) slip += s.phi[a] * relative.col(3 * e + a).dot(p.t);
     const OrderData d = order_step_point(
-      m, {.geometry = p, .beta_old = value_at(old.beta, e, s), .H = value_at(H, e, s), .slip = slip},
-      tau);
+        m,
+        {.geometry = p, .beta_old = value_at(old.beta, e, s), .H = value_at(H, e, s), .slip = slip},
+        tau);
     for (int a = 0; a < 4; ++a) {
       beta[3 * e + a] += p.dS * d.rhs * s.phi[a];
       for (int b = 0; b < 4; ++b)
-        order(3 * e + a, 3 * e + b) += p.dS
-                                     * (d.matrix[0][0] * s.phi[a] * s.phi[b]
-                                        + d.matrix[0][1] * s.phi[a] * s.dphi[b]
-                                        + d.matrix[1][1] * s.dphi[a] * s.dphi[b]);
+        order(3 * e + a, 3 * e + b) +=
+            p.dS
+            * (d.matrix[0][0] * s.phi[a] * s.phi[b] + d.matrix[0][1] * s.phi[a] * s.dphi[b]
+               + d.matrix[1][1] * s.dphi[a] * s.dphi[b]);
     }
   });
   if (!order.factor()) return false;
@@ -195,7 +203,7 @@ Dissipation dissipation_of(const model::Material& m, const State& old, const Ste
     }
     const double beta = value_at(old.beta, e, s);
     const double beta_dot =
-      value_at(rate, e, s) + slip.dot(p.t) * slope_at(beta_new, e, s) / p.stretch;
+        value_at(rate, e, s) + slip.dot(p.t) * slope_at(beta_new, e, s) / p.stretch;
     const double V_t = V.dot(p.t), V_n = V.dot(p.nu);
     d.friction += p.dS * (m.friction_tangential * V_t * V_t + m.friction_normal * V_n * V_n);
     d.order += p.dS * m.order_drag() * beta_dot * beta_dot;

@@ -32,8 +32,8 @@ struct OldPoint {
 
 /// Choices of the step which every point sees.
 struct StepParameters {
-  double tau;              ///< time step
-  double area_rate;        ///< (A₀ − A)/(τA), the drift correction of (P1)
+  double tau;        ///< time step
+  double area_rate;  ///< (A₀ − A)/(τA), the drift correction of (P1)
 };
 
 /// ∇_C W in the frame (t, e_φ, ν) of a field W with values W and derivative dW.
@@ -49,8 +49,8 @@ model::Gradient<T> surface_gradient(const CurvePoint& x, const Eigen::Matrix<T, 
 
 /// Adds (S, ∇_C W) to the factors of W and dW: the transpose of surface_gradient.
 template <class T>
-void test_with_gradient(const CurvePoint& x, const model::Gradient<T>& S,
-                        Eigen::Matrix<T, 2, 1>& W, Eigen::Matrix<T, 2, 1>& dW) {
+void test_with_gradient(const CurvePoint& x, const model::Gradient<T>& S, Eigen::Matrix<T, 2, 1>& W,
+                        Eigen::Matrix<T, 2, 1>& dW) {
   for (int k = 0; k < 2; ++k) dW[k] += (S(0, 0) * x.t[k] + S(2, 0) * x.nu[k]) / x.stretch;
   W[0] += S(1, 1) / x.x[0];
 }
@@ -74,19 +74,19 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
 
   const model::Gradient<T> grad_V = surface_gradient(x, u.V, u.dV);
   const model::ElasticPoint<double, T> elastic{
-    .beta = old.beta,
-    .grad_beta = {old.beta_s, 0},
-    .B = shape_operator(old.H, x.B_phi),
-    .H = u.H,
-    .grad_H = {u.dH / x.stretch, T(0)},
+      .beta = old.beta,
+      .grad_beta = {old.beta_s, 0},
+      .B = shape_operator(old.H, x.B_phi),
+      .H = u.H,
+      .grad_H = {u.dH / x.stretch, T(0)},
   };
 
-  model::Gradient<T> stress = -model::elastic_stress(m, elastic);          // (V5) … (V10)
+  model::Gradient<T> stress = -model::elastic_stress(m, elastic);  // (V5) … (V10)
   stress.template topRows<2>() += model::rate_of_strain(grad_V) * T(m.eta(old.beta));  // (V1)
-  stress(0, 0) -= u.p;                                                     // (V3)
+  stress(0, 0) -= u.p;                                                                 // (V3)
   stress(1, 1) -= u.p;
 
-  const T V_t = dot(u.V, x.t) * m.friction_tangential;                     // (V2)
+  const T V_t = dot(u.V, x.t) * m.friction_tangential;  // (V2)
   const T V_n = dot(u.V, x.nu);
   const T friction_n = V_n * m.friction_normal;
 
@@ -97,11 +97,11 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
   }
   test_with_gradient(x, stress, g.V, g.dV);
 
-  g.p = model::divergence(grad_V) - step.area_rate;                        // (P1)
-  g.H = dot(u.Y, x.nu) - step.tau * V_n;                                   // (Y1)
+  g.p = model::divergence(grad_V) - step.area_rate;  // (P1)
+  g.H = dot(u.Y, x.nu) - step.tau * V_n;             // (Y1)
   g.dH = T(0);
 
-  for (int k = 0; k < 2; ++k) {                                            // (H1)
+  for (int k = 0; k < 2; ++k) {  // (H1)
     g.Y[k] = u.H * x.nu[k];
     g.dY[k] = (u.dY[k] + x.dx[k]) / (x.stretch * x.stretch);
   }

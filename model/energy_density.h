@@ -21,10 +21,10 @@ EnergyDensity<T> energy_density(const Material& material, const T& beta, const T
                                 const T& H, const T& K) {
   const T excess = H - material.spontaneous_curvature;
   return {
-    .distortion = 0.5 * material.l1() * grad_beta_squared,
-    .bending = 0.5 * material.kappa(beta) * excess * excess,
-    .gaussian = material.kappa_gauss(beta) * K,
-    .thermotropic = material.potential.value(beta),
+      .distortion = 0.5 * material.l1() * grad_beta_squared,
+      .bending = 0.5 * material.kappa(beta) * excess * excess,
+      .gaussian = material.kappa_gauss(beta) * K,
+      .thermotropic = material.potential.value(beta),
   };
 }
 

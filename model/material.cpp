@@ -1,7 +1,8 @@
 #include "model/material.h"
 
-#include <cmath>
 #include <fmt/format.h>
+
+#include <cmath>
 #include <stdexcept>
 
 namespace sbeh::model {

@@ -21,9 +21,9 @@ struct Material {
   double L1 = 0.05;  ///< elastic constants of the Q-tensor; one-constant approximation: L1 = L,
   double L2 = 0;     ///< L2 = L3 = 0
   double L3 = 0;
-  Potential potential;       ///< u(β)
-  double viscosity = 1;      ///< μ >= 0, of the surface flow
-  double immobility = 1;     ///< M > 0, resistance of the order to change
+  Potential potential;               ///< u(β)
+  double viscosity = 1;              ///< μ >= 0, of the surface flow
+  double immobility = 1;             ///< M > 0, resistance of the order to change
   double friction_tangential = 0.1;  ///< γ_∥ >= 0, against the surroundings
   double friction_normal = 0.1;      ///< γ_⊥ >= 0
   double order_viscosity = 0;        ///< ξ, how the order changes the viscosity

@@ -3,6 +3,7 @@
 #include "model/terms.h"
 
 #include <boost/math/tools/roots.hpp>
+
 #include <cstdint>
 
 namespace sbeh::model {
@@ -15,7 +16,7 @@ std::optional<double> sphere_rest_order(const Material& material) {
     if (!(force(high) >= 0 && force(low) < 0)) continue;
     std::uintmax_t iterations = 100;
     const auto bracket = boost::math::tools::toms748_solve(
-      force, low, high, boost::math::tools::eps_tolerance<double>(52), iterations);
+        force, low, high, boost::math::tools::eps_tolerance<double>(52), iterations);
     return (bracket.first + bracket.second) / 2;
   }
   return {};

@@ -11,6 +11,7 @@
 #include "model/material.h"
 
 #include <Eigen/Core>
+
 #include <array>
 
 namespace sbeh::model {
@@ -96,12 +97,12 @@ Gradient<T> gaussian_shape_stress(const Material& m, const ElasticPoint<S, T>& x
 /// The right-hand side of the momentum equation: the sum of (V5) … (V10).
 template <class S, class T>
 Gradient<T> elastic_stress(const Material& m, const ElasticPoint<S, T>& x) {
-  return distortion_stress(m, x)             // (V5)
-       + bending_stress(m, x)                // (V6)
-       + curvature_gradient_stress(m, x)     // (V7)
-       + stiffness_gradient_stress(m, x)     // (V8)
-       + gaussian_trace_stress(m, x)         // (V9)
-       + gaussian_shape_stress(m, x);        // (V10)
+  return distortion_stress(m, x)          // (V5)
+       + bending_stress(m, x)             // (V6)
+       + curvature_gradient_stress(m, x)  // (V7)
+       + stiffness_gradient_stress(m, x)  // (V8)
+       + gaussian_trace_stress(m, x)      // (V9)
+       + gaussian_shape_stress(m, x);     // (V10)
 }
 
 /// σ(V) = P∇_C V + (P∇_C V)ᵀ, tangential on both sides; 2 x 2. (V1) is η(β) σ(V).

@@ -37,7 +37,7 @@ std::vector<FoldRow> fold_of(const ScanInput& input, const std::string& branch, 
     const auto fold = fold_above(input, {{v, *L}, *last->state});
     if (!fold) return {};
     const axisym::Diagnostics d =
-      axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state);
+        axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state);
     return {{branch, v, fold->at.L, d.energy.total(), d.order_min, d.H_abs_max}};
   }
   return {};
@@ -58,8 +58,7 @@ std::optional<EqualEnergyRow> meet(const ScanInput& input, Model model, double L
   for (int iteration = 0; iteration < 10; ++iteration) {
     std::array<double, 2> energy{};
     for (std::size_t k = 0; k < 2; ++k)
-      energy[k] =
-        axisym::diagnose(input.material.with_L(L), at[k]->solution.state).energy.total();
+      energy[k] = axisym::diagnose(input.material.with_L(L), at[k]->solution.state).energy.total();
     const double slope = (at[0]->solution.pressure - at[1]->solution.pressure)
                        * (axisym::target_of(1).volume - axisym::target_of(0).volume);
     const double step = (energy[0] - energy[1]) / slope;
@@ -88,8 +87,7 @@ std::vector<EqualEnergyRow> meetings_at(const ScanInput& input, Model model, dou
           gap_before = 0;
           continue;
         }
-        const double gap =
-          a->row.diagnostics->energy.total() - b->row.diagnostics->energy.total();
+        const double gap = a->row.diagnostics->energy.total() - b->row.diagnostics->energy.total();
         if (gap * gap_before < 0)
           if (const auto row = meet(input, model, L, *a, *b, v_before, v)) rows.push_back(*row);
         gap_before = gap;
@@ -111,7 +109,7 @@ std::vector<FoldRow> find_folds(const ScanInput& input, const PointLookup& point
 
 std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const PointLookup& point) {
   const bool ordered =
-    std::find(input.models.begin(), input.models.end(), Model::SBEH) != input.models.end();
+      std::find(input.models.begin(), input.models.end(), Model::SBEH) != input.models.end();
   return collect<EqualEnergyRow>(input.L.size(), [&](std::size_t k) {
     return meetings_at(input, ordered ? Model::SBEH : Model::SSH, input.L[k], point);
   });

@@ -34,9 +34,11 @@ class Clock {
 
 // What a state is, apart from the branch that led to it.
 PointOutcome stationary(const model::Material& material, const PointKey& key, const State& state) {
-  PointOutcome point{{.key = key, .status = PointStatus::stationary,
+  PointOutcome point{{.key = key,
+                      .status = PointStatus::stationary,
                       .diagnostics = axisym::diagnose(material, state),
-                      .stop_reason = "stationary"}, state};
+                      .stop_reason = "stationary"},
+                     state};
   PointResult& row = point.row;
   const axisym::Diagnostics& d = *row.diagnostics;
   const axisym::ShapeClass shape = axisym::classify(state.X);
@@ -44,9 +46,9 @@ PointOutcome stationary(const model::Material& material, const PointKey& key, co
   row.self_contact = axisym::crosses_itself(state.X);
   if (d.resolution > axisym::resolution_limit) {
     row.status = PointStatus::unresolved;
-    row.stop_reason = fmt::format(
-      "|H| times node spacing is {:.2f} at the rim, more than {}: use more elements",
-      d.resolution, axisym::resolution_limit);
+    row.stop_reason =
+        fmt::format("|H| times node spacing is {:.2f} at the rim, more than {}: use more elements",
+                    d.resolution, axisym::resolution_limit);
   } else if (row.self_contact) {
     row.status = PointStatus::unresolved;
     row.stop_reason = "the surface passes through itself: contact is not in the model";
@@ -62,21 +64,24 @@ PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
   const PlanePoint at = result.state.at;
   const model::Material material = input.material.with_L(at.L);
   if (result.arrival == axisym::Arrival::lost)
-    return failed_point(key, fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}",
-                                   at.reduced_volume, at.L));
+    return failed_point(key,
+                        fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}",
+                                    at.reduced_volume, at.L));
   PointOutcome point = stationary(material, key, result.state.solution.state);
   point.row.residual = axisym::residual_of(material, key.model, result.state.solution);
   point.row.steps = result.state.iterations;
   point.row.negative_directions =
-    axisym::negative_directions(material, key.model, result.state.solution);
+      axisym::negative_directions(material, key.model, result.state.solution);
   point.row.fold_side = "before";
   if (result.arrival == axisym::Arrival::fold) {
     point.row.status = PointStatus::unresolved;
     point.row.fold_side = "at";
     point.row.stop_reason = fmt::format(
-      "the smooth {} branch ends in a fold at V_r = {:.6g}, L = {:.6g}{}; the values are those at "
-      "the fold", key.branch, at.reduced_volume, at.L,
-      key.model == Model::SBEH ? "; beyond it the rim sharpens without limit" : "");
+        "the smooth {} branch ends in a fold at V_r = {:.6g}, L = {:.6g}{}; the values are those "
+        "at "
+        "the fold",
+        key.branch, at.reduced_volume, at.L,
+        key.model == Model::SBEH ? "; beyond it the rim sharpens without limit" : "");
   }
   return point;
 }
@@ -84,8 +89,11 @@ PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
 }  // namespace
 
 PointOutcome failed_point(const PointKey& key, std::string reason) {
-  return {{.key = key, .status = PointStatus::failed, .diagnostics = {},
-           .stop_reason = std::move(reason)}, {}};
+  return {{.key = key,
+           .status = PointStatus::failed,
+           .diagnostics = {},
+           .stop_reason = std::move(reason)},
+          {}};
 }
 
 std::optional<BranchState> settled(const model::Material& material, Model model,
@@ -93,7 +101,10 @@ std::optional<BranchState> settled(const model::Material& material, Model model,
   const auto r = axisym::solve_stationary(material, model, axisym::target_of(at.at.reduced_volume),
                                           axisym::guess_from(material, at.state));
   if (r.status != axisym::NewtonStatus::converged) return {};
-  return BranchState{.at = at.at, .solution = r.solution, .determinant_sign = r.determinant_sign, .iterations = r.iterations};
+  return BranchState{.at = at.at,
+                     .solution = r.solution,
+                     .determinant_sign = r.determinant_sign,
+                     .iterations = r.iterations};
 }
 
 axisym::Branch branch_of(const std::string& name) {
@@ -103,7 +114,7 @@ axisym::Branch branch_of(const std::string& name) {
 
 std::optional<Neighbour> enter_branch(const ScanInput& input, const std::string& branch, double L) {
   const auto entry =
-    axisym::enter_branch(branch_of(branch), input.material.with_L(L), input.numerics);
+      axisym::enter_branch(branch_of(branch), input.material.with_L(L), input.numerics);
   if (!entry) return {};
   return Neighbour{entry->state.at, entry->state.solution.state};
 }
@@ -121,9 +132,9 @@ PointOutcome follow_to(const ScanInput& input, const PointKey& key, const Neighb
   const Clock clock;
   const auto start = settled(input.material.with_L(from.at.L), key.model, from);
   if (!start) return failed_point(key, "Newton's method failed at the neighbouring point");
-  PointOutcome point =
-    outcome_of(input, key, axisym::follow(input.material, key.model, *start,
-                                          {key.reduced_volume, key.L}, input.numerics));
+  PointOutcome point = outcome_of(input, key,
+                                  axisym::follow(input.material, key.model, *start,
+                                                 {key.reduced_volume, key.L}, input.numerics));
   point.row.steps += start->iterations;
   point.row.wall_seconds = clock.seconds();
   return point;
@@ -143,16 +154,18 @@ PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neigh
   const Clock clock;
   // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly.
   for (double L = std::min(key.L, 0.01); L > 1e-5; L /= 2) {
-    const auto first = settled(input.material.with_L(L), key.model, {{key.reduced_volume, L}, ssh.state});
+    const auto first =
+        settled(input.material.with_L(L), key.model, {{key.reduced_volume, L}, ssh.state});
     if (!first) continue;
-    PointOutcome point =
-      outcome_of(input, key, axisym::follow(input.material, key.model, *first,
-                                            {key.reduced_volume, key.L}, input.numerics));
+    PointOutcome point = outcome_of(input, key,
+                                    axisym::follow(input.material, key.model, *first,
+                                                   {key.reduced_volume, key.L}, input.numerics));
     point.row.steps += first->iterations;
     point.row.wall_seconds = clock.seconds();
     return point;
   }
-  return failed_point(key, "Newton's method found no ordered state near the SSH shape, even at small L");
+  return failed_point(key,
+                      "Newton's method found no ordered state near the SSH shape, even at small L");
 }
 
 PointOutcome beyond_fold(const PointKey& key, const PointOutcome& fold) {
@@ -167,14 +180,17 @@ PointOutcome sphere_point(const ScanInput& input, const PointKey& key) {
   const Clock clock;
   const model::Material material = input.material.with_L(key.L);
   const std::optional<double> order =
-    key.model == Model::SSH ? model::full_order : model::sphere_rest_order(material);
+      key.model == Model::SSH ? model::full_order : model::sphere_rest_order(material);
   if (!order) return failed_point(key, "no ordered state at rest on the sphere at this L");
   const int elements = input.numerics.elements;
   const State state{axisym::spheroid(1., 1., elements, 0),
                     axisym::Field::Constant(3 * elements + 1, *order)};
-  PointOutcome point{{.key = key, .status = PointStatus::stationary,
+  PointOutcome point{{.key = key,
+                      .status = PointStatus::stationary,
                       .diagnostics = axisym::diagnose(material, state),
-                      .shape = "sphere", .stop_reason = "the sphere"}, state};
+                      .shape = "sphere",
+                      .stop_reason = "the sphere"},
+                     state};
   point.row.wall_seconds = clock.seconds();
   return point;
 }
@@ -184,15 +200,16 @@ std::optional<PointOutcome> flow_to_rest(const ScanInput& input, const PointKey&
   const Clock clock;
   const model::Material material = input.material.with_L(key.L);
   const axisym::Numerics& n = input.numerics;
-  const State start{axisym::spheroid(key.reduced_volume, key.branch == "prolate", n.elements, n.grading),
-                    axisym::Field::Constant(3 * n.elements + 1, model::full_order)};
+  const State start{
+      axisym::spheroid(key.reduced_volume, key.branch == "prolate", n.elements, n.grading),
+      axisym::Field::Constant(3 * n.elements + 1, model::full_order)};
   const axisym::FlowSchedule schedule{.end_time = input.flow_end_time, .output_times = {}};
-  const axisym::FlowResult run = axisym::run_flow(
-    material, key.model, start, axisym::target_of(key.reduced_volume), n, schedule,
-    [&](const axisym::FlowRecord& record, const State& state, bool) {
-      history.push_back({record, axisym::diagnose(material, state)});
-      return interrupt_signal() == 0;
-    });
+  const axisym::FlowResult run =
+      axisym::run_flow(material, key.model, start, axisym::target_of(key.reduced_volume), n,
+                       schedule, [&](const axisym::FlowRecord& record, const State& state, bool) {
+                         history.push_back({record, axisym::diagnose(material, state)});
+                         return interrupt_signal() == 0;
+                       });
   if (run.stop == axisym::FlowStop::interrupted) return {};
 
   const Neighbour end{{key.reduced_volume, key.L}, run.state};
@@ -206,7 +223,8 @@ std::optional<PointOutcome> flow_to_rest(const ScanInput& input, const PointKey&
   } else {
     point.row.status = run.stop == axisym::FlowStop::step_too_small ? PointStatus::failed
                                                                     : PointStatus::unresolved;
-    point.row.stop_reason = fmt::format("{} at t = {:.4g}", axisym::describe(run.stop), run.last.time);
+    point.row.stop_reason =
+        fmt::format("{} at t = {:.4g}", axisym::describe(run.stop), run.last.time);
   }
   point.row.steps = run.steps;
   point.row.wall_seconds = clock.seconds();

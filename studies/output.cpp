@@ -1,13 +1,13 @@
 #include "studies/output.h"
 
+#include <fcntl.h>
 #include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
 
 #include <cerrno>
 #include <cstring>
-#include <fcntl.h>
 #include <iterator>
-#include <sys/file.h>
-#include <unistd.h>
 
 namespace sbeh::studies {
 
@@ -67,8 +67,8 @@ OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
   if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
     ::close(lock_);
     throw OutputError(fmt::format(
-      "{}: another run is writing there; wait for it or choose another folder with -o",
-      path_.string()));
+        "{}: another run is writing there; wait for it or choose another folder with -o",
+        path_.string()));
   }
 }
 

@@ -33,14 +33,15 @@ void write_profile(const std::filesystem::path& path, const axisym::State& state
   fmt::memory_buffer text;
   fmt::format_to(std::back_inserter(text), "{}\n", header);
   for (Eigen::Index i = 0; i < state.beta.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", s[i], state.X(0, i),
-                   state.X(1, i), state.beta[i], H.size() ? H[i] : 0);
+    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", s[i], state.X(0, i), state.X(1, i),
+                   state.beta[i], H.size() ? H[i] : 0);
   write_file(path, {text.data(), text.size()});
 }
 
 axisym::State read_profile(const std::filesystem::path& path) {
   const auto fail = [&](std::string_view what) {
-    throw OutputError(fmt::format("{}: {}: delete it to have it computed again", path.string(), what));
+    throw OutputError(
+        fmt::format("{}: {}: delete it to have it computed again", path.string(), what));
   };
   std::istringstream text(read_file(path));
   std::string line;

@@ -1,10 +1,10 @@
 #include "studies/progress.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <cstdio>
 #include <string>
-#include <unistd.h>
 
 namespace sbeh::studies {
 
@@ -17,8 +17,13 @@ void tell(std::string_view text) {
 }
 
 Progress::Progress(std::string_view unit, int total, int done)
-    : unit_(unit), total_(total), done_(done), before_(done), terminal_(isatty(STDERR_FILENO) != 0),
-      start_(steady_clock::now()), shown_(start_ - std::chrono::hours(1)) {
+    : unit_(unit),
+      total_(total),
+      done_(done),
+      before_(done),
+      terminal_(isatty(STDERR_FILENO) != 0),
+      start_(steady_clock::now()),
+      shown_(start_ - std::chrono::hours(1)) {
   if (done > 0) say(fmt::format("{} of {} {} are there from before", done, total, unit));
 }
 
@@ -26,9 +31,10 @@ void Progress::advance() {
   ++done_;
   const auto now = steady_clock::now();
   const int tenths = 10 * done_ / total_;
-  const bool due = terminal_ ? now - shown_ > std::chrono::milliseconds(100) || done_ == total_
-                             : done_ == total_
-                                 || (tenths > shown_tenths_ && now - shown_ > std::chrono::seconds(1));
+  const bool due =
+      terminal_
+          ? now - shown_ > std::chrono::milliseconds(100) || done_ == total_
+          : done_ == total_ || (tenths > shown_tenths_ && now - shown_ > std::chrono::seconds(1));
   if (!due) return;
   shown_ = now;
   shown_tenths_ = tenths;

@@ -11,11 +11,11 @@
 #include "studies/series_file.h"
 
 #include <fmt/format.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <unistd.h>
 
 namespace sbeh::studies {
 
@@ -56,8 +56,9 @@ State make(const Harmonics& sphere, const RelaxInput& input) {
   if (input.model == model::Model::SBEH) {
     const auto rest = sphere.order ? sphere.order : model::sphere_rest_order(input.material);
     if (!rest)
-      throw std::invalid_argument("[start] order: no ordered state rests on the sphere with this "
-                                  "material; give the order");
+      throw std::invalid_argument(
+          "[start] order: no ordered state rests on the sphere with this "
+          "material; give the order");
     order = *rest;
   }
   const auto order_modes = modes_of(sphere.order_modes);
@@ -66,9 +67,9 @@ State make(const Harmonics& sphere, const RelaxInput& input) {
     const double theta = std::atan2(state.X(0, i), state.X(1, i));
     state.beta[i] = order + axisym::zonal_sum(order_modes, theta);
     if (!(std::abs(state.beta[i]) <= 1))
-      throw std::invalid_argument(
-        fmt::format("[start] order_modes: the order is {:.3g} at theta = {:.3g}: must be in -1 ... 1",
-                    state.beta[i], theta));
+      throw std::invalid_argument(fmt::format(
+          "[start] order_modes: the order is {:.3g} at theta = {:.3g}: must be in -1 ... 1",
+          state.beta[i], theta));
   }
   return state;
 }
@@ -76,7 +77,7 @@ State make(const Harmonics& sphere, const RelaxInput& input) {
 State make(const ScanRow& row, const RelaxInput& input) {
   const PointKey key{row.reduced_volume, row.L, row.model, row.branch};
   const std::filesystem::path file =
-    std::filesystem::path(row.folder) / "points" / (stem(key) + ".csv");
+      std::filesystem::path(row.folder) / "points" / (stem(key) + ".csv");
   if (!std::filesystem::exists(file))
     throw OutputError(fmt::format("{}: is not there; the rows of that scan stand in {}/scan.csv",
                                   file.string(), row.folder));
@@ -89,8 +90,11 @@ State make(const ScanRow& row, const RelaxInput& input) {
 class Recorder {
  public:
   Recorder(const RelaxInput& input, const RelaxStart& start, const OutputFolder& folder)
-      : input_(input), material_(start.material), folder_(folder),
-        series_(folder / "series.csv"), index_(folder / "profiles.csv"),
+      : input_(input),
+        material_(start.material),
+        folder_(folder),
+        series_(folder / "series.csv"),
+        index_(folder / "profiles.csv"),
         terminal_(isatty(STDERR_FILENO) != 0) {
     make_folder(folder / "profiles");
     series_.append(series_header());
@@ -101,8 +105,8 @@ class Recorder {
     if (exact && contains(input_.output_times, record.time)) write_row(record, state);
     if (exact && contains(input_.profile_times, record.time)) write_state(record, state);
     if (terminal_ && ++steps_ % 20 == 0)
-      tell(fmt::format("\r\033[Kt = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}",
-                       record.time, input_.end_time, record.time_step, record.energy.total()));
+      tell(fmt::format("\r\033[Kt = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}", record.time,
+                       input_.end_time, record.time_step, record.energy.total()));
     return interrupt_signal() == 0;
   }
 
@@ -144,7 +148,8 @@ class Recorder {
 
 RelaxStart start_of(const RelaxInput& input) {
   RelaxStart start{.state = std::visit([&](const auto& s) { return make(s, input); }, input.start),
-                   .target = {}, .material = input.material};
+                   .target = {},
+                   .material = input.material};
   start.target = {axisym::area(start.state.X), axisym::volume(start.state.X)};
   return start;
 }
@@ -155,23 +160,25 @@ RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& pat
   const OutputFolder folder(path);
   for (const char* result : {"run.toml", "series.csv", "scan.csv"})
     if (std::filesystem::exists(folder / result))
-      throw OutputError(fmt::format("{}: already holds a run (see its {}), which is not overwritten; "
-                                    "choose another folder with -o or move it away",
-                                    path.string(), result));
+      throw OutputError(
+          fmt::format("{}: already holds a run (see its {}), which is not overwritten; "
+                      "choose another folder with -o or move it away",
+                      path.string(), result));
   write_file(folder / "run.toml", describe(input, version));
 
   Recorder recorder(input, start, folder);
-  axisym::FlowSchedule schedule{.end_time = input.end_time, .output_times = input.output_times,
+  axisym::FlowSchedule schedule{.end_time = input.end_time,
+                                .output_times = input.output_times,
                                 .stop_at_rest = input.stop_at_rest};
   schedule.output_times.insert(schedule.output_times.end(), input.profile_times.begin(),
                                input.profile_times.end());
   axisym::Numerics numerics = input.numerics;
   numerics.elements = axisym::element_count(start.state.X);
   const axisym::FlowResult run =
-    axisym::run_flow(start.material, input.model, start.state, start.target, numerics, schedule,
-                     [&](const auto& record, const State& state, bool exact) {
-                       return recorder(record, state, exact);
-                     });
+      axisym::run_flow(start.material, input.model, start.state, start.target, numerics, schedule,
+                       [&](const auto& record, const State& state, bool exact) {
+                         return recorder(record, state, exact);
+                       });
   recorder.finish(run);
   return {run, recorder.profiles()};
 }

@@ -15,7 +15,7 @@ namespace {
 
 constexpr Interval reduced_volumes{.low = 0, .high = 1, .low_open = true};
 constexpr Interval orders = between(0, 1);
-constexpr int largest_degree = 32;      // of harmonics
+constexpr int largest_degree = 32;       // of harmonics
 constexpr double largest_aspect = 1000;  // of ellipsoids
 
 // ---- [start] ------------------------------------------------------------------------------------
@@ -72,7 +72,8 @@ Ellipsoid read_ellipsoid(const TomlTable& start) {
     const std::vector<double> axes = start.numbers("axes", above(0));
     if (axes.size() != 2) start.fail("axes", "must be two numbers, equatorial and polar semi-axis");
     if (std::max(axes[0], axes[1]) / largest_aspect > std::min(axes[0], axes[1]))
-      start.fail("axes", fmt::format("must not differ by more than a factor of {}", largest_aspect));
+      start.fail("axes",
+                 fmt::format("must not differ by more than a factor of {}", largest_aspect));
     ellipsoid.axes = {axes[0], axes[1]};
   } else {
     ellipsoid.reduced_volume = start.number("reduced_volume", reduced_volumes);

@@ -37,8 +37,7 @@ std::vector<PointKey> keys_of(const ScanInput& input) {
 class ScanFolder {
  public:
   ScanFolder(const ScanInput& input, const std::filesystem::path& path, std::string_view version)
-      : folder_(path), table_(prepare(input, version)),
-        progress_(progress_of(input)) {}
+      : folder_(path), table_(prepare(input, version)), progress_(progress_of(input)) {}
 
   bool has(const PointKey& key) { return row_of(key).has_value(); }
 
@@ -77,19 +76,24 @@ class ScanFolder {
     const std::filesystem::path run = folder_ / "run.toml";
     if (!std::filesystem::exists(run)) {
       if (std::filesystem::exists(folder_ / "scan.csv"))
-        throw OutputError(fmt::format("{}: holds a table without its run.toml; choose another "
-                                      "folder with -o", folder_.path().string()));
+        throw OutputError(
+            fmt::format("{}: holds a table without its run.toml; choose another "
+                        "folder with -o",
+                        folder_.path().string()));
       write_file(run, text);
     } else if (read_file(run) != text) {
-      throw OutputError(fmt::format("{}: holds a scan with other parameters (see its run.toml); "
-                                    "choose another folder with -o", folder_.path().string()));
+      throw OutputError(
+          fmt::format("{}: holds a scan with other parameters (see its run.toml); "
+                      "choose another folder with -o",
+                      folder_.path().string()));
     }
     make_folder(folder_ / "points");
     return folder_;
   }
   Progress progress_of(const ScanInput& input) {
     const std::vector<PointKey> keys = keys_of(input);
-    const auto there = std::count_if(keys.begin(), keys.end(), [&](const auto& k) { return has(k); });
+    const auto there =
+        std::count_if(keys.begin(), keys.end(), [&](const auto& k) { return has(k); });
     return Progress("points", int(keys.size()), int(there));
   }
   // None when its profile has gone: then the point counts as not computed.
@@ -206,7 +210,7 @@ void walk_chain(const ScanInput& input, ScanFolder& folder, const std::string& b
                   : failed_point(key, "Newton's method failed at the entry of the branch");
     };
     const std::optional<PointOutcome> ssh =
-      wants(input, Model::SSH) ? point(folder, key, compute) : compute();
+        wants(input, Model::SSH) ? point(folder, key, compute) : compute();
     if (!ssh) return;
     if (ssh->row.status != PointStatus::stationary) {
       give_up_column(input, folder, v, branch, ssh->row);
@@ -234,9 +238,8 @@ void scan_by_flow(const ScanInput& input, ScanFolder& folder) {
   tbb::parallel_for(std::size_t(0), keys.size(), [&](std::size_t k) {
     if (interrupt_signal() || folder.has(keys[k])) return;
     std::vector<SeriesRow> history;
-    const auto outcome = keys[k].reduced_volume == 1
-                         ? std::optional(sphere_point(input, keys[k]))
-                         : flow_to_rest(input, keys[k], history);
+    const auto outcome = keys[k].reduced_volume == 1 ? std::optional(sphere_point(input, keys[k]))
+                                                     : flow_to_rest(input, keys[k], history);
     if (!outcome) return;
     write_file(folder.series_path(keys[k]), series_text(history));
     folder.keep(*outcome);
@@ -276,8 +279,7 @@ ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& path,
   }
   summary.computed = folder.computed();
   summary.interrupted = interrupt_signal() != 0;
-  summary.seconds =
-    std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   return summary;
 }
 

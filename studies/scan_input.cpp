@@ -36,8 +36,10 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
   input.flow_end_time = table.number("end_time", above(0), input.flow_end_time);
   table.reject_unknown_keys();
   if (point_count(input) > most_points)
-    table.fail("L", fmt::format("must have fewer values: that makes {} points with the other lists, "
-                                "more than {}", point_count(input), most_points));
+    table.fail("L",
+               fmt::format("must have fewer values: that makes {} points with the other lists, "
+                           "more than {}",
+                           point_count(input), most_points));
 }
 
 }  // namespace

@@ -12,19 +12,34 @@ namespace sbeh::studies {
 namespace {
 
 constexpr const char* header =
-  "model,reduced_volume,L,branch,status,energy,energy_distortion,energy_bending,"
-  "energy_thermotropic,order_min,order_max,order_mean,order_std,order_variance,H_pole,H_rim,"
-  "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,stop_reason,"
-  "class,negative_directions,self_contact,fold_side";
+    "model,reduced_volume,L,branch,status,energy,energy_distortion,energy_bending,"
+    "energy_thermotropic,order_min,order_max,order_mean,order_std,order_variance,H_pole,H_rim,"
+    "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,stop_"
+    "reason,"
+    "class,negative_directions,self_contact,fold_side";
 constexpr std::size_t columns = 30;
 
 constexpr std::array<const char*, 3> status_words{"stationary", "unresolved", "failed"};
 
 // The measured columns between status and residual, in their order; the total energy comes first.
 std::array<double, 17> measures(const axisym::Diagnostics& d) {
-  return {d.energy.total(), d.energy.distortion, d.energy.bending, d.energy.thermotropic,
-          d.order_min, d.order_max, d.order_mean, d.order_std, d.order_variance, d.H_pole, d.H_rim,
-          d.H_abs_max, d.radius_equator, d.thickness_pole, d.W2, d.area, d.volume};
+  return {d.energy.total(),
+          d.energy.distortion,
+          d.energy.bending,
+          d.energy.thermotropic,
+          d.order_min,
+          d.order_max,
+          d.order_mean,
+          d.order_std,
+          d.order_variance,
+          d.H_pole,
+          d.H_rim,
+          d.H_abs_max,
+          d.radius_equator,
+          d.thickness_pole,
+          d.W2,
+          d.area,
+          d.volume};
 }
 axisym::Diagnostics diagnostics_of(const std::array<double, 17>& m) {
   axisym::Diagnostics d{};
@@ -47,8 +62,8 @@ axisym::Diagnostics diagnostics_of(const std::array<double, 17>& m) {
 
 std::string line_of(const PointResult& row) {
   std::string line =
-    fmt::format("{},{},{},{},{}", model::name(row.key.model), row.key.reduced_volume, row.key.L,
-                row.key.branch, status_words[std::size_t(row.status)]);
+      fmt::format("{},{},{},{},{}", model::name(row.key.model), row.key.reduced_volume, row.key.L,
+                  row.key.branch, status_words[std::size_t(row.status)]);
   std::array<double, 17> m;
   m.fill(std::nan(""));
   if (row.diagnostics) m = measures(*row.diagnostics);
@@ -89,7 +104,8 @@ std::optional<PointResult> row_of(const std::string& line) {
 }  // namespace
 
 std::string stem(const PointKey& key) {
-  return fmt::format("{}_{}_v{}_L{}", model::name(key.model), key.branch, key.reduced_volume, key.L);
+  return fmt::format("{}_{}_v{}_L{}", model::name(key.model), key.branch, key.reduced_volume,
+                     key.L);
 }
 
 ScanTable::ScanTable(const OutputFolder& folder) : path_(folder / "scan.csv") {
@@ -99,8 +115,10 @@ ScanTable::ScanTable(const OutputFolder& folder) : path_(folder / "scan.csv") {
     std::istringstream text(read_file(path_));
     std::string line;
     if (!std::getline(text, line) || line != header)
-      throw OutputError(fmt::format("{}: is no table of this version's scans; choose another folder "
-                                    "with -o or move the old one away", path_.string()));
+      throw OutputError(
+          fmt::format("{}: is no table of this version's scans; choose another folder "
+                      "with -o or move the old one away",
+                      path_.string()));
     for (int number = 2; std::getline(text, line); ++number) {
       const bool whole = !text.eof();  // its line end is there
       const auto row = row_of(line);
@@ -108,8 +126,8 @@ ScanTable::ScanTable(const OutputFolder& folder) : path_(folder / "scan.csv") {
         rows_.insert_or_assign(row->key, *row);
       } else if (whole) {
         throw OutputError(
-          fmt::format("{}:{}: is damaged; delete that line to have its point computed again",
-                      path_.string(), number));
+            fmt::format("{}:{}: is damaged; delete that line to have its point computed again",
+                        path_.string(), number));
       }
     }
     sort();

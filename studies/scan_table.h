@@ -36,13 +36,13 @@ struct PointResult {
   PointKey key;
   PointStatus status = PointStatus::failed;
   std::optional<axisym::Diagnostics> diagnostics;  ///< none: written as nan
-  double residual = 0;      ///< largest force and order residual per area
-  int steps = 0;            ///< Newton iterations, or time steps
+  double residual = 0;                             ///< largest force and order residual per area
+  int steps = 0;                                   ///< Newton iterations, or time steps
   double wall_seconds = 0;
-  std::string shape{};                     ///< class of the shape, see axisym/shape_class.h
+  std::string shape{};                       ///< class of the shape, see axisym/shape_class.h
   std::optional<int> negative_directions{};  ///< see axisym/stability.h
-  bool self_contact = false;               ///< the surface passes through itself
-  std::string fold_side{};                 ///< "before" the branch's fold, or "at" it
+  bool self_contact = false;                 ///< the surface passes through itself
+  std::string fold_side{};                   ///< "before" the branch's fold, or "at" it
   std::string stop_reason{};
 };
 

@@ -31,9 +31,12 @@ std::vector<double> volumes_of(Branch branch) {
     return volumes;
   };
   switch (branch) {
-    case Branch::oblate: return down(39, 21);
-    case Branch::prolate: return down(39, 16);
-    case Branch::stomatocyte: return down(26, 16);
+    case Branch::oblate:
+      return down(39, 21);
+    case Branch::prolate:
+      return down(39, 16);
+    case Branch::stomatocyte:
+      return down(26, 16);
   }
   return {};
 }
@@ -55,15 +58,15 @@ WitnessReport report(std::string name, Shapes&& shapes_of, Points&& points) {
 WitnessReport witness(int which, const axisym::Numerics& numerics) {
   if (which == 0)
     return report(
-      "elements", [&](Branch b, const auto& v) { return axisym::element_branch(b, v, numerics); },
-      [&] { return axisym::element_special_points(numerics); });
+        "elements", [&](Branch b, const auto& v) { return axisym::element_branch(b, v, numerics); },
+        [&] { return axisym::element_special_points(numerics); });
   if (which == 1)
     return report(
-      "shooting", [](Branch b, const auto& v) { return axisym::shoot_branch(b, v); },
-      [] { return axisym::shoot_special_points(); });
+        "shooting", [](Branch b, const auto& v) { return axisym::shoot_branch(b, v); },
+        [] { return axisym::shoot_special_points(); });
   return report(
-    "minimiser", [](Branch b, const auto& v) { return axisym::minimise_branch(b, v); },
-    [] { return axisym::minimise_special_points(); });
+      "minimiser", [](Branch b, const auto& v) { return axisym::minimise_branch(b, v); },
+      [] { return axisym::minimise_special_points(); });
 }
 
 Disagreement disagreement(const WitnessReport& a, const WitnessReport& b, Branch branch) {
@@ -82,22 +85,26 @@ Disagreement disagreement(const WitnessReport& a, const WitnessReport& b, Branch
 SpecialPoints agreed_points(const std::vector<WitnessReport>& witnesses) {
   SpecialPoints points{};
   for (const NamedPoint& point : special_point_names()) {
-    const auto& best = std::min_element(
-      witnesses.begin(), witnesses.end(), [&](const WitnessReport& a, const WitnessReport& b) {
-        return (a.points.*point.member).error < (b.points.*point.member).error;
-      })->points.*point.member;
+    const auto& best =
+        std::min_element(witnesses.begin(), witnesses.end(),
+                         [&](const WitnessReport& a, const WitnessReport& b) {
+                           return (a.points.*point.member).error < (b.points.*point.member).error;
+                         })
+            ->points
+        .*point.member;
     SpecialPoint agreed = best;
     for (const WitnessReport& w : witnesses)
       agreed.error = std::max(
-        agreed.error, std::abs((w.points.*point.member).reduced_volume - best.reduced_volume));
+          agreed.error, std::abs((w.points.*point.member).reduced_volume - best.reduced_volume));
     points.*point.member = agreed;
   }
   return points;
 }
 
 std::string branches_table(const std::vector<WitnessReport>& witnesses) {
-  std::string text = "witness,branch,reduced_volume,energy_reduced,H_pole,pressure,tension,"
-                     "negative_directions,self_contact\n";
+  std::string text =
+      "witness,branch,reduced_volume,energy_reduced,H_pole,pressure,tension,"
+      "negative_directions,self_contact\n";
   for (const WitnessReport& w : witnesses)
     for (const ClassicalShape& s : w.shapes)
       text += fmt::format("{},{},{},{},{},{},{},{},{:d}\n", w.witness, axisym::name(s.branch),
@@ -115,11 +122,11 @@ std::string points_row(const char* name, const SpecialPoint& p) {
 
 const std::vector<NamedPoint>& special_point_names() {
   static const std::vector<NamedPoint> names{
-    {"prolate_oblate", &SpecialPoints::prolate_oblate},
-    {"oblate_stomatocyte", &SpecialPoints::oblate_stomatocyte},
-    {"stomatocyte_fold", &SpecialPoints::stomatocyte_fold},
-    {"oblate_symmetry_loss", &SpecialPoints::oblate_symmetry_loss},
-    {"oblate_self_contact", &SpecialPoints::oblate_self_contact},
+      {"prolate_oblate", &SpecialPoints::prolate_oblate},
+      {"oblate_stomatocyte", &SpecialPoints::oblate_stomatocyte},
+      {"stomatocyte_fold", &SpecialPoints::stomatocyte_fold},
+      {"oblate_symmetry_loss", &SpecialPoints::oblate_symmetry_loss},
+      {"oblate_self_contact", &SpecialPoints::oblate_self_contact},
   };
   return names;
 }
@@ -127,21 +134,22 @@ const std::vector<NamedPoint>& special_point_names() {
 SeifertSummary run_seifert(const std::filesystem::path& path, int elements) {
   const OutputFolder folder(path);
   if (std::filesystem::exists(folder / "run.toml"))
-    throw OutputError(fmt::format("{}: holds another run; choose another folder with -o",
-                                  path.string()));
+    throw OutputError(
+        fmt::format("{}: holds another run; choose another folder with -o", path.string()));
   axisym::Numerics numerics;
   numerics.elements = elements;
   numerics.validate();
 
   SeifertSummary summary;
   summary.witnesses.resize(3);
-  tbb::parallel_for(0, 3, [&](int k) { summary.witnesses[std::size_t(k)] = witness(k, numerics); },
-                    tbb::simple_partitioner());
+  tbb::parallel_for(
+      0, 3, [&](int k) { summary.witnesses[std::size_t(k)] = witness(k, numerics); },
+      tbb::simple_partitioner());
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = i + 1; j < 3; ++j)
       for (const Branch branch : all_branches)
         summary.disagreements.push_back(
-          disagreement(summary.witnesses[i], summary.witnesses[j], branch));
+            disagreement(summary.witnesses[i], summary.witnesses[j], branch));
   summary.points = agreed_points(summary.witnesses);
 
   write_file(folder / "branches.csv", branches_table(summary.witnesses));

@@ -36,7 +36,7 @@ struct SeifertSummary {
 /// The five members of SpecialPoints with their names in tables.
 struct NamedPoint {
   const char* name;
-  axisym::SpecialPoint axisym::SpecialPoints::* member;
+  axisym::SpecialPoint axisym::SpecialPoints::*member;
 };
 const std::vector<NamedPoint>& special_point_names();
 

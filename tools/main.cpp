@@ -14,7 +14,9 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
+#include <sys/wait.h>
 #include <tbb/global_control.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -23,8 +25,6 @@
 #include <stdexcept>
 #include <string>
 #include <string_view>
-#include <sys/wait.h>
-#include <unistd.h>
 #include <vector>
 
 namespace {
@@ -70,9 +70,10 @@ void draw_results(const Arguments& a, const std::string& kind, const fs::path& f
   if (a.no_pictures) return;
   std::fflush(nullptr);
   if (draw({kind, folder.string()}) != 0)
-    complain(fmt::format("no pictures; the tables in {0} are complete. "
-                         "Try again with: sbeh picture {1} {0}",
-                         folder.string(), kind));
+    complain(
+        fmt::format("no pictures; the tables in {0} are complete. "
+                    "Try again with: sbeh picture {1} {0}",
+                    folder.string(), kind));
 }
 
 int exit_code_of_interrupt() { return 128 + studies::interrupt_signal(); }
@@ -99,14 +100,16 @@ int relax(const Arguments& a) {
   const fs::path folder = folder_of(a);
   const studies::RelaxSummary s = studies::run_relax(input, folder, SBEH_VERSION);
   const axisym::FlowRecord& last = s.run.last;
-  fmt::print("{} at t = {:.6g} after {} steps ({} rejected): energy {:.10g}\n"
-             "history in {}, {} profiles beside it\n",
-             axisym::describe(s.run.stop), last.time, s.run.steps, last.rejected,
-             last.energy.total(), (folder / "series.csv").string(), s.profiles);
+  fmt::print(
+      "{} at t = {:.6g} after {} steps ({} rejected): energy {:.10g}\n"
+      "history in {}, {} profiles beside it\n",
+      axisym::describe(s.run.stop), last.time, s.run.steps, last.rejected, last.energy.total(),
+      (folder / "series.csv").string(), s.profiles);
   if (s.run.stop == axisym::FlowStop::interrupted) {
-    complain(fmt::format("interrupted; what is in {} stays there, but an evolution is not resumed: "
-                         "to run it again from its start, choose another folder with -o",
-                         folder.string()));
+    complain(
+        fmt::format("interrupted; what is in {} stays there, but an evolution is not resumed: "
+                    "to run it again from its start, choose another folder with -o",
+                    folder.string()));
     return exit_code_of_interrupt();
   }
   draw_results(a, "relax", folder);
@@ -127,11 +130,12 @@ int check(const Arguments& a) {
   const studies::RelaxInput input = studies::read_relax(a.input);
   const studies::RelaxStart start = studies::start_of(input);
   const axisym::Diagnostics d = axisym::diagnose(start.material, start.state);
-  fmt::print("{}: an evolution of {} to t = {}, from reduced volume {:.6g}, energy {:.6g}; "
-             "{} lines of history, {} profiles\n\n{}",
-             a.input, model::name(input.model), input.end_time, d.reduced_volume,
-             d.energy.total(), input.output_times.size(), input.profile_times.size(),
-             studies::describe(input, SBEH_VERSION));
+  fmt::print(
+      "{}: an evolution of {} to t = {}, from reduced volume {:.6g}, energy {:.6g}; "
+      "{} lines of history, {} profiles\n\n{}",
+      a.input, model::name(input.model), input.end_time, d.reduced_volume, d.energy.total(),
+      input.output_times.size(), input.profile_times.size(),
+      studies::describe(input, SBEH_VERSION));
   return 0;
 }
 
@@ -161,7 +165,8 @@ int complain_of_command_line(const CLI::App& app, const CLI::ParseError& error) 
 }
 
 int run(int argc, char** argv) {
-  CLI::App app{"Shapes and dynamics of fluid lipid membranes with liquid-crystalline order.", "sbeh"};
+  CLI::App app{"Shapes and dynamics of fluid lipid membranes with liquid-crystalline order.",
+               "sbeh"};
   app.set_version_flag("--version", SBEH_VERSION);
   app.require_subcommand(1);
   Arguments a;
@@ -172,19 +177,20 @@ int run(int argc, char** argv) {
     command->add_option("-o,--output", a.folder, "folder for the results (results/NAME)");
     command->add_flag("--no-pictures", a.no_pictures, "tables only");
     command->add_option("--threads", a.threads, "at most so many (all cores)")
-      ->check(CLI::Range(1, 4096));
+        ->check(CLI::Range(1, 4096));
     return command;
   };
   const CLI::App* scan_command = add("scan", "stationary shapes over a (V_r, L) grid", true);
   const CLI::App* relax_command = add("relax", "one axisymmetric evolution", true);
-  const CLI::App* check_command = add("check", "say whether an input is right, and what it asks for", false);
+  const CLI::App* check_command =
+      add("check", "say whether an input is right, and what it asks for", false);
   CLI::App* seifert_command =
-    app.add_subcommand("seifert", "the classical diagram by three witnesses");
+      app.add_subcommand("seifert", "the classical diagram by three witnesses");
   seifert_command->add_option("-o,--output", a.folder, "folder for the results (results/seifert)");
   seifert_command->add_option("--elements", a.elements, "of the finite elements (96)")
-    ->check(CLI::Range(32, 4096));
+      ->check(CLI::Range(32, 4096));
   CLI::App* picture_command =
-    app.add_subcommand("picture", "draw the pictures of a folder again: picture scan|relax DIR");
+      app.add_subcommand("picture", "draw the pictures of a folder again: picture scan|relax DIR");
   picture_command->prefix_command();
   picture_command->set_help_flag();  // `sbeh picture --help` is the picture program's
   try {

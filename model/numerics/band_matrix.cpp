@@ -1,9 +1,10 @@
 #include "model/numerics/band_matrix.h"
 
 #include <Eigen/LU>
+#include <lapacke.h>
+
 #include <algorithm>
 #include <cassert>
-#include <lapacke.h>
 
 extern "C" void openblas_set_num_threads(int);
 

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <array>
 
 namespace sbeh::model {
@@ -39,7 +40,7 @@ void add_vector(const std::array<DataRow<Count>, Data>& B, const Coefficients& g
                 Vector& vector) {
   for (std::size_t i = 0; i < Data; ++i)
     vector.template segment<Count>(B[i].first) +=
-      weight * g[Eigen::Index(i)] * ShapeMap<Count>(B[i].shape);
+        weight * g[Eigen::Index(i)] * ShapeMap<Count>(B[i].shape);
 }
 
 }  // namespace sbeh::model

@@ -41,9 +41,7 @@ std::vector<std::array<int, 2>> triangle_lattice(int k) {
 
 IntervalElement::IntervalElement(int order) : order_(order) { require_order(order); }
 
-Eigen::VectorXd IntervalElement::nodes() const {
-  return Eigen::VectorXd::LinSpaced(size(), 0, 1);
-}
+Eigen::VectorXd IntervalElement::nodes() const { return Eigen::VectorXd::LinSpaced(size(), 0, 1); }
 
 Eigen::VectorXd IntervalElement::values(double x) const {
   Eigen::VectorXd phi(size());

@@ -13,9 +13,9 @@ class IntervalElement {
   int order() const { return order_; }
   int size() const { return order_ + 1; }
 
-  Eigen::VectorXd nodes() const;                   // size
-  Eigen::VectorXd values(double x) const;          // size: φ_i(x)
-  Eigen::VectorXd derivatives(double x) const;     // size: φ_i'(x)
+  Eigen::VectorXd nodes() const;                // size
+  Eigen::VectorXd values(double x) const;       // size: φ_i(x)
+  Eigen::VectorXd derivatives(double x) const;  // size: φ_i'(x)
 
  private:
   int order_;
@@ -31,9 +31,9 @@ class TriangleElement {
   int order() const { return order_; }
   int size() const { return (order_ + 1) * (order_ + 2) / 2; }
 
-  Eigen::Matrix2Xd nodes() const;                                    // 2 x size
-  Eigen::VectorXd values(const Eigen::Vector2d& x) const;            // size
-  Eigen::Matrix2Xd derivatives(const Eigen::Vector2d& x) const;      // 2 x size: ∂_1, ∂_2
+  Eigen::Matrix2Xd nodes() const;                                // 2 x size
+  Eigen::VectorXd values(const Eigen::Vector2d& x) const;        // size
+  Eigen::Matrix2Xd derivatives(const Eigen::Vector2d& x) const;  // 2 x size: ∂_1, ∂_2
 
  private:
   int order_;

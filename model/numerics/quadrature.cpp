@@ -1,6 +1,7 @@
 #include "model/numerics/quadrature.h"
 
 #include <boost/math/special_functions/legendre.hpp>
+
 #include <stdexcept>
 
 namespace sbeh::model {

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <Eigen/Core>
+
 #include <cmath>
 
 namespace sbeh::model {

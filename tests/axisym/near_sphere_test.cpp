@@ -21,7 +21,7 @@ namespace {
 
 using namespace test;
 
-constexpr int elements = 24, steps = 32;
+constexpr int elements = 32, steps = 32;
 constexpr double u2_start = 1, u3_start = 0.8, b2_start = 0.3, b3_start = -0.4;  // times ε
 using Amplitudes = std::array<double, 4>;                                        // u_2 u_3 b_2 b_3
 

@@ -36,10 +36,10 @@ BranchState oblate(Model model, PlanePoint at) {
   };
   const BranchState entry = solved(Model::SSH, {0.95, 0.01}, start);
   const FollowResult classical =
-    follow(material, Model::SSH, entry, {at.reduced_volume, 0.01}, numerics);
+      follow(material, Model::SSH, entry, {at.reduced_volume, 0.01}, numerics);
   return follow(material, model, solved(model, classical.state.at, classical.state.solution.state),
                 at, numerics)
-    .state;
+      .state;
 }
 
 void curvature(benchmark::State& run) {

@@ -1,0 +1,59 @@
+// `sbeh check FILE`: says what would run, and writes nothing.
+#include "tests/tools/workplace.h"
+
+namespace sbeh::tools::test {
+namespace {
+
+using Check = Workplace;
+
+// The input that `sbeh check` prints, below its first line.
+std::string resolved(const Ended& ended) { return ended.out.substr(ended.out.find("\n\n") + 2); }
+
+TEST_F(Check, of_a_scan_counts_its_points_and_prints_every_parameter) {
+  write("in.toml", "[scan]\nreduced_volume = [0.6, 0.7]\nL = [0.01, 0.02, 0.03]\n");
+  const Ended ended = sbeh({"check", "in.toml"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(ended.out.starts_with("in.toml: a scan of 12 points by newton")) << ended.out;
+  for (const char* key : {"\nmethod = ", "\npotential = ", "\nelements = ", "\nbranches = "})
+    EXPECT_NE(ended.out.find(key), std::string::npos) << key;
+  EXPECT_EQ(contents("").size(), 1u);
+}
+
+TEST_F(Check, of_an_evolution_tells_its_start_and_prints_every_parameter) {
+  write("in.toml",
+        "model = \"SSH\"\ntime.end = 3\n[start]\nshape = \"ellipsoid\"\nreduced_volume = 0.7\n");
+  const Ended ended = sbeh({"check", "in.toml"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(
+      ended.out.starts_with("in.toml: an evolution of SSH to t = 3, from reduced volume 0.7, "))
+      << ended.out;
+  for (const char* key : {"\nend = 3", "\noutput = ", "\nfriction_normal = ", "\nfirst_step = "})
+    EXPECT_NE(ended.out.find(key), std::string::npos) << key;
+  EXPECT_EQ(contents("").size(), 1u);
+}
+
+TEST_F(Check, prints_an_input_that_means_the_same) {
+  for (const std::string text :
+       {"[scan]\nreduced_volume = {from = 0.6, to = 0.9, count = 40}\nL = 0.1\nmethod = \"flow\"\n",
+        "model = \"SBEH\"\ntime.end = 3\n[start]\nshape = \"harmonics\"\nmodes = [[2, 0.1]]\n"}) {
+    write("in.toml", text);
+    const std::string once = resolved(sbeh({"check", "in.toml"}));
+    write("again.toml", once);
+    EXPECT_EQ(resolved(sbeh({"check", "again.toml"})), once);
+  }
+}
+
+TEST_F(Check, of_a_start_that_is_not_there_is_refused) {
+  write("in.toml",
+        "model = \"SBEH\"\ntime.end = 3\n[start]\nshape = \"scan\"\nfolder = \"nowhere\"\n"
+        "reduced_volume = 0.7\nL = 0.05\n");
+  must_refuse({"check", "in.toml"}, "nowhere/points/SBEH_oblate_v0.7_L0.05.csv: is not there");
+}
+
+TEST_F(Check, of_the_inputs_that_come_with_the_toolkit_finds_them_right) {
+  for (const auto& entry : std::filesystem::directory_iterator("studies"))
+    if (entry.path().extension() == ".toml") must({"check", absolute(entry.path()).string()});
+}
+
+}  // namespace
+}  // namespace sbeh::tools::test

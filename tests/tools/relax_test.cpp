@@ -1,0 +1,128 @@
+// One evolution: the columns and times of its history, its profiles, and where it starts from.
+#include "tests/tools/workplace.h"
+
+#include <cmath>
+
+namespace sbeh::tools::test {
+namespace {
+
+using Relax = Workplace;
+
+const std::string columns =
+    "time,time_step,energy,energy_distortion,energy_bending,energy_thermotropic,"
+    "dissipation_friction,dissipation_order,dissipation_viscous,energy_balance,area,volume,"
+    "reduced_volume,W2,order_min,order_mean,order_max,order_variance,order_std,H_abs_max,"
+    "speed_max,lambda,mesh_quality,rejected_steps";
+
+const std::string ellipsoid =
+    "model = \"SBEH\"\n[start]\nshape = \"ellipsoid\"\nreduced_volume = 0.8\n"
+    "[numerics]\nelements = 24\n";
+
+const std::string small_scan =
+    "[scan]\nreduced_volume = [0.8]\nL = [0.05]\n[numerics]\nelements = 64\n";
+std::string from_the_scan(const std::string& model, const std::string& L) {
+  return "model = \"" + model + "\"\n[time]\nend = 0.2\noutput = [0, 0.1, 0.2]\n"
+       + "stop_at_rest = false\n[start]\nshape = \"scan\"\nfolder = \"scan\"\nmodel = \"SBEH\"\n"
+       + "reduced_volume = 0.8\nL = " + L + "\n";
+}
+
+TEST_F(Relax, leaves_a_history_with_every_column_at_exactly_the_times_asked_for) {
+  write("in.toml", ellipsoid
+                       + "[time]\nend = 0.01\noutput = [0, 1e-7, 0.001, 0.0033, 0.01]\n"
+                         "profiles = [1e-5, 0.0017, 0.01]\n");
+  must(into("out", "relax"));
+  EXPECT_EQ(read("out/series.csv").substr(0, columns.size() + 1), columns + "\n");
+  const Table series = table("out/series.csv");
+  EXPECT_EQ(series.numbers("time"), (std::vector{0., 1e-7, 0.001, 0.0033, 0.01}));
+  const Table profiles = table("out/profiles.csv");
+  EXPECT_EQ(profiles.numbers("time"), (std::vector{1e-5, 0.0017, 0.01}));
+  for (std::size_t row = 0; row < profiles.rows.size(); ++row) {
+    const Table profile = table("out/" + profiles.text(row, "file"));
+    EXPECT_EQ(profile.columns,
+              (std::vector<std::string>{"arc_length", "r", "z", "order", "mean_curvature"}));
+    EXPECT_EQ(profile.rows.size(), 3u * 24 + 1);
+  }
+  EXPECT_EQ(series.numbers("time_step").front(), 0);
+  for (std::size_t row = 0; row < series.rows.size(); ++row) {
+    const auto at = [&](const char* column) { return series.number(row, column); };
+    EXPECT_NEAR(at("energy"),
+                at("energy_distortion") + at("energy_bending") + at("energy_thermotropic"),
+                1e-12 * std::abs(at("energy")));
+    EXPECT_NEAR(at("reduced_volume"), 0.8, 1e-10);
+    EXPECT_NEAR(at("order_variance"), std::pow(at("order_std"), 2), 1e-14);
+    if (row > 0) {
+      EXPECT_LT(at("energy"), series.number(row - 1, "energy"));
+    }
+  }
+}
+
+TEST_F(Relax, ends_its_history_with_the_last_state_even_if_nobody_asked_for_that_time) {
+  write("in.toml", ellipsoid + "[time]\nend = 0.001\noutput = [0.0005]\nprofiles = [0]\n");
+  must(into("out", "relax"));
+  EXPECT_EQ(table("out/series.csv").numbers("time"), (std::vector{0.0005, 0.001}));
+  EXPECT_EQ(table("out/profiles.csv").numbers("time"), (std::vector{0., 0.001}));
+}
+
+TEST_F(Relax, from_a_row_of_a_scan_stays_at_rest_with_that_rows_L) {
+  write("scan.toml", small_scan);
+  write("in.toml", from_the_scan("SBEH", "0.05"));
+  must(into("scan", "scan", "scan.toml"));
+  must(into("out", "relax"));
+  const Table scan = table("scan/scan.csv");
+  const double energy = scan.number(scan.find("SBEH", "0.8", "0.05"), "energy");
+  const Table series = table("out/series.csv");
+  EXPECT_EQ(series.numbers("time"), (std::vector{0., 0.1, 0.2}));
+  for (const double value : series.numbers("energy")) EXPECT_NEAR(value, energy, 1e-8);
+}
+
+TEST_F(Relax, from_a_row_of_a_scan_moves_with_another_L_or_model) {
+  write("scan.toml", small_scan);
+  must(into("scan", "scan", "scan.toml"));
+  write("L.toml", from_the_scan("SBEH", "0.05") + "[material]\nL = 0.06\n");
+  write("model.toml", from_the_scan("SSH", "0.05"));
+  for (const std::string name : {"L", "model"}) {
+    must(into(name, "relax", name + ".toml"));
+    const std::vector<double> energy = table(name + "/series.csv").numbers("energy");
+    EXPECT_LT(energy.back(), energy.front() - 1e-6) << name;
+  }
+  for (const double order : table("model/series.csv").numbers("order_min"))
+    EXPECT_NEAR(order, 2. / 3, 1e-12);
+}
+
+TEST_F(Relax, from_a_row_that_is_not_there_is_refused) {
+  write("scan.toml", small_scan);
+  write("in.toml", from_the_scan("SBEH", "0.07"));
+  must(into("scan", "scan", "scan.toml"));
+  must_refuse(into("out", "relax"),
+              "scan/points/SBEH_oblate_v0.8_L0.07.csv: is not there; the rows of that scan stand "
+              "in scan/scan.csv");
+  write("scan/points/SBEH_oblate_v0.8_L0.07.csv", "r,z\n");
+  must_refuse(into("out", "relax"),
+              "scan/points/SBEH_oblate_v0.8_L0.07.csv: is no profile of this program");
+  EXPECT_FALSE(exists(path("out")));
+}
+
+TEST_F(Relax, can_be_run_again_from_the_run_toml_it_leaves_with_the_same_bytes) {
+  write("scan.toml", small_scan);
+  must(into("scan", "scan", "scan.toml"));
+  write("ellipsoid.toml", ellipsoid + "[time]\nend = 0.003\n");
+  write("modes.toml",
+        "model = \"SBEH\"\ntime.end = 0.003\n[start]\nshape = \"harmonics\"\n"
+        "modes = [[2, 0.04], [3, 0.02]]\n[material]\nL = 0.05\n[numerics]\nelements = 16\n");
+  write("row.toml", from_the_scan("SSH", "0.05"));
+  for (const std::string name : {"ellipsoid", "modes", "row"}) {
+    must(into(name, "relax", name + ".toml"));
+    must(into(name + "2", "relax", name + "/run.toml"));
+    EXPECT_TRUE(contents(name) == contents(name + "2")) << name;
+  }
+}
+
+TEST_F(Relax, does_not_depend_on_the_number_of_threads) {
+  write("in.toml", ellipsoid + "[time]\nend = 0.003\n");
+  must({"relax", "in.toml", "-o", "one", "--no-pictures", "--threads", "1"});
+  must({"relax", "in.toml", "-o", "two", "--no-pictures", "--threads", "2"});
+  EXPECT_TRUE(contents("one") == contents("two"));
+}
+
+}  // namespace
+}  // namespace sbeh::tools::test
