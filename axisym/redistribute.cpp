@@ -2,7 +2,10 @@
 
 #include "axisym/curvature.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <vector>
 
@@ -11,6 +14,9 @@ namespace sbeh::axisym {
 namespace {
 
 constexpr int samples = 16;  // of the measure, per element
+
+// Gauss–Lobatto points of [0, 1]: (1 ∓ 1/√5)/2 inside.
+constexpr std::array<double, 4> lobatto{0, 0.27639320225002103, 0.72360679774997897, 1};
 
 // A place on the old curve.
 struct Place {
@@ -40,7 +46,7 @@ class Cumulative {
   std::vector<double> sum_;
 };
 
-// The new nodes' places on the old curve.
+// The Gauss–Lobatto points of the new elements on the old curve, joints shared.
 std::vector<Place> places(const Nodes& X, const Field& H, double grading, int elements) {
   const int intervals = samples * element_count(X);
   Eigen::VectorXd length(intervals), bend(intervals);
@@ -59,17 +65,22 @@ std::vector<Place> places(const Nodes& X, const Field& H, double grading, int el
   std::vector<Place> result;
   for (int e = 0; e < elements; ++e) {
     const double begin = arc.at(joint(e)), end = arc.at(joint(e + 1));
-    for (int a = 0; a < 3; ++a) result.push_back(place(arc.inverse(begin + (end - begin) * a / 3)));
+    for (int a = 0; a < 3; ++a)
+      result.push_back(place(arc.inverse(begin + (end - begin) * lobatto[a])));
   }
   result.push_back({element_count(X) - 1, 1});
   return result;
 }
 
-Field interpolate(const Field& f, const std::vector<Place>& at) {
+Field sample(const Field& f, const std::vector<Place>& at) {
   Field g(Eigen::Index(at.size()));
   for (std::size_t i = 0; i < at.size(); ++i)
     g[Eigen::Index(i)] = value_at(f, at[i].element, shape_values(at[i].x));
   return g;
+}
+
+Field interpolate(const Field& f, const std::vector<Place>& at) {
+  return nodal_values(sample(f, at));
 }
 
 State interpolate(const State& state, const std::vector<Place>& at) {
@@ -81,6 +92,25 @@ State interpolate(const State& state, const std::vector<Place>& at) {
 }
 
 }  // namespace
+
+Field nodal_values(const Field& at_lobatto) {
+  // Rows: the cubic through the four points, evaluated at 1/3 and 2/3.
+  static const Eigen::Matrix<double, 2, 4> to_inner = [] {
+    Eigen::Matrix4d at_points;
+    for (int i = 0; i < 4; ++i)
+      at_points.row(i) =
+          Eigen::Map<const Eigen::RowVector4d>(shape_values(lobatto[std::size_t(i)]).phi.data());
+    return Eigen::Matrix<double, 2, 4>(at_points.inverse().middleRows<2>(1));
+  }();
+  Field nodes = at_lobatto;
+  for (Eigen::Index e = 0; e < nodes.size() / 3; ++e)
+    nodes.segment<2>(3 * e + 1) = to_inner * at_lobatto.segment<4>(3 * e);
+  return nodes;
+}
+
+Field sample_at_lobatto(const State& state, const Field& f, double grading, int elements) {
+  return sample(f, places(state.X, mean_curvature(state.X), grading, elements));
+}
 
 State redistribute(const State& state, double grading, int elements) {
   return interpolate(state, places(state.X, mean_curvature(state.X), grading,

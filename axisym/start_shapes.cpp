@@ -21,9 +21,10 @@ Nodes nodes_on(const std::function<Eigen::Vector2d(double)>& curve, int elements
   State dense{.X = Nodes(2, 3 * fine + 1), .beta = Field::LinSpaced(3 * fine + 1, 0, pi)};
   for (Eigen::Index i = 0; i < dense.X.cols(); ++i) dense.X.col(i) = curve(dense.beta[i]);
   dense.X(0, 0) = dense.X(0, dense.X.cols() - 1) = 0;
-  const State placed = redistribute(dense, grading, elements);
-  Nodes X(2, placed.X.cols());
-  for (Eigen::Index i = 0; i < X.cols(); ++i) X.col(i) = curve(placed.beta[i]);
+  const Field theta = sample_at_lobatto(dense, dense.beta, grading, elements);
+  Nodes points(2, theta.size()), X(2, theta.size());
+  for (Eigen::Index i = 0; i < theta.size(); ++i) points.col(i) = curve(theta[i]);
+  for (int k = 0; k < 2; ++k) X.row(k) = nodal_values(points.row(k).transpose()).transpose();
   X(0, 0) = X(0, X.cols() - 1) = 0;
   return X * std::sqrt(4 * pi / area(X));
 }

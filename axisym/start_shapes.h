@@ -15,8 +15,8 @@ struct Mode {
   double amplitude;
 };
 
-/// Nodes on the curve θ ↦ (r, z), θ ∈ [0, π] from pole to pole, placed exactly on it, graded by
-/// curvature as in `redistribute`, then scaled to area 4π.
+/// Nodes on the curve θ ↦ (r, z), θ ∈ [0, π] from pole to pole, the cubics through its Gauss–Lobatto
+/// points, graded by curvature as in `redistribute`, then scaled to area 4π.
 Nodes nodes_on(const std::function<Eigen::Vector2d(double)>& curve, int elements, double grading);
 
 /// Spheroid with these semi-axes, scaled. Throws std::invalid_argument unless both are > 0.

@@ -139,6 +139,13 @@ bool TimeStepper::Workspace::solve_coupled(const model::Material& m, const State
     coupled.set_identity_row(pinned);  // on the axis
     rhs[pinned] = normal_flux[pinned] = 0;
   }
+  // Without friction nothing resists a motion along the axis: hold the north pole, and let the whole
+  // surface rest in the mean, the limit of small friction.
+  const bool free_axis = m.friction_tangential == 0 && m.friction_normal == 0;
+  if (free_axis) {
+    coupled.set_identity_row(unknown(0, V_z));
+    rhs[unknown(0, V_z)] = normal_flux[unknown(0, V_z)] = 0;
+  }
   if (!coupled.factor()) return false;
   const Eigen::Index borders = sphere ? 0 : 1;
   const Eigen::VectorXd volume_rate = Eigen::VectorXd::Constant(borders, (target.volume - V) / tau);
@@ -154,6 +161,14 @@ bool TimeStepper::Workspace::solve_coupled(const model::Material& m, const State
     out.V.col(i) << solution.x[unknown(i, V_r)], solution.x[unknown(i, V_z)];
     out.Y.col(i) << solution.x[unknown(i, Y_r)], solution.x[unknown(i, Y_z)];
     out.H[i] = solution.x[unknown(i, H_)];
+  }
+  if (free_axis) {
+    double drift = 0;
+    for_each_point(X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
+      drift += p.dS * value_at(out.V.row(1).transpose(), e, s) / A;
+    });
+    out.V.row(1).array() -= drift;
+    out.Y.row(1).array() -= tau * drift;
   }
   out.p.resize(2 * elements + 1);
   for (int k = 0; k <= 2 * elements; ++k) out.p[k] = solution.x[pressure_unknown(k)];
