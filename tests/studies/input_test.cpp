@@ -203,7 +203,8 @@ TEST(RelaxInput, with_a_wrong_start_is_refused_with_line_key_and_value) {
       {"'harmonics'\norder_modes = 1", ":4: [start] order_modes = 1: " + pairs},
       {"'scan'", ":2: [start] folder: missing; must be a text in quotes"},
       {"'scan'\nfolder = ''", ":4: [start] folder = '': must not be empty"},
-      {"'scan'\nfolder = 'a'\nbranch = 'b'", ":5: [start] branch = 'b': must be one of 'oblate', 'prolate', 'stomatocyte'"},
+      {"'scan'\nfolder = 'a'\nbranch = 'b'",
+       ":5: [start] branch = 'b': must be one of 'oblate', 'prolate', 'stomatocyte'"},
       {"'scan'\nfolder = 'a'\nreduced_volume = 0.7\nL = 0", ":6: [start] L = 0: must be > 0"},
   };
   expect_messages(read_relax, "model = \"SBEH\"\n[start]\nshape = ", starts);
