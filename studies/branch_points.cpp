@@ -153,7 +153,8 @@ PointOutcome rescale_to(const ScanInput& input, const PointKey& key, const Neigh
 PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neighbour& ssh) {
   const Clock clock;
   // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly.
-  for (double L = std::min(key.L, 0.01); L > 1e-5; L /= 2) {
+  const double first_L = std::min(key.L, 0.01);
+  for (double L = first_L; L > first_L / 1000; L /= 2) {
     const auto first =
         settled(input.material.with_L(L), key.model, {{key.reduced_volume, L}, ssh.state});
     if (!first) continue;
