@@ -23,22 +23,27 @@ namespace {
 
 constexpr std::array<Branch, 3> all_branches{Branch::oblate, Branch::prolate, Branch::stomatocyte};
 
-// Reduced volumes of the diagram: each branch where it exists and does not touch itself.
+// Reduced volumes of the diagram: each branch nearly as far as it exists and does not touch itself,
+// steps of 1/40 between.
 std::vector<double> volumes_of(Branch branch) {
-  const auto down = [](int from, int to) {  // in steps of 0.025
-    std::vector<double> volumes;
+  std::vector<double> volumes;
+  const auto down = [&](int from, int to) {
     for (int k = from; k >= to; --k) volumes.push_back(k / 40.);
-    return volumes;
   };
   switch (branch) {
     case Branch::oblate:
-      return down(39, 21);
+      down(39, 21);
+      volumes.push_back(0.505);
+      break;
     case Branch::prolate:
-      return down(39, 16);
+      down(39, 16);
+      break;
     case Branch::stomatocyte:
-      return down(26, 16);
+      volumes.push_back(0.66);
+      down(26, 16);
+      break;
   }
-  return {};
+  return volumes;
 }
 
 template <class Shapes, class Points>

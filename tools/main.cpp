@@ -143,6 +143,7 @@ int seifert(const Arguments& a) {
   const fs::path folder = a.folder.empty() ? fs::path("results/seifert") : fs::path(a.folder);
   fmt::print("{}", studies::table_of(studies::run_seifert(folder, a.elements)));
   fmt::print("tables in {}\n", folder.string());
+  draw_results(a, "seifert", folder);
   return 0;
 }
 
@@ -187,10 +188,11 @@ int run(int argc, char** argv) {
   CLI::App* seifert_command =
       app.add_subcommand("seifert", "the classical diagram by three witnesses");
   seifert_command->add_option("-o,--output", a.folder, "folder for the results (results/seifert)");
+  seifert_command->add_flag("--no-pictures", a.no_pictures, "tables only");
   seifert_command->add_option("--elements", a.elements, "of the finite elements (96)")
       ->check(CLI::Range(32, 4096));
-  CLI::App* picture_command =
-      app.add_subcommand("picture", "draw the pictures of a folder again: picture scan|relax DIR");
+  CLI::App* picture_command = app.add_subcommand(
+      "picture", "draw the pictures of a folder again: picture scan|relax|seifert DIR");
   picture_command->prefix_command();
   picture_command->set_help_flag();  // `sbeh picture --help` is the picture program's
   try {

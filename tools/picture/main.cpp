@@ -1,4 +1,6 @@
-// sbeh-picture: the pictures of a scan or of one relaxation, from the tables they leave.
+// sbeh-picture: the pictures of a scan, of one relaxation or of the classical branches, from the
+// tables they leave.
+#include "tools/picture/classical.h"
 #include "tools/picture/csv.h"
 #include "tools/picture/cuts.h"
 #include "tools/picture/diagram.h"
@@ -62,7 +64,8 @@ void add_common_options(CLI::App* command, Options& options, std::string& size,
 }
 
 int run(int count, char** arguments) {
-  CLI::App app("Pictures (PNG and SVG) of a scan or of one relaxation", "sbeh-picture");
+  CLI::App app("Pictures (PNG and SVG) of a scan, a relaxation or the classical branches",
+               "sbeh-picture");
   app.require_subcommand(1);
   Options options;
   std::string size;
@@ -71,6 +74,9 @@ int run(int count, char** arguments) {
   scan->add_option("--branch", options.branch, "Only this branch, e.g. oblate");
   CLI::App* relax = app.add_subcommand("relax", "energy, shapes from DIR/series.csv, profiles.csv");
   add_common_options(relax, options, size, {"energy", "shapes"});
+  CLI::App* seifert =
+      app.add_subcommand("seifert", "the classical diagram from DIR/branches.csv, points.csv");
+  add_common_options(seifert, options, size, {"branches"});
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
@@ -80,6 +86,10 @@ int run(int count, char** arguments) {
   ensure_display(arguments);
   if (scan->parsed()) picture_scan(options);
   if (relax->parsed()) picture_relaxation(options);
+  if (seifert->parsed()) {
+    Canvas canvas;
+    draw_classical_diagram(canvas, options);
+  }
   return 0;
 }
 
