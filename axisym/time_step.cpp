@@ -79,29 +79,33 @@ CoupledData<Jet> independent_data() {
 
 struct TimeStepper::Workspace {
   explicit Workspace(int count)
-      : elements(count), coupled(stride * count + 6, half_width), order(3 * count + 1, 3) {}
+      : elements(count),
+        coupled(stride * count + 6, half_width),
+        order(3 * count + 1, 3),
+        rhs(coupled.size()),
+        normal_flux(coupled.size()) {}
   int elements;
   model::BandMatrix coupled, order;
+  Eigen::VectorXd rhs;          // of the coupled step
+  Eigen::VectorXd normal_flux;  // (ν, W): the column and the row of λ
 
-  // The coupled step: false when its matrix is singular.
+  // Each solve is false when its matrix is singular.
   bool solve_coupled(const model::Material& m, const State& old, const Field& H,
                      const Target& target, double tau, StepFields& out);
   bool solve_order(const model::Material& m, const State& old, const Field& H,
                    const StepFields& fields, double tau, Field& beta);
+
+  void assemble_coupled(const model::Material& m, const State& old, const Field& H,
+                        const StepParameters& step);
+  void pin(int i);
+  StepFields fields_of(const Eigen::VectorXd& x) const;
 };
 
-bool TimeStepper::Workspace::solve_coupled(const model::Material& m, const State& old,
-                                           const Field& H, const Target& target, double tau,
-                                           StepFields& out) {
-  const Nodes& X = old.X;
-  const double A = area(X), V = volume(X);
-  // On a sphere a constant p and λ are the same unknown: area alone is kept there.
-  const bool sphere = is_sphere(A, V);
-  const StepParameters step{.tau = tau, .area_rate = (target.area - A) / (tau * A)};
-
+void TimeStepper::Workspace::assemble_coupled(const model::Material& m, const State& old,
+                                              const Field& H, const StepParameters& step) {
   coupled.set_zero();
-  Eigen::VectorXd rhs = Eigen::VectorXd::Zero(coupled.size());
-  Eigen::VectorXd normal_flux = rhs;  // (ν, W), the column and the row of λ
+  rhs.setZero();
+  normal_flux.setZero();
   const CoupledData<Jet> independent = independent_data();
   Eigen::Matrix<double, padded_unknowns, padded_unknowns> matrix;
   Eigen::Matrix<double, padded_unknowns, 1> vector;
@@ -110,7 +114,7 @@ bool TimeStepper::Workspace::solve_coupled(const model::Material& m, const State
     vector.setZero();
     const auto index = unknowns_of(e);
     for (const ShapeValues& s : assembly_points()) {
-      OldPoint point{.geometry = curve_point(X, e, s),
+      OldPoint point{.geometry = curve_point(old.X, e, s),
                      .beta = value_at(old.beta, e, s),
                      .beta_s = 0,
                      .H = value_at(H, e, s)};
@@ -133,46 +137,65 @@ bool TimeStepper::Workspace::solve_coupled(const model::Material& m, const State
       for (int i = 0; i < element_unknowns; ++i) coupled(index[i], index[j]) += matrix(i, j);
     for (int i = 0; i < element_unknowns; ++i) rhs[index[i]] += vector[i];
   }
-  const int last = int(X.cols()) - 1;
-  for (const int pinned :
-       {unknown(0, V_r), unknown(last, V_r), unknown(0, Y_r), unknown(last, Y_r)}) {
-    coupled.set_identity_row(pinned);  // on the axis
-    rhs[pinned] = normal_flux[pinned] = 0;
+}
+
+// The unknown is 0.
+void TimeStepper::Workspace::pin(int i) {
+  coupled.set_identity_row(i);
+  rhs[i] = normal_flux[i] = 0;
+}
+
+StepFields TimeStepper::Workspace::fields_of(const Eigen::VectorXd& x) const {
+  const int nodes = 3 * elements + 1;
+  StepFields f{Nodes(2, nodes), Nodes(2, nodes), Field(nodes), Field(2 * elements + 1), 0};
+  for (int i = 0; i < nodes; ++i) {
+    f.V.col(i) << x[unknown(i, V_r)], x[unknown(i, V_z)];
+    f.Y.col(i) << x[unknown(i, Y_r)], x[unknown(i, Y_z)];
+    f.H[i] = x[unknown(i, H_)];
   }
+  for (int k = 0; k <= 2 * elements; ++k) f.p[k] = x[pressure_unknown(k)];
+  return f;
+}
+
+namespace {
+
+// Takes the mean axial velocity from the surface, and its displacement from the mesh.
+void rest_in_the_mean(const Nodes& X, double tau, StepFields& f) {
+  double drift = 0, A = 0;
+  for_each_point(X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
+    drift += p.dS * value_at(f.V.row(1).transpose(), e, s);
+    A += p.dS;
+  });
+  f.V.row(1).array() -= drift / A;
+  f.Y.row(1).array() -= tau * drift / A;
+}
+
+}  // namespace
+
+bool TimeStepper::Workspace::solve_coupled(const model::Material& m, const State& old,
+                                           const Field& H, const Target& target, double tau,
+                                           StepFields& out) {
+  const double A = area(old.X), V = volume(old.X);
+  assemble_coupled(m, old, H, {.tau = tau, .area_rate = (target.area - A) / (tau * A)});
+  const int last = 3 * elements;
+  for (const int axis : {unknown(0, V_r), unknown(last, V_r), unknown(0, Y_r), unknown(last, Y_r)})
+    pin(axis);
   // Without friction nothing resists a motion along the axis: hold the north pole, and let the whole
   // surface rest in the mean, the limit of small friction.
   const bool free_axis = m.friction_tangential == 0 && m.friction_normal == 0;
-  if (free_axis) {
-    coupled.set_identity_row(unknown(0, V_z));
-    rhs[unknown(0, V_z)] = normal_flux[unknown(0, V_z)] = 0;
-  }
+  if (free_axis) pin(unknown(0, V_z));
   if (!coupled.factor()) return false;
-  const Eigen::Index borders = sphere ? 0 : 1;
+
+  // On a sphere a constant p and λ are the same unknown: area alone is kept there.
+  const Eigen::Index borders = is_sphere(A, V) ? 0 : 1;
   const Eigen::VectorXd volume_rate = Eigen::VectorXd::Constant(borders, (target.volume - V) / tau);
   const auto solution =
       model::solve_bordered(coupled, normal_flux.leftCols(borders), normal_flux.leftCols(borders),
                             Eigen::MatrixXd::Zero(borders, borders), rhs, volume_rate);
   if (solution.x.size() == 0 || !solution.x.allFinite()) return false;
-
-  out.V.resize(2, X.cols());
-  out.Y.resize(2, X.cols());
-  out.H.resize(X.cols());
-  for (int i = 0; i <= last; ++i) {
-    out.V.col(i) << solution.x[unknown(i, V_r)], solution.x[unknown(i, V_z)];
-    out.Y.col(i) << solution.x[unknown(i, Y_r)], solution.x[unknown(i, Y_z)];
-    out.H[i] = solution.x[unknown(i, H_)];
-  }
-  if (free_axis) {
-    double drift = 0;
-    for_each_point(X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
-      drift += p.dS * value_at(out.V.row(1).transpose(), e, s) / A;
-    });
-    out.V.row(1).array() -= drift;
-    out.Y.row(1).array() -= tau * drift;
-  }
-  out.p.resize(2 * elements + 1);
-  for (int k = 0; k <= 2 * elements; ++k) out.p[k] = solution.x[pressure_unknown(k)];
-  out.lambda = sphere ? 0 : solution.y[0];
+  out = fields_of(solution.x);
+  if (borders > 0) out.lambda = solution.y[0];
+  if (free_axis) rest_in_the_mean(old.X, tau, out);
   return true;
 }
 
