@@ -138,9 +138,12 @@ const std::vector<NamedPoint>& special_point_names() {
 
 SeifertSummary run_seifert(const std::filesystem::path& path, int elements) {
   const OutputFolder folder(path);
-  if (std::filesystem::exists(folder / "run.toml"))
-    throw OutputError(
-        fmt::format("{}: holds another run; choose another folder with -o", path.string()));
+  for (const char* result : {"run.toml", "branches.csv"})
+    if (std::filesystem::exists(folder / result))
+      throw OutputError(
+          fmt::format("{}: already holds results (see its {}), which are not "
+                      "overwritten; choose another folder with -o or move it away",
+                      path.string(), result));
   axisym::Numerics numerics;
   numerics.elements = elements;
   numerics.validate();

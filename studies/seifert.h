@@ -41,7 +41,7 @@ struct NamedPoint {
 const std::vector<NamedPoint>& special_point_names();
 
 /// Runs the three witnesses side by side and leaves branches.csv, points.csv, points_by_witness.csv
-/// and differences.csv in the folder. A folder that holds something else is refused.
+/// and differences.csv in the folder. A folder that holds results already is refused.
 /// `elements` is that of the finite elements. Throws OutputError.
 SeifertSummary run_seifert(const std::filesystem::path& folder, int elements);
 
