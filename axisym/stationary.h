@@ -5,8 +5,9 @@
 //   𝓛 = U(X, β, H) + [(H ν, Λ) + (1, Div_C Λ)] + Σ (A − A₀) − P (V − V₀).
 // The curve moves along its node normals, X + Σ d_i φ_i n_i, and the multiplier is Λ = Σ Λ_i φ_i n_i;
 // the north pole is held to fix the position along the axis. All derivatives come from automatic
-// differentiation of the one pointwise density, so that residual and matrix cannot disagree, the
-// matrix is symmetric, and dU/dL = U_EL/L holds exactly on the discrete branch.
+// differentiation of the one pointwise density, so that residual and matrix cannot disagree and the
+// matrix is symmetric. dU/dL = U_EL/L holds along the discrete branch to the order of the energy: the
+// normals turn with the curve, which the derivatives leave out.
 #pragma once
 
 #include "axisym/time_step.h"
