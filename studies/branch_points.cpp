@@ -86,6 +86,17 @@ PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
   return point;
 }
 
+// The point of the key, along the branch from a settled state.
+PointOutcome followed(const ScanInput& input, const PointKey& key, const BranchState& start,
+                      const Clock& clock) {
+  PointOutcome point = outcome_of(input, key,
+                                  axisym::follow(input.material, key.model, start,
+                                                 {key.reduced_volume, key.L}, input.numerics));
+  point.row.steps += start.iterations;
+  point.row.wall_seconds = clock.seconds();
+  return point;
+}
+
 }  // namespace
 
 PointOutcome failed_point(const PointKey& key, std::string reason) {
@@ -132,12 +143,7 @@ PointOutcome follow_to(const ScanInput& input, const PointKey& key, const Neighb
   const Clock clock;
   const auto start = settled(input.material.with_L(from.at.L), key.model, from);
   if (!start) return failed_point(key, "Newton's method failed at the neighbouring point");
-  PointOutcome point = outcome_of(input, key,
-                                  axisym::follow(input.material, key.model, *start,
-                                                 {key.reduced_volume, key.L}, input.numerics));
-  point.row.steps += start->iterations;
-  point.row.wall_seconds = clock.seconds();
-  return point;
+  return followed(input, key, *start, clock);
 }
 
 PointOutcome rescale_to(const ScanInput& input, const PointKey& key, const Neighbour& from) {
@@ -158,12 +164,7 @@ PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neigh
     const auto first =
         settled(input.material.with_L(L), key.model, {{key.reduced_volume, L}, ssh.state});
     if (!first) continue;
-    PointOutcome point = outcome_of(input, key,
-                                    axisym::follow(input.material, key.model, *first,
-                                                   {key.reduced_volume, key.L}, input.numerics));
-    point.row.steps += first->iterations;
-    point.row.wall_seconds = clock.seconds();
-    return point;
+    return followed(input, key, *first, clock);
   }
   return failed_point(key,
                       "Newton's method found no ordered state near the SSH shape, even at small L");
