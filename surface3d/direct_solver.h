@@ -1,0 +1,35 @@
+// Sparse direct factorisation by MUMPS.
+#pragma once
+
+#include "surface3d/sparse_pattern.h"
+
+#include <memory>
+
+namespace sbeh::surface3d {
+
+enum class Symmetry { general, symmetric };
+
+/// LU (or LDLᵀ) of a sparse matrix whose structure stays the same from one factorisation to the next.
+class DirectSolver {
+ public:
+  explicit DirectSolver(Symmetry symmetry);
+  ~DirectSolver();
+  DirectSolver(DirectSolver&&) noexcept;
+  DirectSolver& operator=(DirectSolver&&) noexcept;
+
+  /// Factors A; the first call analyses the structure, which later calls must keep. False when A is
+  /// singular or not finite.
+  [[nodiscard]] bool factor(const SparseMatrix& A);
+  /// Overwrites the columns of rhs (n x k) with A⁻¹ rhs; after factor().
+  void solve(Eigen::Ref<Eigen::MatrixXd> rhs) const;
+
+  /// Of the last factorisation: floating-point operations and memory in MB.
+  double flops() const;
+  double megabytes() const;
+
+ private:
+  struct Mumps;
+  std::unique_ptr<Mumps> mumps_;
+};
+
+}  // namespace sbeh::surface3d

@@ -1,0 +1,84 @@
+#include "surface3d/element_system.h"
+
+#include "model/numerics/contraction.h"
+
+#include <ceres/jet.h>
+
+namespace sbeh::surface3d {
+
+namespace {
+
+using Jet = ceres::Jet<double, int(coupled_data_size)>;
+
+// The numbers of the data in the order of data_rows.
+template <class T, class Visit>
+void for_each_number(CoupledData<T>& d, Visit&& visit) {
+  for (int k = 0; k < 3; ++k) visit(d.V[k]);
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 2; ++i) visit(d.dV(k, i));
+  visit(d.p);
+  visit(d.H);
+  for (int i = 0; i < 2; ++i) visit(d.dH[i]);
+  for (int k = 0; k < 3; ++k) visit(d.Y[k]);
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 2; ++i) visit(d.dY(k, i));
+}
+
+std::array<model::DataRow<10>, coupled_data_size> data_rows(const ShapeValues& s,
+                                                            const SurfacePoint& x) {
+  std::array<model::DataRow<10>, coupled_data_size> rows{};
+  auto row = rows.begin();
+  const auto values = [&](int first) { *row++ = {first, s.phi.data()}; };
+  const auto gradients = [&](int first) {
+    for (const auto& grad : x.grad) *row++ = {first, grad.data()};
+  };
+  for (int k = 0; k < 3; ++k) values(local::V + 10 * k);
+  for (int k = 0; k < 3; ++k) gradients(local::V + 10 * k);
+  *row++ = {local::p, s.quadratic.data()};
+  values(local::H);
+  gradients(local::H);
+  for (int k = 0; k < 3; ++k) values(local::Y + 10 * k);
+  for (int k = 0; k < 3; ++k) gradients(local::Y + 10 * k);
+  return rows;
+}
+
+// The data as independent variables at zero: the step is linear, so that the value of the pointwise
+// function there is its constant part and the derivative its matrix.
+CoupledData<Jet> independent_data() {
+  CoupledData<Jet> d;
+  int k = 0;
+  for_each_number(d, [&k](Jet& number) { number = Jet(0., k++); });
+  return d;
+}
+
+}  // namespace
+
+void assemble_element(const model::Material& material, const ElementState& old,
+                      const StepParameters& step, ElementSystem& out) {
+  static const CoupledData<Jet> independent = independent_data();
+  out.matrix.setZero();
+  out.rhs.setZero();
+  out.normal_flux.setZero();
+  for (const ShapeValues& s : assembly_points()) {
+    const SurfacePoint x = surface_point(old.X, s);
+    const OldPoint point{.geometry = x,
+                         .beta = value_at(old.beta, s),
+                         .grad_beta = gradient_at(old.beta, x),
+                         .B = shape_operator(x, old.normals, value_at(old.H, s))};
+    CoupledData<Jet> g = coupled_step_point(material, point, step, independent);
+    Eigen::Matrix<double, int(coupled_data_size), int(coupled_data_size), Eigen::RowMajor> D;
+    Eigen::Matrix<double, int(coupled_data_size), 1> constant;
+    int i = 0;
+    for_each_number(g, [&](const Jet& number) {
+      D.row(i) = number.v.transpose();
+      constant[i++] = -number.a;
+    });
+    const auto rows = data_rows(s, x);
+    model::add_matrix(rows, D, x.dS, out.matrix);
+    model::add_vector(rows, constant, x.dS, out.rhs);
+    for (int k = 0; k < 3; ++k)
+      out.normal_flux.segment<10>(10 * k) += (x.dS * x.frame(k, 2)) * Shapes(s.phi.data());
+  }
+}
+
+}  // namespace sbeh::surface3d

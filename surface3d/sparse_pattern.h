@@ -1,0 +1,53 @@
+// Where the entries of element matrices go in a sparse matrix.
+#pragma once
+
+#include <Eigen/SparseCore>
+
+#include <vector>
+
+namespace sbeh::surface3d {
+
+using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
+
+/// The structure of a square matrix that is a sum over elements, found once and filled many times.
+class SparsePattern {
+ public:
+  using Mask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
+
+  /// unknowns: local unknowns x elements, the global index of each; couples: local x local, which
+  /// entries (row, column) of an element matrix can be other than zero.
+  SparsePattern(int size, Eigen::MatrixXi unknowns, Mask couples);
+
+  int size() const { return size_; }
+  int elements() const { return int(unknowns_.cols()); }
+  /// The global index of a local unknown.
+  int unknown(int local, int element) const { return unknowns_(local, element); }
+
+  /// A matrix of this structure, all zero.
+  SparseMatrix zero() const;
+
+  /// A += the matrix (local x local) of an element; what the mask excludes is left out.
+  template <class Local>
+  void add(int element, const Local& local, SparseMatrix& A) const {
+    const int* position = positions_.data() + std::size_t(element) * pairs_.size();
+    double* values = A.valuePtr();
+    for (const auto& [i, j] : pairs_) values[*position++] += local(i, j);
+  }
+  /// rhs += the vector of an element.
+  template <class Local>
+  void add(int element, const Local& local, Eigen::VectorXd& rhs) const {
+    for (int i = 0; i < int(unknowns_.rows()); ++i) rhs[unknowns_(i, element)] += local[i];
+  }
+
+ private:
+  struct Pair {
+    int row, column;
+  };
+  int size_;
+  Eigen::MatrixXi unknowns_;
+  std::vector<Pair> pairs_;     // the entries of an element matrix that count
+  std::vector<int> positions_;  // pairs x elements: where they are in the values of the matrix
+  std::vector<int> row_start_, columns_;
+};
+
+}  // namespace sbeh::surface3d

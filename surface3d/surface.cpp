@@ -1,0 +1,122 @@
+#include "surface3d/surface.h"
+
+#include "model/numerics/lagrange.h"
+#include "model/numerics/quadrature.h"
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace sbeh::surface3d {
+
+Triangulation::Triangulation(const meshing::CurvedMesh& mesh)
+    : triangles((mesh.order == 3 && mesh.triangles.rows() == 10)
+                    ? mesh.triangles
+                    : throw std::invalid_argument("surface3d: the mesh must be of order 3")),
+      quadratic(6, mesh.triangle_count()),
+      nodes(mesh.node_count()),
+      quadratic_nodes(mesh.vertex_count() + mesh.edge_count()),
+      scalars(nodes, mesh.triangles, SparsePattern::Mask::Constant(10, 10, true)) {
+  const int vertices = mesh.vertex_count();
+  quadratic.topRows<3>() = triangles.topRows<3>();
+  for (int e = 0; e < count(); ++e)
+    for (int k = 0; k < 3; ++k)  // two consecutive P3 nodes are one edge
+      quadratic(3 + k, e) = vertices + (triangles(3 + 2 * k, e) - vertices) / 2;
+}
+
+namespace {
+
+ShapeValues shape_values(const Eigen::Vector2d& x, double weight) {
+  static const model::TriangleElement cubic(3), quadratic(2);
+  ShapeValues s{.weight = weight, .phi = {}, .dphi = {}, .quadratic = {}};
+  using Column = Eigen::Map<Eigen::Matrix<double, 10, 1>>;
+  Column(s.phi.data()) = cubic.values(x);
+  const Eigen::Matrix2Xd slopes = cubic.derivatives(x);
+  for (int k = 0; k < 2; ++k) Column(s.dphi[std::size_t(k)].data()) = slopes.row(k).transpose();
+  Eigen::Map<Eigen::Matrix<double, 6, 1>>(s.quadratic.data()) = quadratic.values(x);
+  return s;
+}
+
+std::vector<ShapeValues> tabulate(int degree) {
+  const model::TriangleRule rule = model::triangle_rule(degree);
+  std::vector<ShapeValues> table;
+  for (int q = 0; q < rule.size(); ++q)
+    table.push_back(shape_values(rule.points.col(q), rule.weights[q]));
+  return table;
+}
+
+}  // namespace
+
+std::span<const ShapeValues> assembly_points() {
+  static const std::vector<ShapeValues> table = tabulate(8);
+  return table;
+}
+
+std::span<const ShapeValues> diagnostic_points() {
+  static const std::vector<ShapeValues> table = tabulate(12);
+  return table;
+}
+
+std::span<const ShapeValues> node_points() {
+  static const std::vector<ShapeValues> table = [] {
+    std::vector<ShapeValues> points;
+    const Eigen::Matrix2Xd nodes = model::TriangleElement(3).nodes();
+    for (int a = 0; a < 10; ++a) points.push_back(shape_values(nodes.col(a), 0));
+    return points;
+  }();
+  return table;
+}
+
+SurfacePoint surface_point(const ElementNodes& X, const ShapeValues& s) {
+  SurfacePoint p;
+  p.x = value_at(X, s);
+  const Eigen::Vector3d a1 = X * Shapes(s.dphi[0].data()), a2 = X * Shapes(s.dphi[1].data());
+  const Eigen::Vector3d n = a1.cross(a2);
+  const double jacobian = n.norm(), length = a1.norm();
+  p.frame.col(0) = a1 / length;
+  p.frame.col(2) = n / jacobian;
+  p.frame.col(1) = p.frame.col(2).cross(p.frame.col(0));
+  const double along = a2.dot(p.frame.col(0)), across = a2.dot(p.frame.col(1));
+  for (std::size_t a = 0; a < 10; ++a) {
+    p.grad[0][a] = s.dphi[0][a] / length;
+    p.grad[1][a] = (s.dphi[1][a] - along * p.grad[0][a]) / across;
+  }
+  p.dS = jacobian * s.weight;
+  return p;
+}
+
+double area(const Triangulation& mesh, const Nodes& X) {
+  double sum = 0;
+  for_each_point(mesh, X, diagnostic_points(),
+                 [&](int, const ShapeValues&, const SurfacePoint& p) { sum += p.dS; });
+  return sum;
+}
+
+double volume(const Triangulation& mesh, const Nodes& X) {
+  double sum = 0;  // the integrand is a polynomial of degree 7: exact
+  for_each_point(mesh, X, assembly_points(), [&](int, const ShapeValues&, const SurfacePoint& p) {
+    sum += p.x.dot(p.nu()) / 3 * p.dS;
+  });
+  return sum;
+}
+
+double reduced_volume(double area, double volume) {
+  return 6 * std::sqrt(std::numbers::pi) * volume / std::pow(area, 1.5);
+}
+
+Nodes node_normals(const Triangulation& mesh, const Nodes& X) {
+  Nodes n = Nodes::Zero(3, X.cols());
+  for (int e = 0; e < mesh.count(); ++e) {
+    const ElementNodes local = on_element(mesh, e, X);
+    for (int a = 0; a < 10; ++a) {
+      const auto& dphi = node_points()[std::size_t(a)].dphi;
+      const Eigen::Vector3d a1 = local * Shapes(dphi[0].data()), a2 = local * Shapes(dphi[1].data());
+      n.col(mesh.triangles(a, e)) += a1.cross(a2);
+    }
+  }
+  n.colwise().normalize();
+  return n;
+}
+
+}  // namespace sbeh::surface3d
