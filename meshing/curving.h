@@ -1,0 +1,20 @@
+// From plain triangles to curved ones: numbering and placing the nodes of order 1, 2 or 3.
+#pragma once
+
+#include "meshing/curved_mesh.h"
+#include "meshing/smoothing.h"
+#include "meshing/triangle_mesh.h"
+
+namespace sbeh::meshing {
+
+/// Numbers the nodes of a closed surface of sphere topology as CurvedMesh says and puts each onto the
+/// surface: the points as they are, the nodes of edges and interiors where their equidistant places
+/// on the straight triangle project to. A node of an edge is one node, shared by both triangles.
+/// Throws std::invalid_argument for an order outside 1 … 3 and for a mesh that is not closed,
+/// oriented and of the Euler characteristic 2.
+CurvedMesh curved(const TriangleMesh& mesh, int order, const Projection& onto_surface);
+
+/// The triangles between the corners.
+TriangleMesh corners(const CurvedMesh& mesh);
+
+}  // namespace sbeh::meshing

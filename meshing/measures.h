@@ -1,0 +1,25 @@
+// Area and volume of a curved surface, their exact gradients, and scaling to what is asked for.
+#pragma once
+
+#include "meshing/curved_mesh.h"
+
+namespace sbeh::meshing {
+
+/// Area A = ∫ |X_1 × X_2|, by quadrature of degree 12 on each curved triangle.
+double area(const CurvedMesh& mesh);
+
+/// Enclosed volume V = (1/3) ∫ X·(X_1 × X_2), exact for the curved triangles; > 0 when outward.
+double volume(const CurvedMesh& mesh);
+
+/// V_r = 6√π V/A^{3/2}, below 1 for every surface but the sphere.
+double reduced_volume(double area, double volume);
+double reduced_volume(const CurvedMesh& mesh);
+
+/// Derivatives by the positions of the nodes, 3 x nodes, exact for `area` and `volume` above.
+Eigen::Matrix3Xd area_gradient(const CurvedMesh& mesh);
+Eigen::Matrix3Xd volume_gradient(const CurvedMesh& mesh);
+
+/// Scales about the origin to this area > 0.
+void scale_to_area(CurvedMesh& mesh, double area);
+
+}  // namespace sbeh::meshing
