@@ -1,8 +1,5 @@
 #include "surface3d/coupled_system.h"
 
-#include "surface3d/element_system.h"
-
-#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -11,129 +8,108 @@ namespace sbeh::surface3d {
 
 namespace {
 
-// Which unknowns a test function meets. Of two vectors, `componentwise` only the same components.
-enum class Coupling { none, componentwise, all };
+enum class Kind { vector, quadratic, scalar, multiplier };
 
+// A kind of unknown and its test function; `first` in the numbering of the triangle.
 struct Block {
-  int first, size;  // in the numbering of the triangle
-  bool vector;      // three components of ten
+  Kind kind;
+  int first, size;
 };
-constexpr Block V_block{local::V, 30, true}, p_block{local::p, 6, false}, H_block{local::H, 10, false},
-    Y_block{local::Y, 30, true};
+constexpr Block V_block{Kind::vector, local::V, 30}, p_block{Kind::quadratic, local::p, 6},
+    H_block{Kind::scalar, local::H, 10}, Y_block{Kind::vector, local::Y, 30};
 
-// A system's blocks in its own local numbering, with the coupling of each pair (test, unknown).
+// Which entries of a block (test, unknown) there are; of two vectors, `same` those of equal component.
+enum class Coupling { none, same, all };
+constexpr auto no = Coupling::none, same = Coupling::same, yes = Coupling::all;
+
 struct Layout {
   std::vector<Block> blocks;
   std::vector<std::vector<Coupling>> couples;
+  int size() const {
+    int sum = 0;
+    for (const Block& b : blocks) sum += b.size;
+    return sum;
+  }
 };
 
-constexpr auto no = Coupling::none, yes = Coupling::all, same = Coupling::componentwise;
-
-Layout flow_layout(Scheme scheme) {
+Layout flow_layout(Scheme scheme, int multipliers) {
+  const Block lambda{Kind::multiplier, 0, multipliers};
   if (scheme == Scheme::split)
-    return {{V_block, p_block, H_block},
-            {{yes, yes, yes},    // W
-             {yes, no, no},      // q
-             {yes, no, yes}}};   // G: (H1) along the normals, Y = τV
-  return {{V_block, p_block, H_block, Y_block},
-          {{yes, yes, yes, no},     // W
-           {yes, no, no, no},       // q
-           {yes, no, no, yes},      // G: (Y1)
-           {no, no, yes, same}}};   // Z: (H1)
+    return {{V_block, p_block, H_block, lambda},
+            {{yes, yes, yes, yes},  // W
+             {yes, no, no, no},     // q
+             {yes, no, yes, no},    // G: (H1) along the normals, Y = τV
+             {yes, no, no, yes}}};  // (P2)
+  return {{V_block, p_block, H_block, Y_block, lambda},
+          {{yes, yes, yes, no, yes},  // W
+           {yes, no, no, no, no},     // q
+           {yes, no, no, yes, no},    // G: (Y1)
+           {no, no, yes, same, no},   // Z: (H1)
+           {yes, no, no, no, yes}}};  // (P2)
 }
 
 Layout motion_layout() {
   return {{H_block, Y_block},
-          {{no, yes},     // G: (Y1)
-           {yes, same}}}; // Z: (H1)
+          {{no, yes},      // G: (Y1)
+           {yes, same}}};  // Z: (H1)
 }
 
 SparsePattern::Mask mask_of(const Layout& layout) {
-  int size = 0;
-  for (const Block& b : layout.blocks) size += b.size;
-  SparsePattern::Mask mask = SparsePattern::Mask::Constant(size, size, false);
+  SparsePattern::Mask mask = SparsePattern::Mask::Constant(layout.size(), layout.size(), false);
   int row = 0;
   for (std::size_t r = 0; r < layout.blocks.size(); row += layout.blocks[r++].size) {
     int column = 0;
     for (std::size_t c = 0; c < layout.blocks.size(); column += layout.blocks[c++].size)
       for (int i = 0; i < layout.blocks[r].size; ++i)
-        for (int j = 0; j < layout.blocks[c].size; ++j) {
-          const Coupling coupling = layout.couples[r][c];
+        for (int j = 0; j < layout.blocks[c].size; ++j)
           mask(row + i, column + j) =
-              coupling == yes || (coupling == same && i / 10 == j / 10);
-        }
+              layout.couples[r][c] == yes || (layout.couples[r][c] == same && i / 10 == j / 10);
   }
   return mask;
 }
 
-// Global numbers: V by nodes, p, H, Y by nodes; those before the first block are left out.
-Eigen::MatrixXi unknowns_of(const Triangulation& mesh, const Layout& layout) {
-  int size = 0;
-  for (const Block& b : layout.blocks) size += b.size;
-  Eigen::MatrixXi unknowns(size, mesh.count());
-  int row = 0, first = 0;
-  for (const Block& b : layout.blocks) {
-    for (int e = 0; e < mesh.count(); ++e)
-      for (int i = 0; i < b.size; ++i)
-        unknowns(row + i, e) = first
-                             + (b.vector         ? 3 * mesh.triangles(i % 10, e) + i / 10
-                                : b.size == 6 ? mesh.quadratic(i, e)
-                                                 : mesh.triangles(i, e));
-    row += b.size;
-    first += b.vector ? 3 * mesh.nodes : b.size == 6 ? mesh.quadratic_nodes : mesh.nodes;
+int global_size(const Triangulation& mesh, const Block& block) {
+  switch (block.kind) {
+    case Kind::vector:
+      return 3 * mesh.nodes;
+    case Kind::quadratic:
+      return mesh.quadratic_nodes;
+    case Kind::scalar:
+      return mesh.nodes;
+    case Kind::multiplier:
+      return block.size;
   }
-  return unknowns;
+  return 0;
 }
 
-int size_of(const Triangulation& mesh, const Layout& layout) {
-  int size = 0;
-  for (const Block& b : layout.blocks)
-    size += b.vector ? 3 * mesh.nodes : b.size == 6 ? mesh.quadratic_nodes : mesh.nodes;
-  return size;
+int global_index(const Triangulation& mesh, const Block& block, int e, int i) {
+  switch (block.kind) {
+    case Kind::vector:  // local by components, global by nodes
+      return 3 * mesh.triangles(i % 10, e) + i / 10;
+    case Kind::quadratic:
+      return mesh.quadratic(i, e);
+    case Kind::scalar:
+      return mesh.triangles(i, e);
+    case Kind::multiplier:
+      return i;
+  }
+  return 0;
 }
 
 SparsePattern pattern_of(const Triangulation& mesh, const Layout& layout) {
-  return SparsePattern(size_of(mesh, layout), unknowns_of(mesh, layout), mask_of(layout));
-}
-
-// The part of an element's system that belongs to a layout.
-template <int Size>
-struct Part {
-  Eigen::Matrix<double, Size, Size> matrix;
-  Eigen::Matrix<double, Size, 1> rhs;
-};
-constexpr int monolithic_size = 76, split_size = 46, motion_size = 40;
-
-void take_monolithic(const ElementSystem& s, Part<monolithic_size>& part) {
-  constexpr int pad = 4;  // of the pressure
-  constexpr int head = 36, tail = 40;
-  part.matrix.topLeftCorner<head, head>() = s.matrix.topLeftCorner<head, head>();
-  part.matrix.topRightCorner<head, tail>() = s.matrix.block<head, tail>(0, head + pad);
-  part.matrix.bottomLeftCorner<tail, head>() = s.matrix.block<tail, head>(head + pad, 0);
-  part.matrix.bottomRightCorner<tail, tail>() = s.matrix.bottomRightCorner<tail, tail>();
-  part.rhs << s.rhs.head<head>(), s.rhs.tail<tail>();
-}
-
-void take_motion(const ElementSystem& s, Part<motion_size>& part) {
-  part.matrix = s.matrix.bottomRightCorner<motion_size, motion_size>();
-  part.rhs = s.rhs.tail<motion_size>();
-}
-
-// n: node normals of the triangle. A test field Z = φ_a n_a gives the row a.
-void take_split(const ElementSystem& s, const ElementNodes& n, double tau, Part<split_size>& part) {
-  constexpr int head = 36;
-  part.matrix.setZero();
-  part.matrix.topLeftCorner<head, head>() = s.matrix.topLeftCorner<head, head>();
-  part.matrix.topRightCorner<head, 10>() = s.matrix.block<head, 10>(0, local::H);
-  part.rhs.setZero();
-  part.rhs.head<head>() = s.rhs.head<head>();
-  for (int k = 0; k < 3; ++k) {
-    const auto along = n.row(k).transpose().asDiagonal();
-    const int Z = local::Y + 10 * k;
-    part.matrix.bottomRightCorner<10, 10>() += along * s.matrix.block<10, 10>(Z, local::H);
-    part.matrix.block<10, 10>(head, 10 * k) = tau * (along * s.matrix.block<10, 10>(Z, Z));
-    part.rhs.tail<10>() += along * s.rhs.segment<10>(Z);
+  Eigen::MatrixXi unknowns(layout.size(), mesh.count());
+  int row = 0, first = 0;
+  for (const Block& b : layout.blocks) {
+    for (int e = 0; e < mesh.count(); ++e)
+      for (int i = 0; i < b.size; ++i) unknowns(row + i, e) = first + global_index(mesh, b, e, i);
+    row += b.size;
+    first += global_size(mesh, b);
   }
+  return SparsePattern(first, std::move(unknowns), mask_of(layout));
+}
+
+SparsePattern no_pattern() {
+  return SparsePattern(0, Eigen::MatrixXi(0, 0), SparsePattern::Mask(0, 0));
 }
 
 void set_zero(const SparsePattern& pattern, LinearSystem& system) {
@@ -142,78 +118,111 @@ void set_zero(const SparsePattern& pattern, LinearSystem& system) {
   system.rhs.setZero(pattern.size());
 }
 
-template <int Size>
-void add(const SparsePattern& pattern, int e, const Part<Size>& part, LinearSystem& system) {
-  pattern.add(e, part.matrix, system.matrix);
-  pattern.add(e, part.rhs, system.rhs);
-}
+// V, p: the unknowns before the padding of the pressure.
+constexpr int head = 36, motion_size = 40;
 
 }  // namespace
 
-CoupledSystem::CoupledSystem(const Triangulation& mesh, Scheme scheme)
-    : scheme_(scheme),
+// An element's system, and the parts of it that go into the global ones.
+struct CoupledSystem::Piece {
+  ElementSystem whole;
+  Eigen::MatrixXd flow;
+  Eigen::VectorXd flow_rhs;
+  Eigen::Matrix<double, motion_size, motion_size> motion;
+  Eigen::Matrix<double, motion_size, 1> motion_rhs;
+};
+
+CoupledSystem::CoupledSystem(const Triangulation& mesh, const model::Material& material,
+                             Scheme scheme)
+    : material_(material),
+      scheme_(scheme),
       nodes_(mesh.nodes),
       quadratic_nodes_(mesh.quadratic_nodes),
-      flow_pattern_(pattern_of(mesh, flow_layout(scheme))),
-      motion_pattern_(scheme == Scheme::split
-                          ? pattern_of(mesh, motion_layout())
-                          : SparsePattern(0, Eigen::MatrixXi(0, 0), SparsePattern::Mask(0, 0))) {}
+      multipliers_(material.friction_tangential == 0 && material.friction_normal == 0 ? 7 : 1),
+      flow_pattern_(pattern_of(mesh, flow_layout(scheme, multipliers_))),
+      motion_pattern_(scheme == Scheme::split ? pattern_of(mesh, motion_layout()) : no_pattern()) {}
 
-void CoupledSystem::assemble(const Triangulation& mesh, const model::Material& material,
-                             const State& old, const Curvature& curvature,
-                             const StepParameters& step) {
+// n: node normals of the triangle. A test field Z = φ_a n_a gives the row a of G.
+void CoupledSystem::cut(const ElementNodes& n, double tau, bool keep_volume, Piece& piece) const {
+  const auto& [A, rhs, constraints] = piece.whole;
+  const int size = head + (scheme_ == Scheme::split ? 10 : motion_size);
+  piece.flow.setZero(size + multipliers_, size + multipliers_);
+  piece.flow_rhs.setZero(size + multipliers_);
+  piece.flow.topLeftCorner<head, head>() = A.topLeftCorner<head, head>();
+  piece.flow_rhs.head<head>() = rhs.head<head>();
+
+  piece.flow.topRightCorner(30, multipliers_) = constraints.leftCols(multipliers_);
+  piece.flow.bottomLeftCorner(multipliers_, 30) = constraints.leftCols(multipliers_).transpose();
+  if (!keep_volume) {  // λ = 0, once for each triangle
+    piece.flow.col(size).setZero();
+    piece.flow.row(size).setZero();
+    piece.flow(size, size) = 1;
+  }
+  if (scheme_ == Scheme::monolithic) {
+    piece.flow.block<head, motion_size>(0, head) = A.block<head, motion_size>(0, local::H);
+    piece.flow.block<motion_size, head>(head, 0) = A.block<motion_size, head>(local::H, 0);
+    piece.flow.block<motion_size, motion_size>(head, head) =
+        A.bottomRightCorner<motion_size, motion_size>();
+    piece.flow_rhs.segment<motion_size>(head) = rhs.tail<motion_size>();
+    return;
+  }
+  piece.flow.block<head, 10>(0, head) = A.block<head, 10>(0, local::H);
+  for (int k = 0; k < 3; ++k) {
+    const auto along = n.row(k).transpose().asDiagonal();
+    const int Z = local::Y + 10 * k;
+    piece.flow.block<10, 10>(head, head) += along * A.block<10, 10>(Z, local::H);
+    piece.flow.block<10, 10>(head, 10 * k) = tau * (along * A.block<10, 10>(Z, Z));
+    piece.flow_rhs.segment<10>(head) += along * rhs.segment<10>(Z);
+  }
+  piece.motion = A.bottomRightCorner<motion_size, motion_size>();
+  piece.motion_rhs = rhs.tail<motion_size>();
+}
+
+void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
+                             const Curvature& curvature, double tau,
+                             const Constraints& constraints) {
   const bool split = scheme_ == Scheme::split;
   set_zero(flow_pattern_, flow_);
   set_zero(motion_pattern_, motion_);
-  normal_flux_.setZero(flow_pattern_.size());
   normal_motion_.resize(std::size_t(split ? mesh.count() : 0));
+  const StepParameters step{.tau = tau, .area_rate = constraints.area_rate};
 
-  struct Piece {
-    ElementSystem whole;
-    Part<monolithic_size> monolithic;
-    Part<split_size> flow;
-    Part<motion_size> motion;
-  };
-  constexpr int chunk = 64;  // in parallel; their sums then go into the matrix one after the other
+  constexpr int chunk = 64;  // in parallel; then one after the other into the matrices
   std::vector<Piece> pieces(chunk);
   for (int begin = 0; begin < mesh.count(); begin += chunk) {
     const int end = std::min(begin + chunk, mesh.count());
     tbb::parallel_for(begin, end, [&](int e) {
       Piece& piece = pieces[std::size_t(e - begin)];
-      assemble_element(material,
+      assemble_element(material_,
                        {.X = on_element(mesh, e, old.X),
                         .normals = on_element(mesh, e, curvature.normals),
                         .beta = on_element(mesh, e, old.beta),
                         .H = on_element(mesh, e, curvature.H)},
                        step, piece.whole);
-      if (!split) return take_monolithic(piece.whole, piece.monolithic);
-      take_split(piece.whole, on_element(mesh, e, curvature.node_normals), step.tau, piece.flow);
-      take_motion(piece.whole, piece.motion);
-      normal_motion_[std::size_t(e)] = piece.whole.matrix.block<10, 30>(local::H, local::V);
+      cut(on_element(mesh, e, curvature.node_normals), tau, constraints.keep_volume, piece);
+      if (split)
+        normal_motion_[std::size_t(e)] = -piece.whole.matrix.block<10, 30>(local::H, local::V);
     });
     for (int e = begin; e < end; ++e) {
       const Piece& piece = pieces[std::size_t(e - begin)];
-      if (split) {
-        add(flow_pattern_, e, piece.flow, flow_);
-        add(motion_pattern_, e, piece.motion, motion_);
-      } else {
-        add(flow_pattern_, e, piece.monolithic, flow_);
-      }
-      for (int i = 0; i < 30; ++i)
-        normal_flux_[flow_pattern_.unknown(i, e)] += piece.whole.normal_flux[i];
+      flow_pattern_.add(e, piece.flow, flow_.matrix);
+      flow_pattern_.add(e, piece.flow_rhs, flow_.rhs);
+      if (!split) continue;
+      motion_pattern_.add(e, piece.motion, motion_.matrix);
+      motion_pattern_.add(e, piece.motion_rhs, motion_.rhs);
     }
   }
+  flow_.rhs[flow_.rhs.size() - multipliers_] =
+      constraints.keep_volume ? constraints.volume_rate : 0;
 }
 
-Eigen::VectorXd CoupledSystem::minus_normal_motion(const Nodes& V) const {
-  Eigen::VectorXd flux = Eigen::VectorXd::Zero(motion_pattern_.size());
+void CoupledSystem::add_normal_motion(const Nodes& V, Eigen::VectorXd& rhs) const {
   Eigen::Matrix<double, 30, 1> local_V;
   for (int e = 0; e < motion_pattern_.elements(); ++e) {
     for (int i = 0; i < 30; ++i) local_V[i] = V.reshaped()[flow_pattern_.unknown(i, e)];
-    const Eigen::Matrix<double, 10, 1> local_flux = normal_motion_[std::size_t(e)] * local_V;
-    for (int a = 0; a < 10; ++a) flux[motion_pattern_.unknown(a, e)] += local_flux[a];
+    const Eigen::Matrix<double, 10, 1> flux = normal_motion_[std::size_t(e)] * local_V;
+    for (int a = 0; a < 10; ++a) rhs[motion_pattern_.unknown(a, e)] += flux[a];
   }
-  return flux;
 }
 
 Nodes CoupledSystem::velocity(const Eigen::VectorXd& flow) const {

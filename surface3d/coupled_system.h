@@ -1,60 +1,69 @@
 // The coupled step of model/equations.md as sparse linear systems.
 //
-// `monolithic`: all of V, p, H, Y at once. `split`: Y = τV in the curvature equation (H1), tested along
-// the node normals, leaves V, p, H; the mesh motion (Y1), (H1) with the velocity known follows. Both have
-// the same states of rest, and differ by O(τ) in motion. Both come from the same element matrices.
+// `monolithic`: all of V, p, H, Y, λ at once. `split`: with Y = τV in the curvature equation (H1), tested
+// along the node normals, V, p, H, λ stand alone; the mesh motion (Y1), (H1) with the velocity known
+// follows. Both have the same states of rest, and differ by O(τ) in motion. Both are cut from the same
+// element matrices.
+//
+// Without friction the rigid motions R cost nothing: six more multipliers make (R, V) = 0.
 #pragma once
 
-#include "surface3d/curvature.h"
+#include "surface3d/element_system.h"
 #include "surface3d/sparse_pattern.h"
-#include "surface3d/weak_form.h"
 
-#include <array>
+#include <vector>
 
 namespace sbeh::surface3d {
 
 enum class Scheme { split, monolithic };
 
-/// A linear system without its border.
 struct LinearSystem {
   SparseMatrix matrix;
   Eigen::VectorXd rhs;
 };
 
+/// What a step keeps besides the equations at points.
+struct Constraints {
+  double area_rate;    ///< (A₀ − A)/(τA) of (P1)
+  double volume_rate;  ///< (V₀ − V)/τ of (P2)
+  bool keep_volume;  ///< false on a sphere, where a constant p and λ are one unknown: then λ = 0
+};
+
 /// Assembles the systems of a step; keeps their structure and memory.
 class CoupledSystem {
  public:
-  CoupledSystem(const Triangulation& mesh, Scheme scheme);
+  CoupledSystem(const Triangulation& mesh, const model::Material& material, Scheme scheme);
 
   /// Fills the systems from the old state; elements in parallel, sums in a fixed order.
-  void assemble(const Triangulation& mesh, const model::Material& material, const State& old,
-                const Curvature& curvature, const StepParameters& step);
+  void assemble(const Triangulation& mesh, const State& old, const Curvature& curvature, double tau,
+                const Constraints& constraints);
 
-  /// V, p, H and, when monolithic, Y.
+  /// V, p, H, when monolithic Y, and λ.
   const LinearSystem& flow() const { return flow_; }
-  /// η and Y; only when split. Its right-hand side lacks τ(V·ν, G).
+  /// η and Y; only when split. The right-hand side lacks τ(V·ν, G), see add_normal_motion.
   const LinearSystem& motion() const { return motion_; }
-  /// (ν, W) over the unknowns of `flow`: the column of (V4) and the row of (P2).
-  const Eigen::VectorXd& normal_flux() const { return normal_flux_; }
-  /// −τ(V·ν, G) for a velocity, to be taken from the right-hand side of `motion`.
-  Eigen::VectorXd minus_normal_motion(const Nodes& V) const;
+  /// Adds τ(V·ν, G) to the right-hand side of `motion`.
+  void add_normal_motion(const Nodes& V, Eigen::VectorXd& rhs) const;
 
   Scheme scheme() const { return scheme_; }
-  Nodes velocity(const Eigen::VectorXd& flow) const;      // 3 x nodes
-  Field pressure(const Eigen::VectorXd& flow) const;      // P2 nodes
-  Field curvature(const Eigen::VectorXd& flow) const;     // nodes
-  /// Of the solution of `motion`, or of `flow` when monolithic.
-  Nodes displacement(const Eigen::VectorXd& solution) const;  // 3 x nodes
-  int velocity_unknown(int node, int component) const { return 3 * node + component; }
+  // Parts of a solution of `flow`:
+  Nodes velocity(const Eigen::VectorXd& flow) const;   // 3 x nodes
+  Field pressure(const Eigen::VectorXd& flow) const;   // P2 nodes
+  Field curvature(const Eigen::VectorXd& flow) const;  // nodes
+  double lambda(const Eigen::VectorXd& flow) const { return flow[flow.size() - multipliers_]; }
+  /// Of the solution of `motion`, or of `flow` when monolithic; 3 x nodes.
+  Nodes displacement(const Eigen::VectorXd& solution) const;
 
  private:
+  struct Piece;
+  void cut(const ElementNodes& normals, double tau, bool keep_volume, Piece& piece) const;
+
+  model::Material material_;
   Scheme scheme_;
-  int nodes_, quadratic_nodes_;
+  int nodes_, quadratic_nodes_, multipliers_;
   SparsePattern flow_pattern_, motion_pattern_;
   LinearSystem flow_, motion_;
-  Eigen::VectorXd normal_flux_;
-  // −τ(V·ν, G) by element: 10 G x 30 V
-  std::vector<Eigen::Matrix<double, 10, 30>> normal_motion_;
+  std::vector<Eigen::Matrix<double, 10, 30>> normal_motion_;  // by element: τ(V·ν, G)
 };
 
 }  // namespace sbeh::surface3d

@@ -79,7 +79,8 @@ Nodes projected_normals(const Triangulation& mesh, const Nodes& X) {
 }
 
 std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X) {
-  Curvature c{.node_normals = node_normals(mesh, X), .normals = projected_normals(mesh, X), .H = {}};
+  Curvature c{
+      .node_normals = node_normals(mesh, X), .normals = projected_normals(mesh, X), .H = {}};
   c.H = mean_curvature(mesh, X, c.node_normals);
   if (c.normals.size() == 0 || c.H.size() == 0) return {};
   return c;

@@ -51,6 +51,13 @@ CoupledData<Jet> independent_data() {
   return d;
 }
 
+// C with C y = x × y.
+Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& x) {
+  Eigen::Matrix3d C;
+  C << 0, -x[2], x[1], x[2], 0, -x[0], -x[1], x[0], 0;
+  return C;
+}
+
 }  // namespace
 
 void assemble_element(const model::Material& material, const ElementState& old,
@@ -58,7 +65,7 @@ void assemble_element(const model::Material& material, const ElementState& old,
   static const CoupledData<Jet> independent = independent_data();
   out.matrix.setZero();
   out.rhs.setZero();
-  out.normal_flux.setZero();
+  out.constraints.setZero();
   for (const ShapeValues& s : assembly_points()) {
     const SurfacePoint x = surface_point(old.X, s);
     const OldPoint point{.geometry = x,
@@ -76,8 +83,10 @@ void assemble_element(const model::Material& material, const ElementState& old,
     const auto rows = data_rows(s, x);
     model::add_matrix(rows, D, x.dS, out.matrix);
     model::add_vector(rows, constant, x.dS, out.rhs);
+    Eigen::Matrix<double, 3, 7> directions;  // ν, e_k, e_k × x
+    directions << x.nu(), Eigen::Matrix3d::Identity(), -cross_matrix(x.x);
     for (int k = 0; k < 3; ++k)
-      out.normal_flux.segment<10>(10 * k) += (x.dS * x.frame(k, 2)) * Shapes(s.phi.data());
+      out.constraints.middleRows<10>(10 * k) += Shapes(s.phi.data()) * (x.dS * directions.row(k));
   }
 }
 

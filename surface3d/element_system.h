@@ -14,11 +14,12 @@ namespace local {
 inline constexpr int V = 0, p = 30, H = 40, Y = 50, size = 80;
 }
 
-/// Matrix (row: test function, column: unknown), right-hand side, and (ν, W).
+/// Matrix (row: test function, column: unknown), right-hand side, and what the multipliers meet:
+/// (ν, W), then (R, W) of the rigid motions R: three translations, three rotations about the axes.
 struct ElementSystem {
   Eigen::Matrix<double, local::size, local::size> matrix;
   Eigen::Matrix<double, local::size, 1> rhs;
-  Eigen::Matrix<double, 30, 1> normal_flux;
+  Eigen::Matrix<double, 30, 7> constraints;
 };
 
 /// What a triangle has of the old state.

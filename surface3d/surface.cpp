@@ -111,7 +111,8 @@ Nodes node_normals(const Triangulation& mesh, const Nodes& X) {
     const ElementNodes local = on_element(mesh, e, X);
     for (int a = 0; a < 10; ++a) {
       const auto& dphi = node_points()[std::size_t(a)].dphi;
-      const Eigen::Vector3d a1 = local * Shapes(dphi[0].data()), a2 = local * Shapes(dphi[1].data());
+      const Eigen::Vector3d a1 = local * Shapes(dphi[0].data()),
+                            a2 = local * Shapes(dphi[1].data());
       n.col(mesh.triangles(a, e)) += a1.cross(a2);
     }
   }

@@ -42,10 +42,10 @@ struct State {
 
 /// Shape functions at one quadrature point of the reference triangle.
 struct ShapeValues {
-  double weight;                                 ///< summing to 1/2
-  std::array<double, 10> phi;                    ///< P3
-  std::array<std::array<double, 10>, 2> dphi;    ///< P3, by the two reference coordinates
-  std::array<double, 10> quadratic;              ///< P2, padded with zeros
+  double weight;                               ///< summing to 1/2
+  std::array<double, 10> phi;                  ///< P3
+  std::array<std::array<double, 10>, 2> dphi;  ///< P3, by the two reference coordinates
+  std::array<double, 10> quadratic;            ///< P2, padded with zeros
 };
 
 /// Quadrature points of the assembly (degree 8) and of the diagnostics (degree 12).
@@ -57,9 +57,9 @@ std::span<const ShapeValues> node_points();
 /// Geometry of the surface at a point of a triangle.
 struct SurfacePoint {
   Eigen::Vector3d x;
-  Eigen::Matrix3d frame;                      ///< columns e1, e2, ν
-  std::array<std::array<double, 10>, 2> grad; ///< ∇φ_a along e1, e2
-  double dS;                                  ///< the area this quadrature point stands for
+  Eigen::Matrix3d frame;                       ///< columns e1, e2, ν
+  std::array<std::array<double, 10>, 2> grad;  ///< ∇φ_a along e1, e2
+  double dS;                                   ///< the area this quadrature point stands for
   Eigen::Vector3d nu() const { return frame.col(2); }
 };
 

@@ -17,12 +17,12 @@ using CartesianGradient = Eigen::Matrix<T, 3, 2>;  // row: x, y, z; column: e1, 
 /// functions W (for V), q (p), G (H) and Z (Y).
 template <class T>
 struct CoupledData {
-  model::Vector<T> V;       // velocity
+  model::Vector<T> V;  // velocity
   CartesianGradient<T> dV;
-  T p;                      // surface pressure
-  T H;                      // mean curvature of the next surface
+  T p;  // surface pressure
+  T H;  // mean curvature of the next surface
   model::Tangent<T> dH;
-  model::Vector<T> Y;       // displacement of the mesh
+  model::Vector<T> Y;  // displacement of the mesh
   CartesianGradient<T> dY;
 };
 inline constexpr std::size_t coupled_data_size = 22;
@@ -53,7 +53,7 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
   const model::ElasticPoint<double, T> elastic{
       .beta = old.beta, .grad_beta = old.grad_beta, .B = old.B, .H = u.H, .grad_H = u.dH};
 
-  model::Gradient<T> stress = -model::elastic_stress(m, elastic);                      // (V5) … (V10)
+  model::Gradient<T> stress = -model::elastic_stress(m, elastic);  // (V5) … (V10)
   stress.template topRows<2>() += model::rate_of_strain(grad_V) * T(m.eta(old.beta));  // (V1)
   stress(0, 0) -= u.p;                                                                 // (V3)
   stress(1, 1) -= u.p;
@@ -67,7 +67,7 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
   g.p = model::divergence(grad_V) - step.area_rate;  // (P1)
   g.H = u.Y.dot(nu) - step.tau * V_n;                // (Y1)
   g.dH.setZero();
-  g.Y = u.H * nu;  // (H1)
+  g.Y = u.H * nu;                                 // (H1)
   g.dY = u.dY + x.frame.leftCols<2>().cast<T>();  // ∇_C X = P
   return g;
 }
@@ -82,10 +82,10 @@ struct OrderPoint {
 /// The order equation (B1)–(B5) at a point, linear in β.
 /// The potential enters as u'(0) + [(u'(βⁿ⁻¹) − u'(0))/βⁿ⁻¹] βⁿ.
 struct OrderData {
-  double reaction;                  ///< of (β, ψ)
-  model::Tangent<double> advection; ///< of (∇β, ψ)
-  double diffusion;                 ///< of (∇β, ∇ψ)
-  double rhs;                       ///< of ψ
+  double reaction;                   ///< of (β, ψ)
+  model::Tangent<double> advection;  ///< of (∇β, ψ)
+  double diffusion;                  ///< of (∇β, ∇ψ)
+  double rhs;                        ///< of ψ
 };
 OrderData order_step_point(const model::Material& m, const OrderPoint& x, double tau);
 

@@ -1,0 +1,51 @@
+#include "surface3d/order_step.h"
+
+#include "surface3d/weak_form.h"
+
+#include <Eigen/IterativeLinearSolvers>
+
+namespace sbeh::surface3d {
+
+Field order_step(const Triangulation& mesh, const model::Material& material, const State& old,
+                 const Curvature& curvature, const Nodes& slip, double tau) {
+  SparseMatrix A = mesh.scalars.zero();
+  Field rhs = Field::Zero(mesh.nodes);
+  for (int e = 0; e < mesh.count(); ++e) {
+    const ElementNodes X = on_element(mesh, e, old.X),
+                       normals = on_element(mesh, e, curvature.normals),
+                       local_slip = on_element(mesh, e, slip);
+    const ElementField beta = on_element(mesh, e, old.beta), H = on_element(mesh, e, curvature.H);
+    Eigen::Matrix<double, 10, 10> matrix = Eigen::Matrix<double, 10, 10>::Zero();
+    ElementField vector = ElementField::Zero();
+    for (const ShapeValues& s : assembly_points()) {
+      const SurfacePoint x = surface_point(X, s);
+      const double h = value_at(H, s);
+      const model::ShapeOperator<double> B = shape_operator(x, normals, h);
+      const OrderData d =
+          order_step_point(material,
+                           {.beta_old = value_at(beta, s),
+                            .H = h,
+                            .K = model::gauss_curvature(B),
+                            .slip = x.frame.leftCols<2>().transpose() * value_at(local_slip, s)},
+                           tau);
+      const Shapes phi(s.phi.data()), grad_1(x.grad[0].data()), grad_2(x.grad[1].data());
+      const ElementField value =
+          d.reaction * phi + d.advection[0] * grad_1 + d.advection[1] * grad_2;
+      matrix += (x.dS * phi) * value.transpose();
+      matrix += (x.dS * d.diffusion * grad_1) * grad_1.transpose();
+      matrix += (x.dS * d.diffusion * grad_2) * grad_2.transpose();
+      vector += x.dS * d.rhs * phi;
+    }
+    mesh.scalars.add(e, matrix, A);
+    mesh.scalars.add(e, vector, rhs);
+  }
+  // Dominated by the mass matrix: a few dozen iterations to rounding.
+  Eigen::BiCGSTAB<SparseMatrix> solver(A);
+  solver.setTolerance(1e-13);
+  solver.setMaxIterations(2000);
+  const Field beta = solver.solveWithGuess(rhs, old.beta);
+  if (!beta.allFinite() || !(solver.error() < 1e-10)) return {};
+  return beta;
+}
+
+}  // namespace sbeh::surface3d
