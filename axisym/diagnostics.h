@@ -2,17 +2,12 @@
 #pragma once
 
 #include "axisym/curve.h"
+#include "model/flow.h"
 #include "model/material.h"
 
 namespace sbeh::axisym {
 
-/// Integrals of the energy density over the surface, dimensionless.
-struct Energy {
-  double distortion = 0;    ///< ∫ (l₁/2)|∇β|²
-  double bending = 0;       ///< ∫ (κ/2)(H − H₀)² + κ_G K
-  double thermotropic = 0;  ///< ∫ u(β)
-  double total() const { return distortion + bending + thermotropic; }
-};
+using model::Energy;
 
 /// Energy of a state whose nodal mean curvature is known.
 Energy energy(const model::Material& material, const State& state, const Field& H);

@@ -2,17 +2,15 @@
 #pragma once
 
 #include "axisym/curve.h"
+#include "model/flow.h"
 #include "model/material.h"
 
 #include <memory>
 
 namespace sbeh::axisym {
 
-/// The area and volume that a run keeps.
-struct Target {
-  double area;
-  double volume;
-};
+using model::Dissipation;
+using model::Target;
 
 /// What a step computes besides the next state.
 struct StepFields {
@@ -21,14 +19,6 @@ struct StepFields {
   Field H;        // nodes, curvature of the next surface as the scheme knows it
   Field p;        // 2 elements + 1, surface pressure
   double lambda;  ///< volume multiplier
-};
-
-/// Rates of dissipation: dU/dt = −(friction + order + viscous).
-struct Dissipation {
-  double friction = 0;  ///< ∫ γ_∥|PV|² + γ_⊥(V·ν)² dS
-  double order = 0;     ///< ∫ (3/2)(M + μξ²/2) β̇² dS
-  double viscous = 0;   ///< ∫ (η/2)|σ(V)|² dS
-  double total() const { return friction + order + viscous; }
 };
 
 /// Result of a step; `ok` is false when a linear solve failed or the new curve is degenerate, and

@@ -86,18 +86,22 @@ void write_material(TomlText& toml, const model::Material& material, Elasticity 
   toml.value("spontaneous_curvature", spontaneous_curvature);
 }
 
-void write_numerics(TomlText& toml, const axisym::Numerics& numerics) {
-  const auto& [elements, grading, tolerance, first_step, smallest_step, largest_step, extrapolate,
-               rest_speed] = numerics;
-  toml.table("numerics");
-  toml.value("elements", elements);
-  toml.value("grading", grading);
+void write_time_control(TomlText& toml, const model::TimeControl& control) {
+  const auto& [tolerance, first_step, smallest_step, largest_step, extrapolate, rest_speed] =
+      control;
   toml.value("tolerance", tolerance);
   toml.value("first_step", first_step);
   toml.value("smallest_step", smallest_step);
   toml.value("largest_step", largest_step);
   toml.value("extrapolate", extrapolate);
   toml.value("rest_speed", rest_speed);
+}
+
+void write_numerics(TomlText& toml, const axisym::Numerics& numerics) {
+  toml.table("numerics");
+  toml.value("elements", numerics.elements);
+  toml.value("grading", numerics.grading);
+  write_time_control(toml, numerics);
 }
 
 void write_shape(TomlText& toml, const Ellipsoid& ellipsoid) {

@@ -88,17 +88,19 @@ model::Material read_material_without_L(const TomlTable& table) {
   return read_rest(table, {});
 }
 
-axisym::Numerics read_numerics(const TomlTable& table) {
-  constexpr int any = std::numeric_limits<int>::max();
-  axisym::Numerics numerics;
-  numerics.elements = table.integer("elements", -any, any, numerics.elements);
-  numerics.grading = table.number("grading", {}, numerics.grading);
-  numerics.tolerance = table.number("tolerance", {}, numerics.tolerance);
-  numerics.first_step = table.number("first_step", {}, numerics.first_step);
-  numerics.smallest_step = table.number("smallest_step", {}, numerics.smallest_step);
-  numerics.largest_step = table.number("largest_step", {}, numerics.largest_step);
-  numerics.extrapolate = table.boolean("extrapolate", numerics.extrapolate);
-  numerics.rest_speed = table.number("rest_speed", {}, numerics.rest_speed);
+namespace {
+
+void read_time_control(const TomlTable& table, model::TimeControl& control) {
+  control.tolerance = table.number("tolerance", {}, control.tolerance);
+  control.first_step = table.number("first_step", {}, control.first_step);
+  control.smallest_step = table.number("smallest_step", {}, control.smallest_step);
+  control.largest_step = table.number("largest_step", {}, control.largest_step);
+  control.extrapolate = table.boolean("extrapolate", control.extrapolate);
+  control.rest_speed = table.number("rest_speed", {}, control.rest_speed);
+}
+
+template <class Numerics>
+Numerics checked(const TomlTable& table, const Numerics& numerics) {
   table.reject_unknown_keys();
   try {
     numerics.validate();
@@ -106,6 +108,17 @@ axisym::Numerics read_numerics(const TomlTable& table) {
     table.fail_from(error);
   }
   return numerics;
+}
+
+}  // namespace
+
+axisym::Numerics read_numerics(const TomlTable& table) {
+  constexpr int any = std::numeric_limits<int>::max();
+  axisym::Numerics numerics;
+  numerics.elements = table.integer("elements", -any, any, numerics.elements);
+  numerics.grading = table.number("grading", {}, numerics.grading);
+  read_time_control(table, numerics);
+  return checked(table, numerics);
 }
 
 const std::vector<std::string>& model_words() {

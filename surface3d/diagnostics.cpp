@@ -4,6 +4,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <stdexcept>
 
 namespace sbeh::surface3d {
 
@@ -23,6 +25,61 @@ Energy energy(const Triangulation& mesh, const model::Material& material, const 
         sum.thermotropic += p.dS * density.thermotropic;
       });
   return sum;
+}
+
+double mesh_quality(const Triangulation& mesh, const Nodes& X) {
+  double worst = 1;
+  for (int e = 0; e < mesh.count(); ++e) {
+    const ElementNodes local = on_element(mesh, e, X);
+    const Eigen::Vector3d a = local.col(1) - local.col(0), b = local.col(2) - local.col(0),
+                          c = local.col(2) - local.col(1), normal = a.cross(b);
+    const double sides = a.squaredNorm() + b.squaredNorm() + c.squaredNorm();
+    double least = std::numeric_limits<double>::infinity(), largest = 0;
+    for (const ShapeValues& s : node_points()) {
+      const Eigen::Vector3d n =
+          (local * Shapes(s.dphi[0].data())).cross(local * Shapes(s.dphi[1].data()));
+      const double along = n.dot(normal) > 0 ? n.norm() : -n.norm();
+      least = std::min(least, along);
+      largest = std::max(largest, n.norm());
+    }
+    worst = std::min(worst, least / largest * 2 * std::sqrt(3.) * normal.norm() / sides);
+  }
+  return worst;
+}
+
+Diagnostics diagnose(const Triangulation& mesh, const model::Material& material,
+                     const State& state) {
+  const auto curvature = curvature_of(mesh, state.X);
+  if (!curvature) throw std::runtime_error("diagnose: the surface is degenerate");
+  Diagnostics d{};
+  d.energy = energy(mesh, material, state, *curvature);
+  d.area = area(mesh, state.X);
+  d.volume = volume(mesh, state.X);
+  d.reduced_volume = reduced_volume(d.area, d.volume);
+  d.mesh_quality = mesh_quality(mesh, state.X);
+  d.H_abs_max = curvature->H.cwiseAbs().maxCoeff();
+  d.order_min = state.beta.minCoeff();
+  d.order_max = state.beta.maxCoeff();
+  double order_integral = 0;
+  for_each_point(mesh, state.X, diagnostic_points(),
+                 [&](int e, const ShapeValues& s, const SurfacePoint& p) {
+                   const double H = value_at(on_element(mesh, e, curvature->H), s);
+                   const auto B = shape_operator(p, on_element(mesh, e, curvature->normals), H);
+                   d.W2 += p.dS * H;
+                   d.total_gauss_curvature += p.dS * model::gauss_curvature(B);
+                   order_integral += p.dS * value_at(on_element(mesh, e, state.beta), s);
+                   const double side =
+                       std::sqrt(2 * p.dS / s.weight);  // of the square with twice the triangle
+                   d.resolution = std::max(d.resolution, B.norm() * side / 3);
+                 });
+  d.order_mean = order_integral / d.area;
+  for_each_point(
+      mesh, state.X, diagnostic_points(), [&](int e, const ShapeValues& s, const SurfacePoint& p) {
+        const double excess = value_at(on_element(mesh, e, state.beta), s) - d.order_mean;
+        d.order_variance += p.dS * excess * excess / d.area;
+      });
+  d.order_std = std::sqrt(d.order_variance);
+  return d;
 }
 
 }  // namespace sbeh::surface3d

@@ -1,21 +1,41 @@
 // What is measured on a state: energy and its parts, geometry, order.
 #pragma once
 
+#include "model/flow.h"
 #include "model/material.h"
 #include "surface3d/curvature.h"
 
 namespace sbeh::surface3d {
 
-/// Integrals of the energy density over the surface, dimensionless.
-struct Energy {
-  double distortion = 0;    ///< ∫ (l₁/2)|∇β|²
-  double bending = 0;       ///< ∫ (κ/2)(H − H₀)² + κ_G K
-  double thermotropic = 0;  ///< ∫ u(β)
-  double total() const { return distortion + bending + thermotropic; }
-};
+using model::Energy;
 
 /// Energy of a state whose curvature is known.
 Energy energy(const Triangulation& mesh, const model::Material& material, const State& state,
               const Curvature& curvature);
+
+/// Smallest over all triangles and their nodes of J_min/J_max · 4√3 area/Σ(side)², 1 for flat
+/// equilateral triangles, <= 0 where one is turned over; J the area per reference area, sides and area
+/// those of the corners.
+double mesh_quality(const Triangulation& mesh, const Nodes& X);
+
+/// A mesh of lower quality is degenerate.
+inline constexpr double degenerate_quality = 0.02;
+
+/// Integrated and extreme values of a state; lengths in radii of the sphere of equal area.
+struct Diagnostics {
+  Energy energy;
+  double area, volume, reduced_volume;
+  double W2;                     ///< ∫ H dS, −8π on the unit sphere
+  double total_gauss_curvature;  ///< ∫ K dS: 4π but for the error of B
+  double order_min, order_mean, order_max;
+  double order_variance;  ///< (1/A)∫(β − mean)² dS
+  double order_std;       ///< its root
+  double H_abs_max;       ///< largest |H|
+  double resolution;      ///< largest |B| times the node spacing
+  double mesh_quality;    ///< see mesh_quality
+};
+/// Throws std::runtime_error where the surface is degenerate.
+Diagnostics diagnose(const Triangulation& mesh, const model::Material& material,
+                     const State& state);
 
 }  // namespace sbeh::surface3d

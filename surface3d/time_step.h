@@ -1,6 +1,7 @@
 // One time step of the ALE scheme: velocity, pressure, curvature and mesh motion, then the order.
 #pragma once
 
+#include "model/flow.h"
 #include "model/material.h"
 #include "surface3d/coupled_system.h"
 #include "surface3d/surface.h"
@@ -9,11 +10,8 @@
 
 namespace sbeh::surface3d {
 
-/// The area and volume that a run keeps.
-struct Target {
-  double area;
-  double volume;
-};
+using model::Dissipation;
+using model::Target;
 
 /// What a step computes besides the next state.
 struct StepFields {
@@ -22,14 +20,6 @@ struct StepFields {
   Field H;        // nodes, curvature of the next surface as the scheme knows it
   Field p;        // P2 nodes, surface pressure
   double lambda;  ///< volume multiplier
-};
-
-/// Rates of dissipation: dU/dt = −(friction + order + viscous).
-struct Dissipation {
-  double friction = 0;  ///< ∫ γ_∥|PV|² + γ_⊥(V·ν)² dS
-  double order = 0;     ///< ∫ (3/2)(M + μξ²/2) β̇² dS
-  double viscous = 0;   ///< ∫ (η/2)|σ(V)|² dS
-  double total() const { return friction + order + viscous; }
 };
 
 /// Result of a step; `ok` is false when a linear solve failed or the new surface is degenerate, and

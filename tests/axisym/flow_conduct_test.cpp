@@ -190,7 +190,7 @@ TEST(Flow, past_the_fold_ends_with_a_reason_in_bounded_steps) {
 
 TEST(Numerics, refuse_values_out_of_range) {
   EXPECT_NO_THROW(Numerics{}.validate());
-  const auto refused = [](auto Numerics::*member, auto value) {
+  const auto refused = [](auto member, auto value) {
     Numerics n;
     n.*member = value;
     EXPECT_THROW(n.validate(), std::invalid_argument) << value;

@@ -25,9 +25,10 @@ inline void expect_same(const model::Material& a, const model::Material& b) {
 
 inline void expect_same(const axisym::Numerics& a, const axisym::Numerics& b) {
   const auto tie = [](const axisym::Numerics& numerics) {
-    const auto& [elements, grading, tolerance, first, smallest, largest, extrapolate, rest] =
-        numerics;
-    return std::tie(elements, grading, tolerance, first, smallest, largest, extrapolate, rest);
+    const auto& [tolerance, first, smallest, largest, extrapolate, rest] =
+        static_cast<const model::TimeControl&>(numerics);
+    return std::tie(numerics.elements, numerics.grading, tolerance, first, smallest, largest,
+                    extrapolate, rest);
   };
   EXPECT_TRUE(tie(a) == tie(b));
 }

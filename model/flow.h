@@ -1,0 +1,252 @@
+// An evolution in time: adaptive steps, exact output times, and the reason why it stopped. What both
+// solvers share; the physics of a step is theirs.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <string>
+#include <vector>
+
+namespace sbeh::model {
+
+/// The area and volume that a run keeps.
+struct Target {
+  double area;
+  double volume;
+};
+
+/// Integrals of the energy density over the surface, dimensionless.
+struct Energy {
+  double distortion = 0;    ///< ∫ (l₁/2)|∇β|²
+  double bending = 0;       ///< ∫ (κ/2)(H − H₀)² + κ_G K
+  double thermotropic = 0;  ///< ∫ u(β)
+  double total() const { return distortion + bending + thermotropic; }
+};
+
+/// Rates of dissipation: dU/dt = −(friction + order + viscous).
+struct Dissipation {
+  double friction = 0;  ///< ∫ γ_∥|PV|² + γ_⊥(V·ν)² dS
+  double order = 0;     ///< ∫ (3/2)(M + μξ²/2) β̇² dS
+  double viscous = 0;   ///< ∫ (η/2)|σ(V)|² dS
+  double total() const { return friction + order + viscous; }
+};
+Dissipation combine(double a, const Dissipation& x, double b, const Dissipation& y);
+
+/// How a run chooses its time steps.
+struct TimeControl {
+  double tolerance = 1e-5;       ///< error allowed in one step, positions and order, 1e-12 … 0.1
+  double first_step = 1e-6;      ///< τ of the first try, > 0
+  double smallest_step = 1e-12;  ///< below it the run stops: "time step too small", > 0
+  double largest_step = 0.05;    ///< τ never exceeds it, > 0; the explicit coupling of shape and
+                                 ///< order oscillates from about 0.1 on
+  bool extrapolate = true;       ///< a step and two half steps combined to second order in τ;
+                                 ///< false: the two half steps, first order
+  double rest_speed = 1e-6;      ///< a run is stationary when no point is faster than this, > 0
+
+  /// Throws std::invalid_argument with name, value and constraint.
+  void validate() const;
+};
+
+/// One accepted step as observers see it.
+struct FlowRecord {
+  double time = 0;       ///< at its end
+  double time_step = 0;  ///< τ, 0 for the start
+  Energy energy;
+  Dissipation dissipation;    ///< mean rates over the step
+  double energy_balance = 1;  ///< (U_old − U_new)/(τ · dissipation): 1 + O(τ)
+  double normal_speed = 0;    ///< largest normal displacement per time
+  double order_speed = 0;     ///< largest change of order per time
+  double speed_max = 0;       ///< largest speed of the material, |V|
+  double lambda = 0;          ///< volume multiplier
+  double next_step = 0;       ///< τ of the next try: with the state all that a run needs to go on
+  int rejected = 0;           ///< steps rejected so far
+};
+
+/// Relative difference below which two output times are one.
+inline constexpr double same_time = 1e-10;
+
+struct FlowSchedule {
+  double end_time = 1;
+  std::vector<double>
+      output_times;          ///< met exactly, in any order; those beyond the end are ignored,
+                             ///< those that differ by less than same_time are met once
+  bool stop_at_rest = true;  ///< at TimeControl::rest_speed
+};
+
+enum class FlowStop { end_time, at_rest, unresolved, step_too_small, interrupted };
+/// A sentence for tables and messages.
+std::string describe(FlowStop stop);
+
+/// Sees every accepted step; `exact` tells that the time is one of the output times. Returning false
+/// interrupts the run.
+template <class State>
+using FlowObserver = std::function<bool(const FlowRecord&, const State&, bool exact)>;
+
+template <class State>
+struct FlowResult {
+  FlowStop stop;
+  State state;
+  FlowRecord last;
+  int steps;
+};
+
+/// A step as the run sees it; the rest holds only when `ok`.
+template <class State>
+struct FlowStep {
+  bool ok = false;
+  State state;
+  Dissipation dissipation;
+  double lambda = 0, speed_max = 0;
+};
+
+/// Largest normal distance and change of order between two states.
+struct Distance {
+  double normal, order;
+};
+
+/// The output times and the end, ascending; those that differ by rounding are one.
+std::vector<double> stops_of(const FlowSchedule& schedule);
+
+/// Runs the flow of a solver from `from` on, keeping area and volume at `target` to rounding. A Solver
+/// has a type State (a value, with X and beta) and
+///   FlowStep<State> step(const State& old, const Target&, double tau)
+///   Target measure(const State&)                        area and volume
+///   bool restore(State&, const Target&)                 brings them back; false where that fails
+///   Distance distance(const State& a, const State& b)   along the normals of a
+///   Energy energy(const State&)
+///   bool resolved(const State&)                         whether the mesh resolves the curvature
+/// A step is rejected and tried with a smaller τ when its error exceeds the tolerance, when a solve
+/// fails, or when the energy rises and the step's error is not negligible; rejection leaves no trace
+/// but the count.
+template <class Solver>
+class Flow {
+ public:
+  using State = typename Solver::State;
+  Flow(Solver& solver, const Target& target, const TimeControl& control)
+      : solver_(solver), target_(target), control_(control) {}
+
+  /// From a time on; `from.energy` may be left out at the start.
+  FlowResult<State> run(const State& start, const FlowRecord& from, const FlowSchedule& schedule,
+                        const FlowObserver<State>& observe = {});
+
+ private:
+  // One step of τ against two of τ/2.
+  struct Trial {
+    FlowStep<State> step;
+    double error = 0;  // of the first-order result: largest normal distance or change of order
+  };
+  Trial try_step(const State& old, double tau);
+  FlowRecord record_of(const FlowStep<State>& step, const State& old, double tau,
+                       const Energy& before, const Energy& after);
+
+  // A rise of the energy is the time step's fault when it is more than rounding and when the step's
+  // error is not negligible; otherwise it is the mesh's, whose motion moves the discrete energy.
+  static constexpr double energy_noise = 1e-10;     // relative
+  static constexpr double negligible_error = 1e-2;  // of the tolerance
+
+  Solver& solver_;
+  Target target_;
+  TimeControl control_;
+};
+
+template <class Solver>
+typename Flow<Solver>::Trial Flow<Solver>::try_step(const State& old, double tau) {
+  Trial trial;
+  const auto whole = solver_.step(old, target_, tau);
+  if (!whole.ok) return trial;
+  const auto first = solver_.step(old, target_, tau / 2);
+  if (!first.ok) return trial;
+  // Every step of the extrapolation begins without drift: pulled back halfway, the two halves would
+  // have lost what the whole step is to cancel.
+  const Target middle = control_.extrapolate ? solver_.measure(first.state) : target_;
+  const auto second = solver_.step(first.state, middle, tau / 2);
+  if (!second.ok) return trial;
+
+  const Distance distance = solver_.distance(second.state, whole.state);
+  trial.error = std::max(distance.normal, distance.order);
+  trial.step = second;
+  trial.step.dissipation = combine(0.5, first.dissipation, 0.5, second.dissipation);
+  if (control_.extrapolate) {  // the first-order errors cancel
+    trial.step.state.X = 2 * second.state.X - whole.state.X;
+    trial.step.state.beta = 2 * second.state.beta - whole.state.beta;
+    trial.step.dissipation = combine(2, trial.step.dissipation, -1, whole.dissipation);
+  }
+  trial.step.ok = std::isfinite(trial.error) && solver_.restore(trial.step.state, target_);
+  return trial;
+}
+
+template <class Solver>
+FlowRecord Flow<Solver>::record_of(const FlowStep<State>& step, const State& old, double tau,
+                                   const Energy& before, const Energy& after) {
+  FlowRecord r;
+  r.time_step = tau;
+  r.energy = after;
+  r.dissipation = step.dissipation;
+  const double spent = tau * step.dissipation.total();
+  r.energy_balance = spent > 0 ? (before.total() - after.total()) / spent : 1;
+  const Distance moved = solver_.distance(old, step.state);
+  r.normal_speed = moved.normal / tau;
+  r.order_speed = moved.order / tau;
+  r.lambda = step.lambda;
+  r.speed_max = step.speed_max;
+  return r;
+}
+
+template <class Solver>
+FlowResult<typename Solver::State> Flow<Solver>::run(const State& start, const FlowRecord& from,
+                                                     const FlowSchedule& schedule,
+                                                     const FlowObserver<State>& observe) {
+  FlowResult<State> run{.stop = FlowStop::end_time, .state = start, .last = from, .steps = 0};
+  run.last.energy = solver_.energy(start);
+  double tau = from.next_step > 0 ? from.next_step : control_.first_step;
+
+  const std::vector<double> stops = stops_of(schedule);
+  auto next = stops.begin();
+  const bool begins_with_output = *next <= from.time;
+  while (next != stops.end() && *next <= from.time) ++next;
+  const bool begins = from.time == 0;
+  if (begins && observe && !observe(run.last, run.state, begins_with_output))
+    return run.stop = FlowStop::interrupted, run;
+
+  while (run.last.time < schedule.end_time) {
+    const double remaining = *next - run.last.time;
+    const bool exact = tau >= remaining * (1 - 1e-9);
+    const double used = exact ? remaining : std::min(tau, remaining / 2);
+    const Trial trial = try_step(run.state, used);
+    const Energy before = run.last.energy;
+    const Energy after = trial.step.ok ? solver_.energy(trial.step.state) : Energy{};
+    const bool rises =
+        !(after.total() <= before.total() + energy_noise * (1 + std::abs(before.total())))
+        && trial.error > negligible_error * control_.tolerance;
+    if (!trial.step.ok || rises || trial.error > control_.tolerance) {
+      const double wanted =
+          trial.step.ok && !rises ? std::sqrt(control_.tolerance / trial.error) : 0;
+      tau = used * std::clamp(0.9 * wanted, 0.1, 0.5);
+      ++run.last.rejected;
+      if (tau < control_.smallest_step) return run.stop = FlowStop::step_too_small, run;
+      continue;
+    }
+    const double grow = std::clamp(0.9 * std::sqrt(control_.tolerance / trial.error), 0.3, 2.);
+    // A step cut short by an output time says little about the next one.
+    tau = std::min(control_.largest_step, std::max(exact ? tau : 0, used * grow));
+    FlowRecord record = record_of(trial.step, run.state, used, before, after);
+    record.time = exact ? *next : run.last.time + used;
+    record.rejected = run.last.rejected;
+    record.next_step = tau;
+    run.last = record;
+    run.state = trial.step.state;
+    ++run.steps;
+    if (exact) ++next;
+    if (observe && !observe(run.last, run.state, exact))
+      return run.stop = FlowStop::interrupted, run;
+    if (!solver_.resolved(run.state)) return run.stop = FlowStop::unresolved, run;
+    if (schedule.stop_at_rest
+        && std::max(run.last.normal_speed, run.last.order_speed) < control_.rest_speed)
+      return run.stop = FlowStop::at_rest, run;
+  }
+  return run;
+}
+
+}  // namespace sbeh::model

@@ -1,0 +1,64 @@
+#include "surface3d/flow.h"
+
+#include <utility>
+
+namespace sbeh::surface3d {
+
+namespace {
+
+// What model::Flow asks of a solver.
+class Solver {
+ public:
+  using State = surface3d::State;
+
+  Solver(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
+         model::Model model, Scheme scheme)
+      : mesh_(std::move(mesh)), material_(material), stepper_(mesh_, material, model, scheme) {}
+
+  model::FlowStep<State> step(const State& old, const Target& target, double tau) {
+    StepResult r = stepper_.step(old, target, tau);
+    if (!r.ok) return {};
+    return {.ok = true,
+            .state = std::move(r.state),
+            .dissipation = r.dissipation,
+            .lambda = r.fields.lambda,
+            .speed_max = r.fields.V.colwise().norm().maxCoeff()};
+  }
+  Target measure(const State& state) const {
+    return {area(*mesh_, state.X), volume(*mesh_, state.X)};
+  }
+  bool restore(State& state, const Target& target) const {
+    return correct_area_volume(*mesh_, state.X, target.area, target.volume);
+  }
+  model::Distance distance(const State& a, const State& b) const {
+    const Nodes n = node_normals(*mesh_, a.X);
+    return {(b.X - a.X).cwiseProduct(n).colwise().sum().cwiseAbs().maxCoeff(),
+            (b.beta - a.beta).cwiseAbs().maxCoeff()};
+  }
+  Energy energy(const State& state) const {
+    const auto curvature = curvature_of(*mesh_, state.X);
+    const double nan = std::numeric_limits<double>::quiet_NaN();
+    return curvature ? surface3d::energy(*mesh_, material_, state, *curvature)
+                     : Energy{nan, nan, nan};
+  }
+  bool resolved(const State& state) const {
+    return mesh_quality(*mesh_, state.X) > degenerate_quality;
+  }
+
+ private:
+  std::shared_ptr<const Triangulation> mesh_;
+  model::Material material_;
+  TimeStepper stepper_;
+};
+
+}  // namespace
+
+FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
+                    const model::Material& material, model::Model model, const State& start,
+                    const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
+                    const FlowObserver& observe, const FlowRecord& from) {
+  Solver solver(mesh, material, model, numerics.scheme);
+  return model::Flow<Solver>(solver, target, numerics).run(start, from, schedule, observe);
+}
+
+}  // namespace sbeh::surface3d
