@@ -2,6 +2,7 @@
 #pragma once
 
 #include "meshing/curved_mesh.h"
+#include "meshing/triangle_mesh.h"
 
 namespace sbeh::meshing {
 
@@ -10,6 +11,10 @@ double area(const CurvedMesh& mesh);
 
 /// Enclosed volume V = (1/3) ∫ X·(X_1 × X_2), exact for the curved triangles; > 0 when outward.
 double volume(const CurvedMesh& mesh);
+
+/// The same for plain triangles.
+double area(const TriangleMesh& mesh);
+double volume(const TriangleMesh& mesh);
 
 /// V_r = 6√π V/A^{3/2}, below 1 for every surface but the sphere.
 double reduced_volume(double area, double volume);

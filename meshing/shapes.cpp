@@ -3,6 +3,7 @@
 #include "meshing/curving.h"
 #include "meshing/icosphere.h"
 #include "meshing/measures.h"
+#include "meshing/remeshing.h"
 #include "meshing/smoothing.h"
 
 #include <boost/math/tools/roots.hpp>
@@ -11,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace sbeh::meshing {
 
@@ -19,8 +21,8 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr double thinnest = 100;  // ratio of semi-axes
-constexpr int sweeps = 40;
+constexpr double thinnest = 100;   // ratio of semi-axes
+constexpr double good_angle = 40;  // degrees: below, new triangles are tried
 
 int divisions(int triangles) { return std::max(1, int(std::lround(std::sqrt(triangles / 20.)))); }
 
@@ -48,6 +50,8 @@ void Resolution::validate() const {
         fmt::format("triangles = {}: must be in 20 ... 2000000", triangles));
   if (order < 1 || order > 3)
     throw std::invalid_argument(fmt::format("order = {}: must be 1, 2 or 3", order));
+  if (!(grading >= 0 && grading <= 10))
+    throw std::invalid_argument(fmt::format("grading = {}: must be in 0 ... 10", grading));
 }
 
 int triangle_count(int wanted) {
@@ -69,8 +73,12 @@ CurvedMesh star_shaped(const RadialFunction& r, const Resolution& resolution) {
   int n = divisions(resolution.triangles), halvings = 0;
   constexpr int coarsest = 4;  // divisions that a shape needs at least for its triangles to settle
   for (; n % 2 == 0 && n / 2 >= coarsest; n /= 2) ++halvings;
-  const TriangleMesh triangles = refined(icosphere(n), halvings, radially, {}, sweeps);
-  return curved(triangles, resolution.order, radially);
+  TriangleMesh mesh = refined(icosphere(n), halvings, radially, resolution.grading);
+  if (resolution.grading == 0 && min_angle(mesh) < good_angle) {
+    TriangleMesh other = remeshed(mesh, mesh.triangle_count(), radially, resolution.grading);
+    if (min_angle(other) > min_angle(mesh)) mesh = std::move(other);
+  }
+  return curved(mesh, resolution.order, radially);
 }
 
 CurvedMesh sphere(const Resolution& resolution) {

@@ -14,7 +14,8 @@ namespace sbeh::meshing {
 struct Resolution {
   int triangles = 1280;  ///< about so many; 20 n² there are, see triangle_count
   int order = 3;         ///< 1, 2 or 3
-  /// Throws std::invalid_argument unless 20 <= triangles <= 2'000'000 and order is 1, 2 or 3.
+  double grading = 0;  ///< 0 … 10: how much smaller triangles are where |H| is large, see `smooth`
+  /// Throws std::invalid_argument unless 20 <= triangles <= 2'000'000 and the others are as above.
   void validate() const;
 };
 
