@@ -6,6 +6,7 @@
 #include <Eigen/Geometry>
 
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 
@@ -129,6 +130,46 @@ Eigen::Matrix3Xd volume_gradient(const CurvedMesh& mesh) {
         g.N * table.weight.asDiagonal() * table.phi.transpose();
   }
   return gradient;
+}
+
+Eigen::Matrix3Xd node_normals(const CurvedMesh& mesh) {
+  const model::TriangleElement element(mesh.order);
+  const Eigen::Matrix2Xd at = element.nodes();
+  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, mesh.node_count());
+  for (Eigen::Index k = 0; k < at.cols(); ++k) {
+    const Eigen::MatrixX2d dphi = element.derivatives(at.col(k)).transpose();
+    for (int t = 0; t < mesh.triangle_count(); ++t) {
+      const Eigen::Matrix<double, 3, 2> dX = mesh.nodes(Eigen::all, mesh.triangles.col(t)) * dphi;
+      normals.col(mesh.triangles(k, t)) += dX.col(0).cross(dX.col(1)).normalized();
+    }
+  }
+  normals.colwise().normalize();
+  return normals;
+}
+
+bool correct_area_volume(CurvedMesh& mesh, double wanted_area, double wanted_reduced_volume) {
+  constexpr int iterations = 30;
+  const Eigen::Matrix3Xd n = node_normals(mesh);
+  const double longest = 0.1 * std::sqrt(area(mesh) / (4 * std::numbers::pi));
+  CurvedMesh moved = mesh;
+  double way = 0, previous = std::numeric_limits<double>::infinity();
+  for (int i = 0; i < iterations; ++i) {
+    const double A = area(moved), V = volume(moved), v = reduced_volume(A, V);
+    const double miss = wanted_reduced_volume / v - 1;
+    // Rounding is reached when Newton's method gains no more.
+    if (std::abs(miss) < 1e-12 && std::abs(miss) >= std::abs(previous)) {
+      scale_to_area(moved, wanted_area);
+      mesh = moved;
+      return true;
+    }
+    previous = miss;
+    const double dA = area_gradient(moved).cwiseProduct(n).sum();
+    const double dV = volume_gradient(moved).cwiseProduct(n).sum();
+    way += miss / (dV / V - 1.5 * dA / A);
+    if (!(std::abs(way) < longest)) return false;
+    moved.nodes = mesh.nodes + way * n;
+  }
+  return false;
 }
 
 void scale_to_area(CurvedMesh& mesh, double wanted) {

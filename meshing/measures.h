@@ -24,6 +24,15 @@ double reduced_volume(const CurvedMesh& mesh);
 Eigen::Matrix3Xd area_gradient(const CurvedMesh& mesh);
 Eigen::Matrix3Xd volume_gradient(const CurvedMesh& mesh);
 
+/// Unit normals at the nodes, outward: the normalised sum of those of the curved triangles there;
+/// 3 x nodes.
+Eigen::Matrix3Xd node_normals(const CurvedMesh& mesh);
+
+/// Moves every node by the same small distance along its normal and scales about the origin, so that
+/// area and reduced volume are those asked for, to rounding. Returns false, and leaves the mesh as
+/// it was, when there is no such distance up to a tenth of √(A/4π).
+bool correct_area_volume(CurvedMesh& mesh, double area, double reduced_volume);
+
 /// Scales about the origin to this area > 0.
 void scale_to_area(CurvedMesh& mesh, double area);
 
