@@ -230,6 +230,7 @@ std::string describe(const RunInput& input, std::string_view version) {
   toml.table("numerics");
   write_time_control(toml, input.numerics);
   toml.value("scheme", std::string(name(input.numerics.scheme)));
+  toml.value("factorisation", std::string(name(input.numerics.factorisation)));
   toml.table("time");
   toml.value("end", input.end_time);
   toml.value("output", input.output_times);

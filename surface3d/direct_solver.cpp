@@ -97,6 +97,10 @@ void DirectSolver::solve(Eigen::Ref<Eigen::MatrixXd> rhs) const {
 }
 
 double DirectSolver::flops() const { return mumps_->id.rinfog[2]; }
+double DirectSolver::entries() const {
+  const int entries = mumps_->id.infog[28];
+  return entries < 0 ? -1e6 * entries : entries;  // large numbers are given in millions
+}
 double DirectSolver::megabytes() const { return mumps_->id.infog[21]; }
 
 }  // namespace sbeh::surface3d
