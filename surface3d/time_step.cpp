@@ -77,12 +77,13 @@ bool TimeStepper::Workspace::solve_coupled(const State& old, const Curvature& cu
 
 TimeStepper::TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
                          model::Model model, Scheme scheme)
-    : work_(new Workspace{.mesh = mesh,
-                          .material = material,
-                          .model = model,
-                          .system = CoupledSystem(*mesh, material, scheme),
-                          .flow = DirectSolver(Symmetry::general),
-                          .motion = DirectSolver(Symmetry::symmetric)}) {}
+    : work_(new Workspace{
+        .mesh = mesh,
+        .material = effective(material, model),
+        .model = model,
+        .system = CoupledSystem(*mesh, effective(material, model), scheme, area_constraint(model)),
+        .flow = DirectSolver(Symmetry::general),
+        .motion = DirectSolver(Symmetry::symmetric)}) {}
 TimeStepper::~TimeStepper() = default;
 TimeStepper::TimeStepper(TimeStepper&&) noexcept = default;
 TimeStepper& TimeStepper::operator=(TimeStepper&&) noexcept = default;
@@ -95,7 +96,7 @@ StepResult TimeStepper::step(const State& old, const Target& target, double tau)
   if (!work_->solve_coupled(old, *curvature, target, tau, result.fields)) return result;
   const StepFields& fields = result.fields;
   result.state = {old.X + fields.Y, old.beta};
-  if (work_->model == model::Model::SBEH)
+  if (has_free_order(work_->model))
     result.state.beta =
         order_step(mesh, work_->material, old, *curvature, fields.V - fields.Y / tau, tau);
   if (result.state.beta.size() == 0) return result;
