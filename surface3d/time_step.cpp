@@ -34,6 +34,20 @@ Dissipation dissipation_of(const Triangulation& mesh, const model::Material& m, 
   return d;
 }
 
+// A tangential flow at the scale of the mesh enters the curvature equation of the split scheme: without
+// viscosity, which damps it, that scheme is unstable.
+Scheme stable_scheme(const model::Material& m, model::AreaConstraint area, Scheme wanted) {
+  const bool damped = m.viscosity > 0 || area == model::AreaConstraint::global;
+  return damped ? wanted : Scheme::monolithic;
+}
+
+CoupledSystem system_of(const Triangulation& mesh, const model::Material& material,
+                        model::Model model, Scheme scheme) {
+  const model::Material m = effective(material, model);
+  const model::AreaConstraint area = area_constraint(model);
+  return CoupledSystem(mesh, m, stable_scheme(m, area, scheme), area);
+}
+
 }  // namespace
 
 struct TimeStepper::Workspace {
@@ -77,13 +91,12 @@ bool TimeStepper::Workspace::solve_coupled(const State& old, const Curvature& cu
 
 TimeStepper::TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
                          model::Model model, Scheme scheme)
-    : work_(new Workspace{
-        .mesh = mesh,
-        .material = effective(material, model),
-        .model = model,
-        .system = CoupledSystem(*mesh, effective(material, model), scheme, area_constraint(model)),
-        .flow = DirectSolver(Symmetry::general),
-        .motion = DirectSolver(Symmetry::symmetric)}) {}
+    : work_(new Workspace{.mesh = mesh,
+                          .material = effective(material, model),
+                          .model = model,
+                          .system = system_of(*mesh, material, model, scheme),
+                          .flow = DirectSolver(Symmetry::general),
+                          .motion = DirectSolver(Symmetry::symmetric)}) {}
 TimeStepper::~TimeStepper() = default;
 TimeStepper::TimeStepper(TimeStepper&&) noexcept = default;
 TimeStepper& TimeStepper::operator=(TimeStepper&&) noexcept = default;
