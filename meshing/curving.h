@@ -14,6 +14,14 @@ namespace sbeh::meshing {
 /// oriented and of the Euler characteristic 2.
 CurvedMesh curved(const TriangleMesh& mesh, int order, const Projection& onto_surface);
 
+/// The same where a place is known by its triangle and barycentric coordinates. On an edge it must
+/// not depend on which of the two triangles is asked.
+using Placement = std::function<Eigen::Vector3d(int triangle, const Eigen::Vector3d& barycentric)>;
+CurvedMesh curved(const TriangleMesh& mesh, int order, const Placement& place);
+
+/// The numbers alone: 3, 6 or 10 x triangles, the corners as in `mesh`. Throws as `curved` does.
+Eigen::MatrixXi numbered_nodes(const TriangleMesh& mesh, int order);
+
 /// The triangles between the corners.
 TriangleMesh corners(const CurvedMesh& mesh);
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "meshing/curved_mesh.h"
+#include "meshing/triangle_mesh.h"
 
 namespace sbeh::meshing {
 
@@ -11,6 +12,10 @@ double area(const CurvedMesh& mesh);
 /// Enclosed volume V = (1/3) ∫ X·(X_1 × X_2), exact for the curved triangles; > 0 when outward.
 double volume(const CurvedMesh& mesh);
 
+/// The same for plain triangles.
+double area(const TriangleMesh& mesh);
+double volume(const TriangleMesh& mesh);
+
 /// V_r = 6√π V/A^{3/2}, below 1 for every surface but the sphere.
 double reduced_volume(double area, double volume);
 double reduced_volume(const CurvedMesh& mesh);
@@ -18,6 +23,15 @@ double reduced_volume(const CurvedMesh& mesh);
 /// Derivatives by the positions of the nodes, 3 x nodes, exact for `area` and `volume` above.
 Eigen::Matrix3Xd area_gradient(const CurvedMesh& mesh);
 Eigen::Matrix3Xd volume_gradient(const CurvedMesh& mesh);
+
+/// Unit normals at the nodes, outward: the normalised sum of those of the curved triangles there;
+/// 3 x nodes.
+Eigen::Matrix3Xd node_normals(const CurvedMesh& mesh);
+
+/// Moves every node by the same small distance along its normal and scales about the origin, so that
+/// area and reduced volume are those asked for, to rounding. Returns false, and leaves the mesh as
+/// it was, when there is no such distance up to a tenth of √(A/4π).
+bool correct_area_volume(CurvedMesh& mesh, double area, double reduced_volume);
 
 /// Scales about the origin to this area > 0.
 void scale_to_area(CurvedMesh& mesh, double area);

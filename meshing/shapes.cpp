@@ -1,9 +1,8 @@
 #include "meshing/shapes.h"
 
 #include "meshing/curving.h"
-#include "meshing/icosphere.h"
+#include "meshing/even_mesh.h"
 #include "meshing/measures.h"
-#include "meshing/smoothing.h"
 
 #include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
@@ -20,9 +19,6 @@ using std::numbers::pi;
 namespace {
 
 constexpr double thinnest = 100;  // ratio of semi-axes
-constexpr int sweeps = 40;
-
-int divisions(int triangles) { return std::max(1, int(std::lround(std::sqrt(triangles / 20.)))); }
 
 // Reduced volume of the spheroid with polar/equatorial = q, from its closed-form area.
 double spheroid_reduced_volume(double q) {
@@ -42,19 +38,6 @@ double root(const F& f, double low, double high) {
 
 }  // namespace
 
-void Resolution::validate() const {
-  if (triangles < 20 || triangles > 2'000'000)
-    throw std::invalid_argument(
-        fmt::format("triangles = {}: must be in 20 ... 2000000", triangles));
-  if (order < 1 || order > 3)
-    throw std::invalid_argument(fmt::format("order = {}: must be 1, 2 or 3", order));
-}
-
-int triangle_count(int wanted) {
-  const int n = divisions(wanted);
-  return 20 * n * n;
-}
-
 CurvedMesh star_shaped(const RadialFunction& r, const Resolution& resolution) {
   resolution.validate();
   const Projection radially = [&r](const Vector3d& x) -> Vector3d {
@@ -66,11 +49,7 @@ CurvedMesh star_shaped(const RadialFunction& r, const Resolution& resolution) {
                       std::acos(d.z()), std::atan2(d.y(), d.x())));
     return radius * d;
   };
-  int n = divisions(resolution.triangles), halvings = 0;
-  constexpr int coarsest = 4;  // divisions that a shape needs at least for its triangles to settle
-  for (; n % 2 == 0 && n / 2 >= coarsest; n /= 2) ++halvings;
-  const TriangleMesh triangles = refined(icosphere(n), halvings, radially, {}, sweeps);
-  return curved(triangles, resolution.order, radially);
+  return curved(even_mesh(resolution, radially, radially), resolution.order, radially);
 }
 
 CurvedMesh sphere(const Resolution& resolution) {

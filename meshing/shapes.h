@@ -3,23 +3,13 @@
 #pragma once
 
 #include "meshing/curved_mesh.h"
+#include "meshing/resolution.h"
 #include "meshing/spherical_harmonics.h"
 
 #include <functional>
 #include <span>
 
 namespace sbeh::meshing {
-
-/// How finely a shape is meshed.
-struct Resolution {
-  int triangles = 1280;  ///< about so many; 20 n² there are, see triangle_count
-  int order = 3;         ///< 1, 2 or 3
-  /// Throws std::invalid_argument unless 20 <= triangles <= 2'000'000 and order is 1, 2 or 3.
-  void validate() const;
-};
-
-/// The number 20 n² nearest to the number asked for.
-int triangle_count(int wanted);
 
 /// Radius in the direction of a unit vector.
 using RadialFunction = std::function<double(const Eigen::Vector3d&)>;

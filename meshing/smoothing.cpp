@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace sbeh::meshing {
 
@@ -14,25 +15,79 @@ namespace {
 
 using Eigen::Vector3d;
 
-// One Jacobi sweep.
-void move_points(HalfEdgeMesh& mesh, const Projection& onto_surface, const SizeField& size) {
-  const Eigen::Index count = Eigen::Index(mesh.n_vertices());
-  Eigen::Matrix3Xd centre = Eigen::Matrix3Xd::Zero(3, count), normal = centre;
-  Eigen::VectorXd total = Eigen::VectorXd::Zero(count);
+// Corners and area vector of a triangle.
+struct Face {
+  std::array<int, 3> corner;
+  std::array<Vector3d, 3> x;
+  Vector3d area;  // times the outward normal
+};
+
+template <class Visit>
+void for_each_face(const HalfEdgeMesh& mesh, Visit&& visit) {
+  Face f;
   for (const auto face : mesh.faces()) {
-    std::array<OpenMesh::SmartVertexHandle, 3> c;
     std::size_t k = 0;
-    for (const auto vertex : face.vertices()) c[k++] = vertex;
-    const Vector3d a = point(mesh, c[0]), b = point(mesh, c[1]), d = point(mesh, c[2]);
-    const Vector3d twice_area = (b - a).cross(d - a), centroid = (a + b + d) / 3;
-    double weight = twice_area.norm();
-    if (size) weight /= std::pow(size(centroid), 4);
-    for (const auto vertex : c) {
-      centre.col(vertex.idx()) += weight * centroid;
-      total[vertex.idx()] += weight;
-      normal.col(vertex.idx()) += twice_area;
+    for (const auto vertex : face.vertices()) {
+      f.corner[k] = vertex.idx();
+      f.x[k++] = point(mesh, vertex);
+    }
+    f.area = (f.x[1] - f.x[0]).cross(f.x[2] - f.x[0]) / 2;
+    visit(f);
+  }
+}
+
+// Neighbours may differ in size by little: triangles stay nearly equilateral.
+void limit_growth(const HalfEdgeMesh& mesh, Eigen::VectorXd& size) {
+  constexpr double growth = 1.1;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto edge : mesh.edges()) {
+      double &a = size[edge.v0().idx()], &b = size[edge.v1().idx()];
+      if (a > growth * b || b > growth * a) {
+        (a > b ? a : b) = growth * std::min(a, b);
+        changed = true;
+      }
     }
   }
+}
+
+// Wanted edge lengths at the vertices; |H| is the length of the area's gradient per area.
+Eigen::VectorXd wanted_sizes(const HalfEdgeMesh& mesh, double grading) {
+  const Eigen::Index count = Eigen::Index(mesh.n_vertices());
+  Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, count);
+  Eigen::VectorXd share = Eigen::VectorXd::Zero(count);
+  for_each_face(mesh, [&](const Face& f) {
+    const Vector3d n = f.area.normalized();
+    for (std::size_t k = 0; k < 3; ++k) {
+      gradient.col(f.corner[k]) += n.cross(f.x[(k + 2) % 3] - f.x[(k + 1) % 3]) / 2;
+      share[f.corner[k]] += f.area.norm() / 3;
+    }
+  });
+  const double R = std::sqrt(share.sum() / (4 * std::numbers::pi));
+  const Eigen::ArrayXd H = gradient.colwise().norm().transpose().cwiseQuotient(share);
+  Eigen::VectorXd size = 1 / (1 + grading * R * H / 2);
+  limit_growth(mesh, size);
+  return size;
+}
+
+// One Jacobi sweep.
+void move_points(HalfEdgeMesh& mesh, const Projection& onto_surface, double grading) {
+  const Eigen::Index count = Eigen::Index(mesh.n_vertices());
+  const Eigen::VectorXd size =
+      grading > 0 ? wanted_sizes(mesh, grading) : Eigen::VectorXd::Ones(count);
+  Eigen::Matrix3Xd centre = Eigen::Matrix3Xd::Zero(3, count), normal = centre;
+  Eigen::VectorXd total = Eigen::VectorXd::Zero(count);
+  for_each_face(mesh, [&](const Face& f) {
+    const auto [i, j, k] = f.corner;
+    const double mean_size = (size[i] + size[j] + size[k]) / 3;
+    const double weight = std::sqrt(f.area.norm()) / (mean_size * mean_size);
+    const Vector3d centroid = (f.x[0] + f.x[1] + f.x[2]) / 3;
+    for (const int vertex : f.corner) {
+      centre.col(vertex) += weight * centroid;
+      total[vertex] += weight;
+      normal.col(vertex) += f.area;
+    }
+  });
   for (const auto vertex : mesh.vertices()) {
     const int i = vertex.idx();
     const Vector3d x = point(mesh, vertex), n = normal.col(i).normalized();
@@ -72,26 +127,43 @@ int flip_edges(HalfEdgeMesh& mesh) {
 
 }  // namespace
 
-void smooth(TriangleMesh& mesh, const Projection& onto_surface, const SizeField& size, int sweeps) {
+void project(TriangleMesh& mesh, const Projection& onto_surface) {
+  for (int i = 0; i < mesh.point_count(); ++i)
+    mesh.points.col(i) = onto_surface(mesh.points.col(i));
+}
+
+void smooth(TriangleMesh& mesh, const Projection& onto_surface, double grading, int sweeps) {
   constexpr int flip_passes = 10;  // they end by themselves long before, except for rounding
   HalfEdgeMesh half_edges = half_edge_mesh(mesh);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    move_points(half_edges, onto_surface, size);
+    move_points(half_edges, onto_surface, grading);
     for (int pass = 0; pass < flip_passes && flip_edges(half_edges) > 0; ++pass) {
     }
   }
   mesh = triangle_mesh(half_edges);
 }
 
-TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface,
-                     const SizeField& size, int sweeps) {
-  for (int level = 0;; ++level) {
-    for (int i = 0; i < mesh.point_count(); ++i)
-      mesh.points.col(i) = onto_surface(mesh.points.col(i));
-    smooth(mesh, onto_surface, size, sweeps);
-    if (level == times) return mesh;
+TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface, double grading) {
+  constexpr int sweeps = 40;
+  project(mesh, onto_surface);
+  // Long waves settle as the square of their length.
+  smooth(mesh, onto_surface, grading, sweeps + mesh.triangle_count() / 40);
+  for (int level = 0; level < times; ++level) {
     mesh = subdivided(mesh);
+    project(mesh, onto_surface);
+    smooth(mesh, onto_surface, grading, sweeps);
   }
+  return mesh;
+}
+
+double min_angle(const TriangleMesh& mesh) {
+  double steepest = 0;
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    for (int k = 0; k < 3; ++k)
+      steepest = std::max(steepest, cotangent(mesh.points.col(mesh.triangles(k, t)),
+                                              mesh.points.col(mesh.triangles((k + 1) % 3, t)),
+                                              mesh.points.col(mesh.triangles((k + 2) % 3, t))));
+  return std::atan2(1, steepest) * 180 / std::numbers::pi;
 }
 
 }  // namespace sbeh::meshing

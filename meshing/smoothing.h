@@ -10,18 +10,22 @@ namespace sbeh::meshing {
 /// The point of a surface that belongs to a point near it.
 using Projection = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 
-/// Wanted edge length at a point of the surface; only its ratios count. Empty: the same everywhere.
-using SizeField = std::function<double(const Eigen::Vector3d&)>;
+/// Moves every point onto the surface.
+void project(TriangleMesh& mesh, const Projection& onto_surface);
 
 /// Sweeps over a closed mesh: every point goes along the surface to the weighted mean of the
-/// centroids of its triangles, weight = area/size⁴, and back onto the surface; then edges that
-/// violate Delaunay's criterion flip. The result lies on the surface and does not depend on the
-/// order of the points, except where edges tie.
-void smooth(TriangleMesh& mesh, const Projection& onto_surface, const SizeField& size, int sweeps);
+/// centroids of its triangles and back onto the surface; then edges that violate Delaunay's
+/// criterion flip. Weights √area/size²: equal areas would cost angles, equal weights sizes.
+///
+/// size = 1/(1 + grading R|H|/2), R = √(A/4π), is the wanted edge length up to a factor: the same
+/// everywhere for grading = 0; for grading = 1 twice as long where the surface is flat as where
+/// |H| = 2/R.
+void smooth(TriangleMesh& mesh, const Projection& onto_surface, double grading, int sweeps);
 
-/// Makes 20 n² triangles from a coarse start with 20 m² ones, n = 2^k m: smooths, divides each
-/// triangle into four, projects and smooths again, k times.
-TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface,
-                     const SizeField& size, int sweeps);
+/// Smooths; then so many times divides each triangle into four, projects and smooths again.
+TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface, double grading);
+
+/// Smallest angle of the triangles, degrees.
+double min_angle(const TriangleMesh& mesh);
 
 }  // namespace sbeh::meshing

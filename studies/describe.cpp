@@ -19,6 +19,9 @@ std::string as_toml(bool value) { return value ? "true" : "false"; }
 std::string as_toml(const std::string& text) { return in_quotes(text); }
 std::string as_toml(model::Model model) { return in_quotes(name(model)); }
 std::string as_toml(Method method) { return in_quotes(name(method)); }
+std::string as_toml(const meshing::Harmonic& h) {
+  return fmt::format("[{}, {}, {}]", h.l, h.m, h.amplitude);
+}
 std::string as_toml(const std::pair<int, double>& mode) {
   return fmt::format("[{}, {}]", mode.first, mode.second);
 }
@@ -44,6 +47,7 @@ std::string as_toml(const std::vector<T>& list) {
   return list_as_toml(list);
 }
 std::string as_toml(const std::array<double, 2>& list) { return list_as_toml(list); }
+std::string as_toml(const Eigen::Vector3d& list) { return list_as_toml(list); }
 
 /// The text that grows table by table and line by line.
 class TomlText {
@@ -129,6 +133,42 @@ void write_shape(TomlText& toml, const ScanRow& row) {
   toml.value("L", row.L);
 }
 
+void write_shape(TomlText& toml, const Ellipsoid3d& ellipsoid) {
+  toml.value("shape", std::string("ellipsoid"));
+  if (ellipsoid.axes) toml.value("axes", *ellipsoid.axes);
+  if (ellipsoid.reduced_volume) {
+    toml.value("reduced_volume", *ellipsoid.reduced_volume);
+    toml.value("kind", std::string(ellipsoid.prolate ? "prolate" : "oblate"));
+  }
+}
+
+void write_shape(TomlText& toml, const HarmonicSphere& sphere) {
+  toml.value("shape", std::string("harmonics"));
+  toml.value("modes", sphere.modes);
+}
+
+void write_shape(TomlText& toml, const MeshFileStart& mesh) {
+  toml.value("shape", std::string("mesh"));
+  toml.value("file", mesh.file);
+}
+
+void write_shape(TomlText& toml, const FrameStart& frame) {
+  toml.value("shape", std::string("frame"));
+  toml.value("file", frame.file);
+}
+
+void write_surface(TomlText& toml, const RunInput& input) {
+  toml.table("surface");
+  std::visit([&toml](const auto& shape) { write_shape(toml, shape); }, input.start);
+  const bool own_mesh = std::holds_alternative<MeshFileStart>(input.start),
+             own_state = std::holds_alternative<FrameStart>(input.start);
+  if (!own_mesh && !own_state) toml.value("triangles", input.triangles);
+  if (!own_state && !std::holds_alternative<ScanRow>(input.start)
+      && input.model == model::Model::SBEH)
+    toml.value("order", input.initial_order);
+  if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
+}
+
 void write_start(TomlText& toml, const RelaxInput& input) {
   toml.table("start");
   std::visit([&toml](const auto& shape) { write_shape(toml, shape); }, input.start);
@@ -148,12 +188,14 @@ void write_time(TomlText& toml, const RelaxInput& input) {
 
 InputKind kind_of(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
-  const bool scan = file.has("scan"), relax = file.has("start");
-  if (scan == relax)
-    throw InputError(fmt::format("{}: must have {}[scan] (a scan) or [start] (one evolution){}",
-                                 path.string(), scan ? "only one of " : "a table ",
-                                 scan ? "" : "; it has neither"));
-  return scan ? InputKind::scan : InputKind::relax;
+  const bool scan = file.has("scan"), relax = file.has("start"), run = file.has("surface");
+  if (scan + relax + run != 1)
+    throw InputError(fmt::format(
+        "{}: must have {}[scan] (a scan), [start] (one axisymmetric evolution) or [surface] (one "
+        "3D run){}",
+        path.string(), scan + relax + run > 1 ? "only one of " : "a table ",
+        scan + relax + run > 1 ? "" : "; it has none of them"));
+  return scan ? InputKind::scan : relax ? InputKind::relax : InputKind::run;
 }
 
 std::string describe(const ScanInput& input, std::string_view version) {
@@ -177,6 +219,22 @@ std::string describe(const RelaxInput& input, std::string_view version) {
   write_material(toml, input.material, Elasticity::with_L);
   write_numerics(toml, input.numerics);
   write_time(toml, input);
+  return toml.text();
+}
+
+std::string describe(const RunInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.value("model", input.model);
+  write_surface(toml, input);
+  write_material(toml, input.material, Elasticity::with_L);
+  toml.table("numerics");
+  write_time_control(toml, input.numerics);
+  toml.value("scheme", std::string(name(input.numerics.scheme)));
+  toml.table("time");
+  toml.value("end", input.end_time);
+  toml.value("output", input.output_times);
+  toml.value("frames", input.frame_times);
+  toml.value("stop_at_rest", input.stop_at_rest);
   return toml.text();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "studies/relax_input.h"
+#include "studies/run_input.h"
 #include "studies/scan_input.h"
 
 #include <filesystem>
@@ -11,16 +12,18 @@
 namespace sbeh::studies {
 
 enum class InputKind {
-  scan,  ///< has a table [scan]: read_scan
-  relax  ///< has a table [start]: read_relax
+  scan,   ///< has a table [scan]: read_scan
+  relax,  ///< has a table [start]: read_relax
+  run     ///< has a table [surface]: read_run
 };
 
-/// Throws InputError (toml_reader.h) if the file cannot be read or is neither or both.
+/// Throws InputError (toml_reader.h) if the file cannot be read or has not one of these tables.
 InputKind kind_of(const std::filesystem::path& path);
 
 /// The whole input, defaults included, as TOML under a comment with the program's version. Numbers
 /// have as many digits as they need: reading the text gives the same input, bit for bit.
 std::string describe(const ScanInput& input, std::string_view version);
 std::string describe(const RelaxInput& input, std::string_view version);
+std::string describe(const RunInput& input, std::string_view version);
 
 }  // namespace sbeh::studies

@@ -121,6 +121,17 @@ axisym::Numerics read_numerics(const TomlTable& table) {
   return checked(table, numerics);
 }
 
+surface3d::Numerics read_numerics_3d(const TomlTable& table) {
+  surface3d::Numerics numerics;
+  read_time_control(table, numerics);
+  const std::string split = name(surface3d::Scheme::split),
+                    monolithic = name(surface3d::Scheme::monolithic);
+  numerics.scheme = table.word("scheme", {split, monolithic}, name(numerics.scheme)) == split
+                      ? surface3d::Scheme::split
+                      : surface3d::Scheme::monolithic;
+  return checked(table, numerics);
+}
+
 const std::vector<std::string>& model_words() {
   static const std::vector<std::string> words{name(model::Model::SBEH), name(model::Model::SSH)};
   return words;

@@ -4,6 +4,7 @@
 #include "axisym/options.h"
 #include "model/material.h"
 #include "studies/toml_reader.h"
+#include "surface3d/options.h"
 
 namespace sbeh::studies {
 
@@ -20,6 +21,9 @@ model::Material read_material_without_L(const TomlTable& table);
 
 /// The optional table [numerics]: keys as the members of axisym::Numerics. Throws InputError.
 axisym::Numerics read_numerics(const TomlTable& table);
+
+/// The same for a 3D run: keys as the members of surface3d::Numerics.
+surface3d::Numerics read_numerics_3d(const TomlTable& table);
 
 /// The words "SBEH" and "SSH".
 const std::vector<std::string>& model_words();

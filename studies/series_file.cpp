@@ -11,15 +11,26 @@ std::string series_header() {
          "speed_max,lambda,mesh_quality,rejected_steps";
 }
 
-std::string series_line(const SeriesRow& row) {
-  const axisym::FlowRecord& r = row.record;
-  const axisym::Diagnostics& d = row.diagnostics;
+namespace {
+
+// Both solvers' diagnostics have these members.
+template <class Diagnostics>
+std::string line_of(const model::FlowRecord& r, const Diagnostics& d) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
                      r.time, r.time_step, r.energy.total(), r.energy.distortion, r.energy.bending,
                      r.energy.thermotropic, r.dissipation.friction, r.dissipation.order,
                      r.dissipation.viscous, r.energy_balance, d.area, d.volume, d.reduced_volume,
                      d.W2, d.order_min, d.order_mean, d.order_max, d.order_variance, d.order_std,
                      d.H_abs_max, r.speed_max, r.lambda, d.mesh_quality, r.rejected);
+}
+
+}  // namespace
+
+std::string series_line(const model::FlowRecord& r, const axisym::Diagnostics& d) {
+  return line_of(r, d);
+}
+std::string series_line(const model::FlowRecord& r, const surface3d::Diagnostics& d) {
+  return line_of(r, d);
 }
 
 std::string series_text(const std::vector<SeriesRow>& rows) {

@@ -298,6 +298,26 @@ std::vector<std::pair<int, double>> TomlTable::modes(std::string_view key, int l
   return modes;
 }
 
+std::vector<meshing::Harmonic> TomlTable::harmonics(std::string_view key, int highest) const {
+  const auto kind = fmt::format(
+      "must be a list of [l, m, amplitude], the degree l an integer in 0 ... {}, the order m in "
+      "-l ... l",
+      highest);
+  const toml::node* value = find(*state_, key, false, kind);
+  std::vector<meshing::Harmonic> modes;
+  for (const toml::node& element : as_list(*state_, key, *value, kind)) {
+    const auto* triple = element.as_array();
+    if (!triple || triple->size() != 3) fail_at(*state_, key, element, kind);
+    const int l = as_integer(*state_, key, *triple->get(0), 0, highest, kind);
+    const int m = as_integer(*state_, key, *triple->get(1), -l, l, kind);
+    for (const meshing::Harmonic& earlier : modes)
+      if (earlier.l == l && earlier.m == m)
+        fail_at(*state_, key, element, "a harmonic must not be there twice");
+    modes.push_back({l, m, as_number(*state_, key, *triple->get(2), {}, kind)});
+  }
+  return modes;
+}
+
 TomlTable TomlTable::table(std::string_view key) const {
   TableState child{.file = state_->file, .document = state_->document, .section = state_->section};
   const toml::node* value = find(*state_, key);

@@ -1,6 +1,7 @@
 // Strict reading of TOML files: values by key, with kind and allowed range; no key goes unread.
 #pragma once
 
+#include "meshing/spherical_harmonics.h"
 #include "studies/number_range.h"
 
 #include <filesystem>
@@ -54,6 +55,9 @@ class TomlTable {
                            std::optional<std::vector<double>> absent = {}) const;
   /// Amplitudes by degree, `[[2, 0.04], [3, 0.02]]`: not empty, no degree twice.
   std::vector<std::pair<int, double>> modes(std::string_view key, int lowest, int highest) const;
+  /// Amplitudes of spherical harmonics, `[[5, 3, 0.5], [2, -1, 0.01]]`: degree l, order m in −l … l,
+  /// amplitude; not empty, none twice.
+  std::vector<meshing::Harmonic> harmonics(std::string_view key, int highest) const;
   /// A table in this one. One that is absent is empty: what it requires is then missing.
   TomlTable table(std::string_view key) const;
 

@@ -6,6 +6,8 @@
 
 namespace sbeh::surface3d {
 
+const char* name(Scheme scheme) { return scheme == Scheme::split ? "split" : "monolithic"; }
+
 namespace {
 
 enum class Kind { vector, quadratic, scalar, multiplier };

@@ -19,6 +19,8 @@
 namespace sbeh::surface3d {
 
 enum class Scheme { split, monolithic };
+/// "split" or "monolithic".
+const char* name(Scheme scheme);
 
 struct LinearSystem {
   SparseMatrix matrix;

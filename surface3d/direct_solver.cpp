@@ -4,6 +4,7 @@
 
 #include <cassert>
 #include <cmath>
+#include <cstdlib>
 #include <vector>
 
 namespace sbeh::surface3d {
@@ -28,8 +29,10 @@ struct DirectSolver::Mumps {
     id.comm_fortran = -987654;  // MPI_COMM_WORLD of the sequential library
     run(-1);
     for (const int stream : {1, 2, 3}) control(stream) = -1;
-    control(4) = 0;    // silent
-    control(7) = 3;    // ordering by SCOTCH
+    control(4) = 0;  // silent
+    control(6) = 0;  // no permutation by values: the analysis sees the structure alone
+    control(7) = 3;  // ordering by SCOTCH, with one thread, or it differs from run to run
+    setenv("SCOTCH_PTHREAD_NUMBER", "1", 0);
     control(14) = 60;  // per cent of memory more than estimated, for pivoting
   }
   ~Mumps() { run(-2); }

@@ -18,12 +18,15 @@ class Solver {
   model::FlowStep<State> step(const State& old, const Target& target, double tau) {
     StepResult r = stepper_.step(old, target, tau);
     if (!r.ok) return {};
+    fields_ = std::move(r.fields);
     return {.ok = true,
             .state = std::move(r.state),
             .dissipation = r.dissipation,
-            .lambda = r.fields.lambda,
-            .speed_max = r.fields.V.colwise().norm().maxCoeff()};
+            .lambda = fields_.lambda,
+            .speed_max = fields_.V.colwise().norm().maxCoeff()};
   }
+  /// Of the latest step.
+  const StepFields& fields() const { return fields_; }
   Target measure(const State& state) const {
     return {area(*mesh_, state.X), volume(*mesh_, state.X)};
   }
@@ -49,6 +52,7 @@ class Solver {
   std::shared_ptr<const Triangulation> mesh_;
   model::Material material_;
   TimeStepper stepper_;
+  StepFields fields_;
 };
 
 }  // namespace
@@ -58,7 +62,12 @@ FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
                     const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe, const FlowRecord& from) {
   Solver solver(mesh, material, model, numerics.scheme);
-  return model::Flow<Solver>(solver, target, numerics).run(start, from, schedule, observe);
+  model::FlowObserver<State> observer;
+  if (observe)
+    observer = [&](const FlowRecord& record, const State& state, bool exact) {
+      return observe(record, state, solver.fields(), exact);
+    };
+  return model::Flow<Solver>(solver, target, numerics).run(start, from, schedule, observer);
 }
 
 }  // namespace sbeh::surface3d

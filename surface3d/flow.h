@@ -12,7 +12,10 @@ using model::FlowRecord;
 using model::FlowSchedule;
 using model::FlowStop;
 using model::same_time;
-using FlowObserver = model::FlowObserver<State>;
+/// Sees every accepted step, and the fields of its last half (empty at the start); `exact` tells that
+/// the time is one of the output times. Returning false interrupts the run.
+using FlowObserver =
+    std::function<bool(const FlowRecord&, const State&, const StepFields&, bool exact)>;
 using FlowResult = model::FlowResult<State>;
 
 /// Runs the flow on a triangulation from `start`, at the time and with the next time step of `from`,

@@ -21,9 +21,15 @@ TEST(InputKind, is_told_by_the_tables) {
   EXPECT_EQ(kind_of(written(small_scan)), InputKind::scan);
   EXPECT_EQ(kind_of(written(small_relax)), InputKind::relax);
   const std::vector<Case> neither_or_both{
-      {"", ": must have a table [scan] (a scan) or [start] (one evolution); it has neither"},
-      {"[scna]", ": must have a table [scan] (a scan) or [start] (one evolution); it has neither"},
-      {"[scan]\n[start]", ": must have only one of [scan] (a scan) or [start] (one evolution)"},
+      {"",
+       ": must have a table [scan] (a scan), [start] (one axisymmetric evolution) or [surface] "
+       "(one 3D run); it has none of them"},
+      {"[scna]",
+       ": must have a table [scan] (a scan), [start] (one axisymmetric evolution) or [surface] "
+       "(one 3D run); it has none of them"},
+      {"[scan]\n[start]",
+       ": must have only one of [scan] (a scan), [start] (one axisymmetric evolution) or [surface] "
+       "(one 3D run)"},
   };
   expect_messages(kind_of, "", neither_or_both);
 }

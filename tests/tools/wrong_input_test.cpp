@@ -102,9 +102,9 @@ TEST_F(WrongInput, is_refused_by_the_check_with_the_same_words) {
     must_refuse({"check", "in.toml"}, "in.toml" + in_double_quotes(wrong.message));
   }
   write("in.toml", "x = 1\n");
-  must_refuse(
-      {"check", "in.toml"},
-      "in.toml: must have a table [scan] (a scan) or [start] (one evolution); it has neither");
+  must_refuse({"check", "in.toml"},
+              "in.toml: must have a table [scan] (a scan), [start] (one axisymmetric evolution) or "
+              "[surface] (one 3D run); it has none of them");
 }
 
 TEST_F(WrongInput, that_is_no_readable_file_is_refused_with_the_reason) {

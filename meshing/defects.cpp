@@ -1,0 +1,204 @@
+#include "meshing/defects.h"
+
+#include "meshing/intersections.h"
+#include "meshing/measures.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numeric>
+#include <vector>
+
+namespace sbeh::meshing {
+
+namespace {
+
+using Found = std::optional<Defect>;
+
+std::string name(const TriangleMesh& mesh, int t) {
+  const auto c = mesh.triangles.col(t);
+  return fmt::format("triangle {} (points {}, {}, {})", t, c[0], c[1], c[2]);
+}
+
+Found find_bad_numbers(const TriangleMesh& mesh) {
+  if (mesh.triangle_count() == 0) return Defect{DefectKind::empty, "there are no triangles"};
+  for (int i = 0; i < mesh.point_count(); ++i)
+    if (!mesh.points.col(i).allFinite())
+      return Defect{DefectKind::not_finite,
+                    fmt::format("point {} ({}, {}, {}): must be finite numbers", i,
+                                mesh.points(0, i), mesh.points(1, i), mesh.points(2, i))};
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    if (mesh.triangles.col(t).minCoeff() < 0
+        || mesh.triangles.col(t).maxCoeff() >= mesh.point_count())
+      return Defect{DefectKind::no_such_point,
+                    fmt::format("{}: there are only {} points", name(mesh, t), mesh.point_count())};
+  return {};
+}
+
+// Zero to rounding: the height of the triangle over its longest edge is below 1e-10 of that edge.
+Found find_degenerate(const TriangleMesh& mesh) {
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const Eigen::Matrix3d x = mesh.points(Eigen::all, mesh.triangles.col(t));
+    const Eigen::Vector3d u = x.col(1) - x.col(0), v = x.col(2) - x.col(0), w = v - u;
+    const double longest = std::max({u.squaredNorm(), v.squaredNorm(), w.squaredNorm()});
+    if (!(u.cross(v).norm() > 1e-10 * longest))
+      return Defect{DefectKind::degenerate, name(mesh, t) + ": has no area"};
+  }
+  return {};
+}
+
+Found find_repeated(const TriangleMesh& mesh) {
+  std::vector<std::array<int, 4>> sorted;  // corners ascending, triangle
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const auto c = mesh.triangles.col(t);
+    sorted.push_back({c[0], c[1], c[2], t});
+    std::sort(sorted.back().begin(), sorted.back().begin() + 3);
+  }
+  std::sort(sorted.begin(), sorted.end());
+  for (std::size_t i = 1; i < sorted.size(); ++i)
+    if (std::equal(sorted[i].begin(), sorted[i].begin() + 3, sorted[i - 1].begin()))
+      return Defect{DefectKind::repeated, fmt::format("{}: has the same corners as triangle {}",
+                                                      name(mesh, sorted[i][3]), sorted[i - 1][3])};
+  return {};
+}
+
+Found find_unused(const TriangleMesh& mesh) {
+  std::vector<bool> used(std::size_t(mesh.point_count()), false);
+  for (const int corner : mesh.triangles.reshaped()) used[std::size_t(corner)] = true;
+  const auto unused = std::find(used.begin(), used.end(), false);
+  if (unused == used.end()) return {};
+  return Defect{DefectKind::unused_point,
+                fmt::format("point {}: belongs to no triangle", unused - used.begin())};
+}
+
+// An edge as one of its triangles runs along it.
+struct DirectedEdge {
+  int low, high;
+  bool upwards;
+  int triangle;
+  auto ends() const { return std::pair(low, high); }
+};
+
+std::vector<DirectedEdge> sorted_edges(const TriangleMesh& mesh) {
+  std::vector<DirectedEdge> edges;
+  edges.reserve(3 * std::size_t(mesh.triangle_count()));
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      const int a = mesh.triangles(k, t), b = mesh.triangles((k + 1) % 3, t);
+      edges.push_back({std::min(a, b), std::max(a, b), a < b, t});
+    }
+  std::stable_sort(edges.begin(), edges.end(),
+                   [](const auto& a, const auto& b) { return a.ends() < b.ends(); });
+  return edges;
+}
+
+// Edges with more than two triangles, then neighbours of different orientation, then open edges.
+Found find_bad_edge(const TriangleMesh& mesh, const std::vector<DirectedEdge>& edges) {
+  Found turned, open;
+  for (std::size_t i = 0, next = 0; i < edges.size(); i = next) {
+    while (next < edges.size() && edges[next].ends() == edges[i].ends()) ++next;
+    const auto edge = fmt::format("edge {}-{}", edges[i].low, edges[i].high);
+    if (next - i > 2)
+      return Defect{DefectKind::not_manifold_edge,
+                    fmt::format("{}: belongs to {} triangles ({}, {}, {}{}), must belong to two",
+                                edge, next - i, edges[i].triangle, edges[i + 1].triangle,
+                                edges[i + 2].triangle, next - i > 3 ? ", ..." : "")};
+    if (next - i == 1 && !open)
+      open = Defect{DefectKind::open,
+                    fmt::format("{} of {}: belongs to no other triangle, the surface is open", edge,
+                                name(mesh, edges[i].triangle))};
+    if (next - i == 2 && edges[i].upwards == edges[i + 1].upwards && !turned)
+      turned = Defect{DefectKind::orientation_differs,
+                      fmt::format("{}: {} and triangle {} see it from different sides", edge,
+                                  name(mesh, edges[i].triangle), edges[i + 1].triangle)};
+  }
+  return turned ? turned : open;
+}
+
+// Triangles that hang together; root of each set.
+class Pieces {
+ public:
+  explicit Pieces(int count) : parent_(std::size_t(count)) {
+    std::iota(parent_.begin(), parent_.end(), 0);
+  }
+  int root(int i) {
+    while (parent_[std::size_t(i)] != i)
+      i = parent_[std::size_t(i)] = parent_[std::size_t(parent_[std::size_t(i)])];
+    return i;
+  }
+  void join(int a, int b) {
+    parent_[std::size_t(std::max(root(a), root(b)))] = std::min(root(a), root(b));
+  }
+
+ private:
+  std::vector<int> parent_;
+};
+
+// On a mesh whose edges all have two triangles.
+Found find_bad_point(const TriangleMesh& mesh, const std::vector<DirectedEdge>& edges) {
+  // Corner k of triangle t is number 3t + k; those of a point that share an edge hang together.
+  Pieces fans(3 * mesh.triangle_count());
+  const auto corner = [&](int t, int point) {
+    int k = 0;
+    while (mesh.triangles(k, t) != point) ++k;
+    return 3 * t + k;
+  };
+  for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
+    for (const int point : {edges[i].low, edges[i].high})
+      fans.join(corner(edges[i].triangle, point), corner(edges[i + 1].triangle, point));
+  std::vector<int> fan(std::size_t(mesh.point_count()), -1);
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    for (int k = 0; k < 3; ++k) {
+      int& seen = fan[std::size_t(mesh.triangles(k, t))];
+      const int root = fans.root(3 * t + k);
+      if (seen >= 0 && seen != root)
+        return Defect{DefectKind::not_manifold_point,
+                      fmt::format("point {}: {} and triangle {} meet only there, the surface "
+                                  "touches itself",
+                                  mesh.triangles(k, t), name(mesh, t), seen / 3)};
+      seen = root;
+    }
+  return {};
+}
+
+Found find_bad_topology(const TriangleMesh& mesh, const std::vector<DirectedEdge>& edges) {
+  Pieces pieces(mesh.triangle_count());
+  for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
+    pieces.join(edges[i].triangle, edges[i + 1].triangle);
+  for (int t = 0; t < mesh.triangle_count(); ++t)
+    if (pieces.root(t) != 0)
+      return Defect{DefectKind::several_pieces,
+                    fmt::format("{}: is not connected with triangle 0, there are several surfaces",
+                                name(mesh, t))};
+  const int euler = mesh.point_count() - mesh.triangle_count() / 2;
+  if (euler != 2)
+    return Defect{DefectKind::wrong_genus,
+                  fmt::format("the surface has {} handle(s) (Euler characteristic {}), must have "
+                              "none, like a sphere",
+                              (2 - euler) / 2, euler)};
+  return {};
+}
+
+}  // namespace
+
+std::optional<Defect> find_defect(const TriangleMesh& mesh) {
+  for (const auto find : {find_bad_numbers, find_degenerate, find_repeated, find_unused})
+    if (auto defect = find(mesh)) return defect;
+  const std::vector<DirectedEdge> edges = sorted_edges(mesh);
+  for (const auto find : {find_bad_edge, find_bad_point, find_bad_topology})
+    if (auto defect = find(mesh, edges)) return defect;
+  if (volume(mesh) < 0)
+    return Defect{DefectKind::inward,
+                  name(mesh, 0) + " and all others: the surface is seen from inside"};
+  const auto pairs = self_intersections(mesh);
+  if (!pairs.empty())
+    return Defect{DefectKind::self_intersecting,
+                  fmt::format("{} and {} pass through each other ({} such pairs)",
+                              name(mesh, pairs[0][0]), name(mesh, pairs[0][1]), pairs.size())};
+  return {};
+}
+
+}  // namespace sbeh::meshing

@@ -1,0 +1,142 @@
+#include "meshing/fitted_surface.h"
+
+#include "meshing/half_edge_mesh.h"
+
+#include <Eigen/Geometry>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace sbeh::meshing {
+
+using Eigen::Vector3d;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr int highest_degree = 4;
+
+// Without the constant.
+int monomial_count(int degree) { return (degree + 1) * (degree + 2) / 2 - 1; }
+
+// u, v, u², uv, v², …
+VectorXd monomials(int degree, double u, double v) {
+  VectorXd m(monomial_count(degree));
+  Eigen::Index k = 0, before = -1;
+  for (int d = 1; d <= degree; ++d) {
+    const Eigen::Index start = k;
+    for (int i = 0; i < d; ++i) m[k++] = (d == 1 ? 1 : m[before + i]) * u;
+    m[k++] = (d == 1 ? 1 : m[before + d - 1]) * v;
+    before = start;
+  }
+  return m;
+}
+
+// Points ring by ring around each, nearest ring first.
+class Rings {
+ public:
+  explicit Rings(const HalfEdgeMesh& mesh) : mesh_(mesh), mark_(mesh.n_vertices(), -1) {}
+
+  /// At least `count` of them, if there are as many.
+  std::vector<int> around(int point, std::size_t count) {
+    std::vector<int> found;
+    std::vector<int> ring{point};
+    mark_[std::size_t(point)] = point;
+    while (found.size() < count && !ring.empty()) {
+      std::vector<int> next;
+      for (const int inner : ring)
+        for (const auto v :
+             OpenMesh::make_smart(mesh_.vertex_handle(unsigned(inner)), mesh_).vertices())
+          if (mark_[std::size_t(v.idx())] != point) {
+            mark_[std::size_t(v.idx())] = point;
+            next.push_back(v.idx());
+          }
+      found.insert(found.end(), next.begin(), next.end());
+      ring = next;
+    }
+    return found;
+  }
+
+ private:
+  const HalfEdgeMesh& mesh_;
+  std::vector<int> mark_;  // by which centre a point was seen last
+};
+
+Eigen::Matrix3Xd point_normals(const TriangleMesh& mesh) {
+  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, mesh.point_count());
+  for (const auto c : mesh.triangles.colwise()) {
+    const Vector3d a = mesh.points.col(c[0]);
+    const Vector3d n = (mesh.points.col(c[1]) - a).cross(mesh.points.col(c[2]) - a);
+    for (const int corner : c) normals.col(corner) += n;
+  }
+  normals.colwise().normalize();
+  return normals;
+}
+
+}  // namespace
+
+FittedSurface::FittedSurface(const TriangleMesh& mesh) : mesh_(mesh) {
+  const HalfEdgeMesh half_edges = half_edge_mesh(mesh);
+  for (const auto edge : half_edges.edges())
+    if (edge.is_boundary()) throw std::invalid_argument("fitted surface: the mesh is open");
+  const Eigen::Matrix3Xd normals = point_normals(mesh);
+  Rings rings(half_edges);
+  constexpr double same_side = 0.3;  // cosine between normals: beyond, a graph cannot follow
+  for (int i = 0; i < mesh.point_count(); ++i) {
+    std::vector<int> around = rings.around(i, 2 * std::size_t(monomial_count(highest_degree)));
+    std::erase_if(around, [&](int j) { return normals.col(j).dot(normals.col(i)) < same_side; });
+    graphs_.push_back(graph_at(i, around, normals.col(i)));
+  }
+}
+
+FittedSurface::Graph FittedSurface::graph_at(int point, const std::vector<int>& around,
+                                             const Vector3d& normal) const {
+  Graph g;
+  const Vector3d tangent = normal.unitOrthogonal();
+  g.frame << tangent, normal.cross(tangent), normal;
+  g.degree = highest_degree;
+  const auto count = Eigen::Index(around.size());
+  while (g.degree > 1 && 2 * count < 3 * monomial_count(g.degree)) --g.degree;
+  if (count < monomial_count(g.degree)) {
+    g.coefficients = VectorXd::Zero(2);
+    g.degree = 1;
+    return g;
+  }
+  Eigen::Matrix3Xd local(3, count);  // in the frame
+  for (Eigen::Index k = 0; k < count; ++k)
+    local.col(k) =
+        g.frame.transpose() * (mesh_.points.col(around[std::size_t(k)]) - mesh_.points.col(point));
+  const Eigen::Index nearest = std::min<Eigen::Index>(count, 6);
+  g.scale = local.leftCols(nearest).colwise().norm().mean();
+  local /= g.scale;
+  Eigen::MatrixXd A(count, monomial_count(g.degree));
+  VectorXd b(count);
+  for (Eigen::Index k = 0; k < count; ++k) {
+    const double weight = std::exp(-local.col(k).squaredNorm() / 4);
+    A.row(k) = weight * monomials(g.degree, local(0, k), local(1, k));
+    b[k] = weight * local(2, k);
+  }
+  g.coefficients = A.colPivHouseholderQr().solve(b);
+  return g;
+}
+
+Vector3d FittedSurface::onto_graph(int point, const Vector3d& x) const {
+  const Graph& g = graphs_[std::size_t(point)];
+  const Vector3d local = g.frame.transpose() * (x - mesh_.points.col(point)) / g.scale;
+  const double height = monomials(g.degree, local[0], local[1]).dot(g.coefficients);
+  return x + (height - local[2]) * g.scale * g.frame.col(2);
+}
+
+Vector3d FittedSurface::at(int triangle, const Vector3d& barycentric) const {
+  const auto c = mesh_.triangles.col(triangle);
+  const Eigen::Matrix3d corner = mesh_.points(Eigen::all, c);
+  const Vector3d x = corner * barycentric;
+  Vector3d mean = Vector3d::Zero();
+  for (int k = 0; k < 3; ++k)
+    if (barycentric[k] != 0) mean += barycentric[k] * onto_graph(c[k], x);
+  return mean;
+}
+
+}  // namespace sbeh::meshing

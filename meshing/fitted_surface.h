@@ -1,0 +1,45 @@
+// A smooth surface through the points of a plain triangle mesh.
+#pragma once
+
+#include "meshing/smoothing.h"
+#include "meshing/triangle_mesh.h"
+
+#include <memory>
+#include <vector>
+
+namespace sbeh::meshing {
+
+/// At every point of the mesh a polynomial graph of degree 4 over the tangent plane goes through it
+/// and, by weighted least squares, near the points around (of lower degree where a coarse mesh has
+/// too few). A place on a triangle is moved onto the graphs of its corners and takes the mean of the three, weighted
+/// with its barycentric coordinates. For points on a smooth surface, at distances h, the result is
+/// within O(h⁵) of it.
+class FittedSurface {
+ public:
+  /// Throws std::invalid_argument unless the mesh is closed and oriented.
+  explicit FittedSurface(const TriangleMesh& mesh);
+
+  /// The place on the smooth surface for barycentric coordinates in a triangle.
+  Eigen::Vector3d at(int triangle, const Eigen::Vector3d& barycentric) const;
+
+  const TriangleMesh& mesh() const { return mesh_; }
+
+ private:
+  struct Graph {
+    Eigen::Matrix3d frame;         // columns: two tangents, normal
+    int degree = 0;                // 1 … 4
+    Eigen::VectorXd coefficients;  // of u, v, u², uv, v², … by degree; u, v in units of `scale`
+    double scale = 1;
+  };
+  Graph graph_at(int point, const std::vector<int>& around, const Eigen::Vector3d& normal) const;
+  Eigen::Vector3d onto_graph(int point, const Eigen::Vector3d& x) const;
+
+  TriangleMesh mesh_;
+  std::vector<Graph> graphs_;
+};
+
+/// Takes a point to the nearest place on the plain triangles (CGAL) and from there to the smooth
+/// surface. Keeps the surface alive.
+Projection onto(std::shared_ptr<const FittedSurface> surface);
+
+}  // namespace sbeh::meshing

@@ -1,0 +1,44 @@
+// The generating curve of a surface of revolution: P3 elements in the half-plane (r, z).
+#pragma once
+
+#include <Eigen/Core>
+
+#include <vector>
+
+namespace sbeh::meshing {
+
+/// Nodes from pole to pole, 3 elements + 1 columns; element e owns the nodes 3e … 3e + 3.
+struct Profile {
+  Eigen::Matrix2Xd X;    ///< row 0: r >= 0, 0 at both ends; row 1: z
+  Eigen::VectorXd beta;  ///< order at the nodes; may be empty
+
+  int element_count() const { return int(X.cols() - 1) / 3; }
+  /// Throws std::invalid_argument naming the node: not finite, r < 0, r > 0 at a pole, r = 0
+  /// elsewhere, a number of nodes that fits no elements, or β of another size.
+  void validate() const;
+};
+
+/// A profile prepared for searching. Places on it are numbers t in [0, elements]: element ⌊t⌋ at its
+/// own coordinate.
+class ProfileCurve {
+ public:
+  explicit ProfileCurve(const Profile& profile);
+
+  Eigen::Vector2d at(double t) const;
+  double beta_at(double t) const;
+  /// Place of the point of the curve nearest to (r, z).
+  double nearest(const Eigen::Vector2d& x) const;
+  /// Place up to which the surface of revolution has this fraction of its area, seen from the first
+  /// node, to plotting accuracy.
+  double at_area(double fraction) const;
+
+ private:
+  /// Nearest place within [low, high], which lies in one element.
+  double nearest_between(double low, double high, const Eigen::Vector2d& x) const;
+
+  Profile profile_;
+  Eigen::Matrix2Xd samples_;  // equidistant in t, joints included
+  Eigen::VectorXd area_;      // up to each sample, last = 1
+};
+
+}  // namespace sbeh::meshing

@@ -1,0 +1,67 @@
+#include "studies/frame_file.h"
+
+#include "studies/mesh_files/mesh_file.h"
+#include "studies/output.h"
+#include "studies/toml_reader.h"
+
+#include <fmt/format.h>
+
+namespace sbeh::studies {
+
+namespace {
+
+Eigen::VectorXd number(double value) { return Eigen::VectorXd::Constant(1, value); }
+
+// Of a frame; throws when the file has it not, or not of this size.
+template <class Map>
+const auto& part(const Map& parts, const char* name, Eigen::Index size,
+                 const std::filesystem::path& path) {
+  const auto found = parts.find(name);
+  if (found == parts.end() || found->second.size() != size)
+    throw InputError(
+        fmt::format("{}: is no frame of a run: it lacks the field {}", path.string(), name));
+  return found->second;
+}
+
+}  // namespace
+
+void write_frame(const std::filesystem::path& path, const Frame& frame, const FrameFields& fields) {
+  NodeFields at_nodes{{"order", frame.beta.transpose()},
+                      {"mean_curvature", fields.H.transpose()},
+                      {"normal", fields.normals}};
+  if (fields.velocity.size() > 0) at_nodes["velocity"] = fields.velocity;
+  const surface3d::FlowRecord& r = frame.record;
+  const Globals globals{{"TimeValue", number(r.time)},
+                        {"next_step", number(r.next_step)},
+                        {"rejected_steps", number(r.rejected)},
+                        {"target", Eigen::Vector2d(frame.target.area, frame.target.volume)}};
+  write_file(path, vtu_text(frame.mesh, at_nodes, globals));
+}
+
+Frame read_frame(const std::filesystem::path& path) {
+  MeshFile file = read_mesh(path);
+  auto* curved = std::get_if<CurvedFile>(&file);
+  if (!curved || curved->mesh.order != 3)
+    throw InputError(
+        fmt::format("{}: is no frame of a run: its triangles are not of order 3", path.string()));
+  Frame frame{.mesh = std::move(curved->mesh), .beta = {}, .record = {}, .target = {}};
+  frame.beta = part(curved->fields, "order", frame.mesh.node_count(), path).transpose();
+  frame.record.time = part(curved->globals, "TimeValue", 1, path)[0];
+  frame.record.next_step = part(curved->globals, "next_step", 1, path)[0];
+  frame.record.rejected = int(part(curved->globals, "rejected_steps", 1, path)[0]);
+  const Eigen::VectorXd& target = part(curved->globals, "target", 2, path);
+  frame.target = {target[0], target[1]};
+  return frame;
+}
+
+std::string pvd_text(const std::vector<FrameEntry>& frames) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (const FrameEntry& frame : frames)
+    text +=
+        fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, frame.file);
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+}  // namespace sbeh::studies

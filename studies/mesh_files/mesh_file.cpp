@@ -1,0 +1,103 @@
+#include "studies/mesh_files/mesh_file.h"
+
+#include "meshing/curving.h"
+#include "studies/mesh_files/formats.h"
+#include "studies/mesh_files/text_lines.h"
+#include "studies/output.h"
+#include "studies/toml_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cctype>
+
+namespace sbeh::studies {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string suffix_of(const fs::path& path) {
+  std::string suffix = path.extension().string();
+  std::transform(suffix.begin(), suffix.end(), suffix.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return suffix;
+}
+
+std::string text_of(const fs::path& path) {
+  constexpr std::uintmax_t largest = std::uintmax_t(1) << 30;
+  std::error_code unreadable;
+  if (fs::is_directory(path, unreadable))
+    throw InputError(fmt::format("{}: is a directory, not a file", path.string()));
+  if (fs::exists(path, unreadable) && !fs::is_regular_file(path, unreadable))
+    throw InputError(fmt::format("{}: is not a file that can be read as a mesh", path.string()));
+  if (fs::file_size(path, unreadable) > largest && !unreadable)
+    throw InputError(fmt::format("{}: has more than {} bytes", path.string(), largest));
+  try {
+    return read_file(path);
+  } catch (const OutputError& error) {
+    throw InputError(error.what());
+  }
+}
+
+meshing::TriangleMesh read_triangles(const fs::path& path, const std::string& suffix) {
+  const std::string text = text_of(path), file = path.string();
+  if (text.empty()) throw InputError(fmt::format("{}: is empty", file));
+  if (suffix == ".obj") return parse_obj(text, file);
+  if (suffix == ".off") return parse_off(text, file);
+  if (suffix == ".ply") return parse_ply(text, file);
+  return parse_stl(text, file);
+}
+
+int triangle_count(const MeshFile& mesh) {
+  if (const auto* plain = std::get_if<meshing::TriangleMesh>(&mesh)) return plain->triangle_count();
+  return std::get<CurvedFile>(mesh).mesh.triangle_count();
+}
+
+}  // namespace
+
+MeshFile read_mesh(const fs::path& path) {
+  const std::string suffix = suffix_of(path), file = path.string();
+  MeshFile mesh;
+  if (suffix == ".vtu" || suffix == ".vtp") {
+    const std::string text = text_of(path);  // says why, when it cannot be read
+    if (text.find("<VTKFile") == std::string::npos)
+      throw InputError(fmt::format("{}: is no XML file of VTK", file));
+    mesh = read_vtk(file, suffix == ".vtp");
+  } else if (suffix == ".obj" || suffix == ".off" || suffix == ".ply" || suffix == ".stl") {
+    mesh = read_triangles(path, suffix);
+  } else {
+    throw InputError(fmt::format(
+        "{}: unknown suffix \"{}\"; meshes can be read from .obj, .off, .ply, .stl, .vtu, .vtp",
+        file, suffix));
+  }
+  if (triangle_count(mesh) == 0) throw InputError(fmt::format("{}: has no triangles", file));
+  if (triangle_count(mesh) > most_triangles)
+    throw InputError(
+        fmt::format("{}: has {} triangles, more than {}: make it coarser with the program it comes "
+                    "from",
+                    file, triangle_count(mesh), most_triangles));
+  return mesh;
+}
+
+void require_mesh_suffix(const fs::path& path) {
+  const std::string suffix = suffix_of(path);
+  for (const char* known : {".vtu", ".obj", ".off", ".ply", ".stl"})
+    if (suffix == known) return;
+  throw InputError(fmt::format(
+      "{}: unknown suffix \"{}\"; meshes can be written to .vtu (curved), .obj, .off, .ply, .stl",
+      path.string(), suffix));
+}
+
+void write_mesh(const fs::path& path, const meshing::CurvedMesh& mesh, const NodeFields& fields) {
+  require_mesh_suffix(path);
+  const std::string suffix = suffix_of(path);
+  if (suffix == ".vtu") return write_file(path, vtu_text(mesh, fields));
+  const meshing::TriangleMesh plain = meshing::corners(mesh);
+  if (suffix == ".obj") write_file(path, obj_text(plain));
+  if (suffix == ".off") write_file(path, off_text(plain));
+  if (suffix == ".ply") write_file(path, ply_text(plain));
+  if (suffix == ".stl") write_file(path, stl_text(plain));
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,256 @@
+#include "studies/run.h"
+
+#include "studies/csv_line.h"
+#include "studies/describe.h"
+#include "studies/frame_file.h"
+#include "studies/interrupt.h"
+#include "studies/output.h"
+#include "studies/progress.h"
+#include "studies/series_file.h"
+#include "studies/toml_reader.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <memory>
+#include <optional>
+#include <sstream>
+
+namespace sbeh::studies {
+
+namespace fs = std::filesystem;
+using surface3d::FlowRecord;
+using surface3d::State;
+using surface3d::StepFields;
+
+namespace {
+
+constexpr const char* frame_header = "index,time,file";
+
+// ---- what an earlier run left -------------------------------------------------------------------
+
+std::string without_first_line(const std::string& text) { return text.substr(text.find('\n') + 1); }
+
+// The rows of a table with their time, up to the first that is cut off.
+struct TimedRow {
+  double time;
+  std::string line;
+};
+std::vector<TimedRow> rows_of(const fs::path& path, std::size_t time_column) {
+  std::vector<TimedRow> rows;
+  if (!fs::exists(path)) return rows;
+  std::istringstream text(read_file(path));
+  std::string line, header;
+  std::getline(text, header);
+  const std::size_t columns = split_csv(header).size();
+  while (std::getline(text, line)) {
+    const auto fields = split_csv(line);
+    double time = 0;
+    if (fields.size() != columns || text.eof() || !parse_number(fields[time_column], time)) break;
+    rows.push_back({time, line});
+  }
+  return rows;
+}
+
+// Writes a table anew with the rows up to a time.
+void keep_until(const fs::path& path, const std::string& header, const std::vector<TimedRow>& rows,
+                double time) {
+  std::string text = header + "\n";
+  for (const TimedRow& row : rows)
+    if (row.time <= time) text += row.line + "\n";
+  write_file(path, text);
+}
+
+// The newest state in the folder that can be read: a frame, or the state at an interruption.
+std::optional<Frame> newest_frame(const OutputFolder& folder) {
+  std::vector<fs::path> candidates{folder / "interrupted.vtu"};
+  const std::vector<TimedRow> frames = rows_of(folder / "frames.csv", 1);
+  for (auto row = frames.rbegin(); row != frames.rend(); ++row)
+    candidates.push_back(folder / split_csv(row->line)[2]);
+  std::optional<Frame> newest;
+  for (const fs::path& path : candidates) {
+    if (!fs::exists(path)) continue;
+    try {
+      Frame frame = read_frame(path);
+      if (!newest || frame.record.time > newest->record.time) newest = std::move(frame);
+      if (path != candidates.front()) break;  // those before it are older
+    } catch (const InputError& error) {
+      tell(fmt::format("sbeh: {}; going back to the frame before it\n", error.what()));
+    }
+  }
+  return newest;
+}
+
+// The frame to go on from, empty for a run from the start. Throws OutputError when the folder holds
+// what must not be overwritten.
+std::optional<Frame> frame_to_resume(const OutputFolder& folder, const std::string& description,
+                                     bool resume) {
+  const std::string where = folder.path().string();
+  if (fs::exists(folder / "scan.csv"))
+    throw OutputError(
+        fmt::format("{}: already holds a scan; choose another folder with -o", where));
+  if (!fs::exists(folder / "run.toml")) return {};
+  if (!resume)
+    throw OutputError(
+        fmt::format("{}: already holds a run (see its run.toml), which is not overwritten; go on "
+                    "with it by --resume, or choose another folder with -o",
+                    where));
+  const std::string before = read_file(folder / "run.toml");
+  if (without_first_line(before) != without_first_line(description))
+    throw OutputError(
+        fmt::format("{}: holds a run with other parameters (compare its run.toml); choose another "
+                    "folder with -o",
+                    where));
+  if (before != description)
+    throw OutputError(fmt::format(
+        "{}: holds a run of another version of sbeh (see the first line of its run.toml), whose "
+        "frames may go on differently; to start from one of them all the same, use shape = "
+        "\"frame\" and another folder",
+        where));
+  return newest_frame(folder);
+}
+
+// ---- what this run leaves -----------------------------------------------------------------------
+
+// Writes what the observer sees at the times asked for.
+class Recorder {
+ public:
+  Recorder(const RunInput& input, const RunStart& start,
+           std::shared_ptr<const surface3d::Triangulation> mesh, const OutputFolder& folder,
+           std::optional<double> resumed_at)
+      : input_(input),
+        start_(start),
+        mesh_(std::move(mesh)),
+        folder_(folder),
+        began_(std::chrono::steady_clock::now()),
+        shown_(began_) {
+    make_folder(folder / "frames");
+    const auto frames = rows_of(folder / "frames.csv", 1);
+    const double until = resumed_at.value_or(-1);
+    keep_until(folder / "series.csv", series_header(), rows_of(folder / "series.csv", 0), until);
+    keep_until(folder / "frames.csv", frame_header, frames, until);
+    for (const TimedRow& row : frames)
+      if (row.time <= until) frames_.push_back({row.time, split_csv(row.line)[2]});
+    if (!frames_.empty()) last_frame_ = frames_.back().time;
+    const auto series = rows_of(folder / "series.csv", 0);
+    if (!series.empty()) last_row_ = series.back().time;
+    series_ = std::make_unique<AppendFile>(folder / "series.csv");
+    index_ = std::make_unique<AppendFile>(folder / "frames.csv");
+  }
+
+  bool operator()(const FlowRecord& record, const State& state, const StepFields& fields,
+                  bool exact) {
+    if (exact && contains(input_.output_times, record.time)) write_row(record, state);
+    if (exact && contains(input_.frame_times, record.time)) write_state(record, state, fields);
+    ++steps_;
+    show(record);
+    last_fields_ = fields;
+    return interrupt_signal() == 0;
+  }
+
+  /// The last state: a row and a frame, or, when the run is to go on later, the state alone.
+  void finish(const surface3d::FlowResult& run) {
+    const bool interrupted = run.stop == surface3d::FlowStop::interrupted;
+    std::error_code ignored;
+    if (!interrupted) fs::remove(folder_ / "interrupted.vtu", ignored);
+    if (interrupted && run.last.time != last_frame_)
+      write(folder_ / "interrupted.vtu", run.last, run.state, last_fields_);
+    if (!interrupted && run.last.time != last_row_) write_row(run.last, run.state);
+    if (!interrupted && run.last.time != last_frame_)
+      write_state(run.last, run.state, last_fields_);
+    if (terminal_ && steps_ > 1) tell("\n");
+  }
+  int frames() const { return int(frames_.size()); }
+
+ private:
+  static bool contains(const std::vector<double>& times, double time) {
+    const double slack = surface3d::same_time * time;  // the same number reached by another sum
+    const auto at = std::lower_bound(times.begin(), times.end(), time - slack);
+    return at != times.end() && *at <= time + slack;
+  }
+  void write_row(const FlowRecord& record, const State& state) {
+    series_->append(series_line(record, surface3d::diagnose(*mesh_, input_.material, state)));
+    last_row_ = record.time;
+  }
+  void write(const fs::path& path, const FlowRecord& record, const State& state,
+             const StepFields& fields) const {
+    Frame frame{.mesh = start_.mesh, .beta = state.beta, .record = record, .target = start_.target};
+    frame.mesh.nodes = state.X;
+    const auto curvature = surface3d::curvature_of(*mesh_, state.X);
+    if (!curvature) throw std::runtime_error("the surface is degenerate");
+    write_frame(path, frame, {curvature->H, curvature->node_normals, fields.V});
+  }
+  void write_state(const FlowRecord& record, const State& state, const StepFields& fields) {
+    const std::string file = fmt::format("frames/{:04d}.vtu", frames_.size());
+    write(folder_ / file, record, state, fields);
+    index_->append(fmt::format("{},{},{}", frames_.size(), record.time, file));
+    frames_.push_back({record.time, file});
+    write_file(folder_ / "run.pvd", pvd_text(frames_));
+    last_frame_ = record.time;
+  }
+  // On a terminal one line that is rewritten, otherwise a line every minute.
+  void show(const FlowRecord& record) {
+    using std::chrono::duration, std::chrono::steady_clock;
+    const auto now = steady_clock::now();
+    if (now - shown_ < std::chrono::milliseconds(terminal_ ? 200 : 60'000)) return;
+    shown_ = now;
+    const double per_step = duration<double>(now - began_).count() / steps_;
+    const double left = (input_.end_time - record.time) / record.next_step * per_step;
+    tell(
+        fmt::format("{}t = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}, {:.2g} s a step, "
+                    "at most {:.0f} s left{}",
+                    terminal_ ? "\r\033[K" : "", record.time, input_.end_time, record.time_step,
+                    record.energy.total(), per_step, left, terminal_ ? "" : "\n"));
+  }
+
+  const RunInput& input_;
+  const RunStart& start_;
+  std::shared_ptr<const surface3d::Triangulation> mesh_;
+  const OutputFolder& folder_;
+  std::unique_ptr<AppendFile> series_, index_;
+  std::vector<FrameEntry> frames_;
+  StepFields last_fields_;
+  const bool terminal_ = isatty(STDERR_FILENO) != 0;
+  std::chrono::steady_clock::time_point began_, shown_;
+  int steps_ = 0;
+  double last_row_ = -1, last_frame_ = -1;
+};
+
+}  // namespace
+
+RunSummary run_surface(const RunInput& input, const fs::path& path, std::string_view version,
+                       bool resume) {
+  RunStart start = start_of(input);
+  const OutputFolder folder(path);
+  const std::string description = describe(input, version);
+  const std::optional<Frame> frame = frame_to_resume(folder, description, resume);
+  write_file(folder / "run.toml", description);
+
+  const auto mesh = std::make_shared<const surface3d::Triangulation>(start.mesh);
+  State state{start.mesh.nodes, start.beta};
+  FlowRecord from;
+  if (frame) {
+    state = {frame->mesh.nodes, frame->beta};
+    from = frame->record;
+    start.target = frame->target;
+  }
+  Recorder recorder(input, start, mesh, folder,
+                    frame ? std::optional(from.time) : std::optional<double>());
+  surface3d::FlowSchedule schedule{.end_time = input.end_time,
+                                   .output_times = input.output_times,
+                                   .stop_at_rest = input.stop_at_rest};
+  schedule.output_times.insert(schedule.output_times.end(), input.frame_times.begin(),
+                               input.frame_times.end());
+  const surface3d::FlowResult run = surface3d::run_flow(
+      mesh, input.material, input.model, state, start.target, input.numerics, schedule,
+      [&](const FlowRecord& record, const State& now, const StepFields& fields, bool exact) {
+        return recorder(record, now, fields, exact);
+      },
+      from);
+  recorder.finish(run);
+  return {run, recorder.frames(), from.time};
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,25 @@
+// One 3D run with its files.
+#pragma once
+
+#include "studies/run_start.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace sbeh::studies {
+
+struct RunSummary {
+  surface3d::FlowResult run;
+  int frames;           ///< in the folder
+  double resumed_from;  ///< time, 0 for a run from the start
+};
+
+/// Runs and leaves in the folder: run.toml (the input, resolved), series.csv (a row per output time),
+/// frames/*.vtu (each the whole state), frames.csv (index,time,file), run.pvd for ParaView. Progress on
+/// standard error. With `resume` an interrupted run goes on from its newest frame and leaves the same
+/// bits as one that was not interrupted; without it a folder that holds a run is refused.
+/// Throws InputError and OutputError.
+RunSummary run_surface(const RunInput& input, const std::filesystem::path& path,
+                       std::string_view version, bool resume);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,115 @@
+#include "studies/run_start.h"
+
+#include "meshing/curving.h"
+#include "meshing/defects.h"
+#include "meshing/fitted_surface.h"
+#include "meshing/measures.h"
+#include "meshing/revolution.h"
+#include "meshing/shapes.h"
+#include "studies/frame_file.h"
+#include "studies/mesh_files/mesh_file.h"
+#include "studies/output.h"
+#include "studies/profile_file.h"
+#include "studies/scan_table.h"
+#include "studies/toml_reader.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace sbeh::studies {
+
+namespace {
+
+using meshing::CurvedMesh;
+constexpr double unit_area = 4 * std::numbers::pi;
+
+// A surface and, where the start brings it, its order.
+struct Start {
+  CurvedMesh mesh;
+  Eigen::VectorXd beta;  // nodes, or empty
+};
+
+Start make(const Ellipsoid3d& e, const RunInput& input) {
+  const meshing::Resolution resolution{.triangles = input.triangles};
+  return {e.axes ? meshing::ellipsoid(*e.axes / e.axes->maxCoeff(), resolution)
+                 : meshing::ellipsoid(*e.reduced_volume, e.prolate, resolution),
+          {}};
+}
+
+Start make(const HarmonicSphere& sphere, const RunInput& input) {
+  return {meshing::harmonic_sphere(sphere.modes, {.triangles = input.triangles}), {}};
+}
+
+Start make(const MeshFileStart& start, const RunInput&) {
+  MeshFile file = read_mesh(start.file);
+  if (auto* curved = std::get_if<CurvedFile>(&file); curved && curved->mesh.order == 3)
+    return {std::move(curved->mesh), {}};
+  const meshing::TriangleMesh triangles = std::holds_alternative<CurvedFile>(file)
+                                            ? meshing::corners(std::get<CurvedFile>(file).mesh)
+                                            : std::get<meshing::TriangleMesh>(file);
+  if (const auto defect = meshing::find_defect(triangles))
+    throw InputError(fmt::format("{}: {}", start.file, defect->text));
+  const meshing::FittedSurface surface(triangles);
+  return {meshing::curved(triangles, 3,
+                          [&](int t, const Eigen::Vector3d& x) { return surface.at(t, x); }),
+          {}};
+}
+
+Start make(const ScanRow& row, const RunInput& input) {
+  const PointKey key{row.reduced_volume, row.L, row.model, row.branch};
+  const std::filesystem::path file =
+      std::filesystem::path(row.folder) / "points" / (stem(key) + ".csv");
+  if (!std::filesystem::exists(file))
+    throw OutputError(fmt::format("{}: is not there; the rows of that scan stand in {}/scan.csv",
+                                  file.string(), row.folder));
+  const axisym::State profile = read_profile(file);
+  meshing::RevolvedMesh revolved =
+      meshing::revolved({profile.X, profile.beta}, {.triangles = input.triangles});
+  return {std::move(revolved.mesh), std::move(revolved.beta)};
+}
+
+Start make(const FrameStart& start, const RunInput&) {
+  Frame frame = read_frame(start.file);
+  return {std::move(frame.mesh), std::move(frame.beta)};
+}
+
+// Displaces the nodes along the normals by Σ a_lm Y_lm of their directions from the centre.
+void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
+  const surface3d::Triangulation triangulation(mesh);
+  const surface3d::Nodes n = surface3d::node_normals(triangulation, mesh.nodes);
+  const Eigen::Vector3d centre = mesh.nodes.rowwise().mean();
+  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i) {
+    const Eigen::Vector3d direction = (mesh.nodes.col(i) - centre).normalized();
+    mesh.nodes.col(i) += meshing::harmonic_sum(modes, direction) * n.col(i);
+  }
+}
+
+}  // namespace
+
+RunStart start_of(const RunInput& input) {
+  Start start;
+  try {
+    start = std::visit([&](const auto& shape) { return make(shape, input); }, input.start);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("[surface] {}", error.what()));
+  }
+  if (!input.perturbation.empty()) perturb(start.mesh, input.perturbation);
+  // A frame goes on as it is; what has the area already keeps its bits.
+  if (std::abs(meshing::area(start.mesh) / unit_area - 1) > 1e-14)
+    meshing::scale_to_area(start.mesh, unit_area);
+  const surface3d::Triangulation triangulation(start.mesh);
+  RunStart result{.mesh = std::move(start.mesh), .beta = std::move(start.beta), .target = {}};
+  if (input.model == model::Model::SSH || result.beta.size() == 0)
+    result.beta.setConstant(result.mesh.node_count(), input.model == model::Model::SSH
+                                                          ? model::full_order
+                                                          : input.initial_order);
+  result.target = {surface3d::area(triangulation, result.mesh.nodes),
+                   surface3d::volume(triangulation, result.mesh.nodes)};
+  if (!(result.target.volume > 0))
+    throw InputError("[surface]: the surface is turned inside out: its volume is negative");
+  return result;
+}
+
+}  // namespace sbeh::studies

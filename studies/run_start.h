@@ -1,0 +1,19 @@
+// The first state of a 3D run.
+#pragma once
+
+#include "studies/run_input.h"
+#include "surface3d/flow.h"
+
+namespace sbeh::studies {
+
+struct RunStart {
+  meshing::CurvedMesh mesh;  ///< order 3, area 4π
+  surface3d::Field beta;     // nodes
+  surface3d::Target target;  ///< its own area and volume
+};
+
+/// Makes the surface that the input asks for. Throws InputError (a mesh or frame that is not what it
+/// should be, a shape that does not exist) and OutputError (files that cannot be read).
+RunStart start_of(const RunInput& input);
+
+}  // namespace sbeh::studies
