@@ -12,7 +12,7 @@ inline int index(Eigen::Index node, NodeUnknown c) { return node_unknowns * int(
 template <class Visit>
 void for_each_pinned(model::Model model, Eigen::Index nodes, Visit&& visit) {
   visit(index(0, node_d));
-  if (model == model::Model::SSH)
+  if (!model::has_free_order(model))
     for (Eigen::Index i = 0; i < nodes; ++i) visit(index(i, node_beta));
 }
 

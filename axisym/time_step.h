@@ -1,8 +1,7 @@
 // One time step of the ALE scheme: velocity, pressure, curvature and mesh motion, then the order.
 #pragma once
 
-#include "axisym/curve.h"
-#include "model/flow.h"
+#include "axisym/coupled_system.h"
 #include "model/material.h"
 
 #include <memory>
@@ -10,16 +9,6 @@
 namespace sbeh::axisym {
 
 using model::Dissipation;
-using model::Target;
-
-/// What a step computes besides the next state.
-struct StepFields {
-  Nodes V;        // 2 x nodes, velocity on the old surface
-  Nodes Y;        // 2 x nodes, displacement of the mesh
-  Field H;        // nodes, curvature of the next surface as the scheme knows it
-  Field p;        // 2 elements + 1, surface pressure
-  double lambda;  ///< volume multiplier
-};
 
 /// Result of a step; `ok` is false when a linear solve failed or the new curve is degenerate, and
 /// then nothing else holds.

@@ -34,6 +34,7 @@ struct OldPoint {
 struct StepParameters {
   double tau;        ///< time step
   double area_rate;  ///< (A₀ − A)/(τA), the drift correction of (P1)
+  model::AreaConstraint area = model::AreaConstraint::local;  ///< global: with (V11)
 };
 
 /// ∇_C W in the frame (t, e_φ, ν) of a field W with values W and derivative dW.
@@ -62,7 +63,7 @@ inline model::ShapeOperator<double> shape_operator(double H, double B_phi) {
   return B;
 }
 
-/// Momentum (V1)–(V10) without (V4), incompressibility (P1), normal motion (Y1) and curvature (H1).
+/// Momentum (V1)–(V11) without (V4), incompressibility (P1), normal motion (Y1) and curvature (H1).
 template <class T>
 CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
                                   const StepParameters& step, const CoupledData<T>& u) {
@@ -83,8 +84,11 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
 
   model::Gradient<T> stress = -model::elastic_stress(m, elastic);  // (V5) … (V10)
   stress.template topRows<2>() += model::rate_of_strain(grad_V) * T(m.eta(old.beta));  // (V1)
-  stress(0, 0) -= u.p;                                                                 // (V3)
-  stress(1, 1) -= u.p;
+  T isotropic = -u.p;                                                                  // (V3)
+  if (step.area == model::AreaConstraint::global)
+    isotropic += model::bending_tension(m, elastic);  // (V11)
+  stress(0, 0) += isotropic;
+  stress(1, 1) += isotropic;
 
   const T V_t = dot(u.V, x.t) * m.friction_tangential;  // (V2)
   const T V_n = dot(u.V, x.nu);

@@ -7,7 +7,28 @@
 
 namespace sbeh::model {
 
-const char* name(Model model) { return model == Model::SBEH ? "SBEH" : "SSH"; }
+const char* name(Model model) {
+  switch (model) {
+    case Model::SBEH:
+      return "SBEH";
+    case Model::SSH:
+      return "SSH";
+    case Model::HelfrichLocal:
+      return "Helfrich-local";
+    case Model::HelfrichGlobal:
+      return "Helfrich-global";
+  }
+  return "";
+}
+
+Material effective(const Material& material, Model model) {
+  Material copy = material;
+  if (!has_own_drag(model)) return copy;
+  copy.viscosity = 0;
+  copy.friction_normal = 1;
+  copy.friction_tangential = area_constraint(model) == AreaConstraint::local ? 1 : 0;
+  return copy;
+}
 
 Material Material::with_L(double L) const {
   Material copy = *this;

@@ -5,11 +5,29 @@
 
 namespace sbeh::model {
 
-/// Which equations of motion: SBEH has a free order β, SSH keeps β = 2/3 (surface Stokes–Helfrich).
-enum class Model { SBEH, SSH };
+/// Which equations of motion. SBEH has a free order β; the others keep β = 2/3 and have the same states
+/// of rest: SSH (surface Stokes–Helfrich) and the two L² flows of the Helfrich energy.
+enum class Model { SBEH, SSH, HelfrichLocal, HelfrichGlobal };
 
-/// "SBEH" or "SSH".
+/// "SBEH", "SSH", "Helfrich-local" or "Helfrich-global".
 const char* name(Model model);
+
+inline bool has_free_order(Model model) { return model == Model::SBEH; }
+
+/// The model of which a scan has the states of rest: SBEH, or SSH for all others.
+inline Model rest_model(Model model) { return has_free_order(model) ? Model::SBEH : Model::SSH; }
+
+/// Whether the model says what resists the flow, instead of the material: no viscosity, friction 1.
+inline bool has_own_drag(Model model) {
+  return model == Model::HelfrichLocal || model == Model::HelfrichGlobal;
+}
+
+/// What keeps its area: every piece of the surface; or only the whole, then the pressure p is a number
+/// and the surface moves along its normals alone.
+enum class AreaConstraint { local, global };
+inline AreaConstraint area_constraint(Model model) {
+  return model == Model::HelfrichGlobal ? AreaConstraint::global : AreaConstraint::local;
+}
 
 /// The fully ordered state.
 inline constexpr double full_order = 2.0 / 3.0;
@@ -74,5 +92,9 @@ struct Material {
   double splay() const { return 2.25 * (2 * L1 + L2 + L3); }
   double saddle_splay() const { return 2.25 * (2 * L1 + L3); }
 };
+
+/// The material as the model's flow has it: where has_own_drag, without viscosity and with friction 1,
+/// under a global area constraint against the normal velocity alone.
+Material effective(const Material& material, Model model);
 
 }  // namespace sbeh::model

@@ -94,6 +94,14 @@ Gradient<T> gaussian_shape_stress(const Material& m, const ElasticPoint<S, T>& x
   return detail::normal_row<T>(g.template cast<T>());
 }
 
+/// (V11) e = (κ/2)(tr B − H₀)(H − H₀), isotropic: −(e, Div_C W) stands in the momentum equation only
+/// where the pressure is a number and cannot take it up. For β ≡ 2/3, else (E1) and (E4) are missing.
+template <class S, class T>
+T bending_tension(const Material& m, const ElasticPoint<S, T>& x) {
+  const S known = m.kappa(x.beta) / 2. * (x.B.trace() - m.spontaneous_curvature);
+  return T(known) * (x.H - m.spontaneous_curvature);
+}
+
 /// The right-hand side of the momentum equation: the sum of (V5) … (V10).
 template <class S, class T>
 Gradient<T> elastic_stress(const Material& m, const ElasticPoint<S, T>& x) {

@@ -53,7 +53,7 @@ axisym::Nodes harmonic_sphere(const Harmonics& sphere, const axisym::Numerics& n
 State make(const Harmonics& sphere, const RelaxInput& input) {
   State state{harmonic_sphere(sphere, input.numerics), {}};
   double order = model::full_order;
-  if (input.model == model::Model::SBEH) {
+  if (model::has_free_order(input.model)) {
     const auto rest = sphere.order ? sphere.order : model::sphere_rest_order(input.material);
     if (!rest)
       throw std::invalid_argument(
@@ -82,7 +82,7 @@ State make(const ScanRow& row, const RelaxInput& input) {
     throw OutputError(fmt::format("{}: is not there; the rows of that scan stand in {}/scan.csv",
                                   file.string(), row.folder));
   State state = read_profile(file);
-  if (input.model == model::Model::SSH) state.beta.setConstant(model::full_order);
+  if (!model::has_free_order(input.model)) state.beta.setConstant(model::full_order);
   return state;
 }
 

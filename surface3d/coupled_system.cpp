@@ -50,6 +50,21 @@ Layout flow_layout(Scheme scheme, int multipliers) {
            {yes, no, no, no, yes}}};  // (P2)
 }
 
+// The speeds v along the node normals in the place of V and p; p is the last of the multipliers.
+Layout normal_flow_layout(Scheme scheme) {
+  const Block v{Kind::scalar, 0, 10}, numbers{Kind::multiplier, 0, 2};
+  if (scheme == Scheme::split)
+    return {{v, H_block, numbers},
+            {{yes, yes, yes},   // W
+             {yes, yes, no},    // G: (H1) along the normals, Y = τV
+             {yes, no, yes}}};  // (P2), (P1)
+  return {{v, H_block, Y_block, numbers},
+          {{yes, yes, no, yes},   // W
+           {yes, no, yes, no},    // G: (Y1)
+           {no, yes, same, no},   // Z: (H1)
+           {yes, no, no, yes}}};  // (P2), (P1)
+}
+
 Layout motion_layout() {
   return {{H_block, Y_block},
           {{no, yes},      // G: (Y1)
@@ -123,6 +138,18 @@ void set_zero(const SparsePattern& pattern, LinearSystem& system) {
 // V, p: the unknowns before the padding of the pressure.
 constexpr int head = 36, motion_size = 40;
 
+// T: unknowns of the whole flow of an element by those of the flow along the normals n,
+// V = Σ v_a φ_a n_a and p a number; the rest, of which λ is the last, stays as it is.
+Eigen::MatrixXd normal_motion(const ElementNodes& n, int whole) {
+  constexpr int speeds = 10;
+  const int rest = whole - head;
+  Eigen::MatrixXd T = Eigen::MatrixXd::Zero(whole, speeds + rest + 1);
+  for (int k = 0; k < 3; ++k) T.block<10, 10>(10 * k, 0) = n.row(k).asDiagonal();
+  T.block(head, speeds, rest, rest).setIdentity();
+  T.block<head - local::p, 1>(local::p, speeds + rest).setOnes();
+  return T;
+}
+
 }  // namespace
 
 // An element's system, and the parts of it that go into the global ones.
@@ -135,13 +162,15 @@ struct CoupledSystem::Piece {
 };
 
 CoupledSystem::CoupledSystem(const Triangulation& mesh, const model::Material& material,
-                             Scheme scheme)
+                             Scheme scheme, model::AreaConstraint area)
     : material_(material),
       scheme_(scheme),
+      area_(area),
       nodes_(mesh.nodes),
       quadratic_nodes_(mesh.quadratic_nodes),
       multipliers_(material.friction_tangential == 0 && material.friction_normal == 0 ? 7 : 1),
-      flow_pattern_(pattern_of(mesh, flow_layout(scheme, multipliers_))),
+      flow_pattern_(pattern_of(
+          mesh, along_normals() ? normal_flow_layout(scheme) : flow_layout(scheme, multipliers_))),
       motion_pattern_(scheme == Scheme::split ? pattern_of(mesh, motion_layout()) : no_pattern()) {}
 
 // n: node normals of the triangle. A test field Z = φ_a n_a gives the row a of G.
@@ -187,7 +216,8 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
   set_zero(flow_pattern_, flow_);
   set_zero(motion_pattern_, motion_);
   normal_motion_.resize(std::size_t(split ? mesh.count() : 0));
-  const StepParameters step{.tau = tau, .area_rate = constraints.area_rate};
+  normals_ = curvature.node_normals;
+  const StepParameters step{.tau = tau, .area_rate = constraints.area_rate, .area = area_};
 
   constexpr int chunk = 64;  // in parallel; then one after the other into the matrices
   std::vector<Piece> pieces(chunk);
@@ -201,7 +231,13 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
                         .beta = on_element(mesh, e, old.beta),
                         .H = on_element(mesh, e, curvature.H)},
                        step, piece.whole);
-      cut(on_element(mesh, e, curvature.node_normals), tau, constraints.keep_volume, piece);
+      const ElementNodes n = on_element(mesh, e, normals_);
+      cut(n, tau, constraints.keep_volume, piece);
+      if (along_normals()) {
+        const Eigen::MatrixXd T = normal_motion(n, int(piece.flow.rows()));
+        piece.flow = (T.transpose() * piece.flow * T).eval();
+        piece.flow_rhs = (T.transpose() * piece.flow_rhs).eval();
+      }
       if (split)
         normal_motion_[std::size_t(e)] = -piece.whole.matrix.block<10, 30>(local::H, local::V);
     });
@@ -214,30 +250,37 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
       motion_pattern_.add(e, piece.motion_rhs, motion_.rhs);
     }
   }
-  flow_.rhs[flow_.rhs.size() - multipliers_] =
-      constraints.keep_volume ? constraints.volume_rate : 0;
+  flow_.rhs[first_multiplier()] = constraints.keep_volume ? constraints.volume_rate : 0;
 }
 
 void CoupledSystem::add_normal_motion(const Nodes& V, Eigen::VectorXd& rhs) const {
   Eigen::Matrix<double, 30, 1> local_V;
   for (int e = 0; e < motion_pattern_.elements(); ++e) {
-    for (int i = 0; i < 30; ++i) local_V[i] = V.reshaped()[flow_pattern_.unknown(i, e)];
+    for (int i = 0; i < 30; ++i) local_V[i] = V(i / 10, motion_pattern_.unknown(i % 10, e));
     const Eigen::Matrix<double, 10, 1> flux = normal_motion_[std::size_t(e)] * local_V;
     for (int a = 0; a < 10; ++a) rhs[motion_pattern_.unknown(a, e)] += flux[a];
   }
 }
 
+int CoupledSystem::first_curvature() const {
+  return along_normals() ? nodes_ : 3 * nodes_ + quadratic_nodes_;
+}
+int CoupledSystem::first_multiplier() const {
+  return flow_pattern_.size() - (along_normals() ? 2 : multipliers_);
+}
 Nodes CoupledSystem::velocity(const Eigen::VectorXd& flow) const {
+  if (along_normals()) return normals_ * flow.head(nodes_).asDiagonal();
   return flow.head(3 * nodes_).reshaped(3, nodes_);
 }
 Field CoupledSystem::pressure(const Eigen::VectorXd& flow) const {
+  if (along_normals()) return Field::Constant(quadratic_nodes_, flow[flow.size() - 1]);
   return flow.segment(3 * nodes_, quadratic_nodes_);
 }
 Field CoupledSystem::curvature(const Eigen::VectorXd& flow) const {
-  return flow.segment(3 * nodes_ + quadratic_nodes_, nodes_);
+  return flow.segment(first_curvature(), nodes_);
 }
 Nodes CoupledSystem::displacement(const Eigen::VectorXd& solution) const {
-  const int first = scheme_ == Scheme::split ? nodes_ : 4 * nodes_ + quadratic_nodes_;
+  const int first = scheme_ == Scheme::split ? nodes_ : first_curvature() + nodes_;
   return solution.segment(first, 3 * nodes_).reshaped(3, nodes_);
 }
 

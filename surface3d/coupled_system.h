@@ -11,6 +11,9 @@
 // smooth motion.
 //
 // Without friction the rigid motions R cost nothing: six more multipliers make (R, V) = 0.
+//
+// Under a global area constraint the same element matrices are restricted: to velocities and test
+// fields along the node normals, one speed v for each node, and to a number as pressure.
 #pragma once
 
 #include "surface3d/element_system.h"
@@ -41,13 +44,14 @@ struct Constraints {
 /// Assembles the systems of a step; keeps their structure and memory.
 class CoupledSystem {
  public:
-  CoupledSystem(const Triangulation& mesh, const model::Material& material, Scheme scheme);
+  CoupledSystem(const Triangulation& mesh, const model::Material& material, Scheme scheme,
+                model::AreaConstraint area = model::AreaConstraint::local);
 
   /// Fills the systems from the old state; elements in parallel, sums in a fixed order.
   void assemble(const Triangulation& mesh, const State& old, const Curvature& curvature, double tau,
                 const Constraints& constraints);
 
-  /// V, p, H, when monolithic Y, and λ.
+  /// V, p, H, when monolithic Y, and λ; or, under a global area constraint, v, H, Y, λ and p.
   const LinearSystem& flow() const { return flow_; }
   /// η and Y; only when split. The right-hand side lacks τ(V·ν, G), see add_normal_motion.
   const LinearSystem& motion() const { return motion_; }
@@ -59,19 +63,25 @@ class CoupledSystem {
   Nodes velocity(const Eigen::VectorXd& flow) const;   // 3 x nodes
   Field pressure(const Eigen::VectorXd& flow) const;   // P2 nodes
   Field curvature(const Eigen::VectorXd& flow) const;  // nodes
-  double lambda(const Eigen::VectorXd& flow) const { return flow[flow.size() - multipliers_]; }
+  double lambda(const Eigen::VectorXd& flow) const { return flow[first_multiplier()]; }
   /// Of the solution of `motion`, or of `flow` when monolithic; 3 x nodes.
   Nodes displacement(const Eigen::VectorXd& solution) const;
 
  private:
   struct Piece;
   void cut(const ElementNodes& normals, double tau, bool keep_volume, Piece& piece) const;
+  bool along_normals() const { return area_ == model::AreaConstraint::global; }
+  // Where H and λ begin among the unknowns of the flow:
+  int first_curvature() const;
+  int first_multiplier() const;
 
   model::Material material_;
   Scheme scheme_;
+  model::AreaConstraint area_;
   int nodes_, quadratic_nodes_, multipliers_;
   SparsePattern flow_pattern_, motion_pattern_;
   LinearSystem flow_, motion_;
+  Nodes normals_;                                             // 3 x nodes, of the old surface
   std::vector<Eigen::Matrix<double, 10, 30>> normal_motion_;  // by element: τ(V·ν, G)
 };
 

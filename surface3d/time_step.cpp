@@ -34,6 +34,20 @@ Dissipation dissipation_of(const Triangulation& mesh, const model::Material& m, 
   return d;
 }
 
+// A tangential flow at the scale of the mesh enters the curvature equation of the split scheme: without
+// viscosity, which damps it, that scheme is unstable.
+Scheme stable_scheme(const model::Material& m, model::AreaConstraint area, Scheme wanted) {
+  const bool damped = m.viscosity > 0 || area == model::AreaConstraint::global;
+  return damped ? wanted : Scheme::monolithic;
+}
+
+CoupledSystem system_of(const Triangulation& mesh, const model::Material& material,
+                        model::Model model, Scheme scheme) {
+  const model::Material m = effective(material, model);
+  const model::AreaConstraint area = area_constraint(model);
+  return CoupledSystem(mesh, m, stable_scheme(m, area, scheme), area);
+}
+
 }  // namespace
 
 struct TimeStepper::Workspace {
@@ -122,10 +136,10 @@ const char* name(Factorisation factorisation) {
 TimeStepper::TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
                          model::Model model, Scheme scheme, Factorisation factorisation)
     : work_(new Workspace{.mesh = mesh,
-                          .material = material,
+                          .material = effective(material, model),
                           .model = model,
                           .factorisation = factorisation,
-                          .system = CoupledSystem(*mesh, material, scheme),
+                          .system = system_of(*mesh, material, model, scheme),
                           .flow = LaggedSolver(Symmetry::general),
                           .motion = LaggedSolver(Symmetry::symmetric),
                           .memory = {},
@@ -157,7 +171,7 @@ StepResult TimeStepper::step(const State& old, const Target& target, double tau)
   if (!work_->solve_coupled(old, *curvature, target, tau, result.fields)) return result;
   const StepFields& fields = result.fields;
   result.state = {old.X + fields.Y, old.beta};
-  if (work_->model == model::Model::SBEH)
+  if (has_free_order(work_->model))
     result.state.beta =
         order_step(mesh, work_->material, old, *curvature, fields.V - fields.Y / tau, tau);
   if (result.state.beta.size() == 0) return result;

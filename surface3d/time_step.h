@@ -55,7 +55,8 @@ struct SolverCounts {
 };
 
 /// First-order semi-implicit step (coupled step, then the order with its velocity, so that a step
-/// is a function of position and order alone). Keeps its matrices between steps.
+/// is a function of position and order alone). Keeps its matrices between steps. A flow that keeps area
+/// locally and has no viscosity is always solved by the monolithic scheme.
 class TimeStepper {
  public:
   TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,

@@ -165,6 +165,20 @@ TEST_P(ElasticStress, is_the_sum_of_its_labelled_terms_which_are_all_in_the_tabl
   }
 }
 
+// (V11) is the e of (E2) in the form that is linear in H.
+TEST_P(ElasticStress, has_the_bending_energy_as_its_isotropic_part) {
+  const Example& example = GetParam();
+  for (const Direction& d : directions(example.axisymmetric, 6)) {
+    const SurfacePoint p = surface_point(example.position(d.n));
+    auto x = p.with_order(example.order(d.n));
+    const double e = density_at(p, x).bending, rounding = 100 * epsilon * std::abs(e);
+    EXPECT_NEAR(bending_tension(general_material(), x), e, rounding);
+    const double H0 = general_material().spontaneous_curvature;
+    x.H = H0 + 3 * (p.H - H0);
+    EXPECT_NEAR(bending_tension(general_material(), x), 3 * e, 3 * rounding);
+  }
+}
+
 TEST_P(ElasticStress, is_the_same_with_numbers_of_another_type) {
   using Jet = ceres::Jet<double, 3>;
   const double rounding = 100 * epsilon;  // all numbers are O(1)

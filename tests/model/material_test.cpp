@@ -87,6 +87,33 @@ TEST(Material, is_by_default_that_of_the_paper) {
 TEST(Model, has_a_name) {
   EXPECT_STREQ(name(Model::SBEH), "SBEH");
   EXPECT_STREQ(name(Model::SSH), "SSH");
+  EXPECT_STREQ(name(Model::HelfrichLocal), "Helfrich-local");
+  EXPECT_STREQ(name(Model::HelfrichGlobal), "Helfrich-global");
+}
+
+TEST(Model, of_the_Helfrich_flows_has_its_own_drag_and_the_rest_states_of_SSH) {
+  const Material m = general_material();
+  for (const Model model : {Model::SBEH, Model::SSH}) {
+    const Material same = effective(m, model);
+    EXPECT_FALSE(has_own_drag(model));
+    EXPECT_EQ(rest_model(model), model);
+    EXPECT_EQ(area_constraint(model), AreaConstraint::local);
+    EXPECT_EQ(same.viscosity, m.viscosity);
+    EXPECT_EQ(same.friction_tangential, m.friction_tangential);
+    EXPECT_EQ(same.friction_normal, m.friction_normal);
+  }
+  for (const Model model : {Model::HelfrichLocal, Model::HelfrichGlobal}) {
+    const Material own = effective(m, model);
+    EXPECT_TRUE(has_own_drag(model));
+    EXPECT_FALSE(has_free_order(model));
+    EXPECT_EQ(rest_model(model), Model::SSH);
+    EXPECT_EQ(own.eta(full_order), 0);
+    EXPECT_EQ(own.friction_normal, 1);
+    EXPECT_EQ(own.kappa(full_order), m.kappa(full_order)) << "the energy is that of the material";
+    EXPECT_EQ(own.spontaneous_curvature, m.spontaneous_curvature);
+  }
+  EXPECT_EQ(effective(m, Model::HelfrichLocal).friction_tangential, 1);
+  EXPECT_EQ(effective(m, Model::HelfrichGlobal).friction_tangential, 0);
 }
 
 TEST(Potential, of_Landau_and_de_Gennes_has_its_printed_form) {
