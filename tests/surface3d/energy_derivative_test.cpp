@@ -167,7 +167,8 @@ bool has_curvature(const Part& part) { return part.label == "E2"s || part.label 
 TEST(Stress, is_minus_the_derivative_of_every_part_of_the_discrete_energy) {
   constexpr double step = 0.02;
   std::vector<OrderTable> tables;
-  for (const Part& part : parts()) tables.emplace_back(std::string(part.label) + ", its derivative", "h");
+  for (const Part& part : parts())
+    tables.emplace_back(std::string(part.label) + ", its derivative", "h");
   for (const int triangles : refinements) {
     const Discrete d = discrete(triangles);
     const auto powers = discrete_powers(d, diagnostic_points());
