@@ -106,7 +106,7 @@ double reduced_volume(double area, double volume) {
 }
 
 bool is_sphere(const Triangulation& mesh, double area, double volume) {
-  return reduced_volume(area, volume) > 1 - 1e-7 - 50 / std::pow(mesh.count(), 3);
+  return reduced_volume(area, volume) > 1 - 1e-7 - 32 / std::pow(mesh.count(), 3);
 }
 
 Nodes node_normals(const Triangulation& mesh, const Nodes& X) {

@@ -112,7 +112,7 @@ double area(const Triangulation& mesh, const Nodes& X);
 double volume(const Triangulation& mesh, const Nodes& X);
 /// V_r = 6√π V / A^{3/2}, 1 for the sphere.
 double reduced_volume(double area, double volume);
-/// So near the sphere that area and volume are one constraint: V_r > 1 − 1e-7 − 50/triangles³. A mesh
+/// So near the sphere that area and volume are one constraint: V_r > 1 − 1e-7 − 32/triangles³. A mesh
 /// whose nodes lie on the sphere has V_r = 1 − 16/triangles³.
 bool is_sphere(const Triangulation& mesh, double area, double volume);
 
