@@ -1,5 +1,6 @@
 #include "surface3d/time_step.h"
 
+#include "surface3d/diagnostics.h"
 #include "surface3d/lagged_solver.h"
 #include "surface3d/order_step.h"
 
@@ -74,7 +75,7 @@ void TimeStepper::Workspace::assemble(const State& old, const Curvature& curvatu
   system.assemble(*mesh, old, curvature, tau,
                   {.area_rate = (target.area - A) / (tau * A),
                    .volume_rate = (target.volume - volume_now) / tau,
-                   .keep_volume = !is_sphere(A, volume_now)});
+                   .keep_volume = !is_sphere(*mesh, A, volume_now)});
 }
 
 // When the next solve is likely to cost more than the mean of all since the last factorisation,
