@@ -1,6 +1,6 @@
 #include "axisym/beyond_fold.h"
 
-#include "axisym/rim_path.h"
+#include "axisym/rim_profile.h"
 #include "axisym/spectral_classical.h"
 
 #include <algorithm>
@@ -117,7 +117,8 @@ RimRecord record(RimKind kind, const RimProblem& problem, const RimState& s) {
           .jump = pi - 2 * psi[outside],
           .resolution = std::max(change(psi), change(beta) / model::full_order),
           .pressure = -s.multipliers[1],
-          .negative_directions = negative_directions(problem, s)};
+          .negative_directions = negative_directions(problem, s),
+          .state = profile_of(problem, s.y)};
 }
 
 // The branch of smooth oblates up to its fold, from the classical shape.

@@ -5,6 +5,7 @@
 // (rim_basis.h), for the one-constant approximation.
 #pragma once
 
+#include "axisym/curve.h"
 #include "model/material.h"
 
 #include <span>
@@ -35,8 +36,9 @@ struct RimRecord {
       resolution;  ///< largest change between neighbouring nodes of the tangent's angle, or of β as a
                    ///< share of 2/3; above 0.35 the state is not resolved
   double pressure;          ///< P = ∂U/∂V at fixed area
-  int negative_directions;  ///< among shapes symmetric top to bottom and, at a kink, that stay one; at a
-                            ///< fold: on its stable side
+  int negative_directions;  ///< axisymmetric ones in which U falls, a kink staying one; at a fold: on its
+                            ///< stable side
+  State state;              ///< the whole curve, see rim_profile.h
 };
 
 /// The states at one reduced volume: the fold, the saddle and the sharp state at those of the L (ascending)

@@ -128,7 +128,7 @@ std::shared_ptr<const Basis> rim_basis(Rim rim, const RimMesh& mesh) {
         Eigen::RowVectorXd(h * points.weight.transpose());
   }
   B->odd = B->even;
-  const Index angles = rim == Rim::sharp ? nodes - 1 : nodes - 2;  // ψ = 0 at the pole
+  const Index angles = rim == Rim::smooth ? nodes - 2 : nodes - 1;  // ψ = 0 at the pole
   const Index orders = rim == Rim::sharp ? nodes - 1 : nodes;
   B->S = value.middleCols(1, angles), B->dS = slope.middleCols(1, angles);
   B->C = value.leftCols(orders), B->dC = slope.leftCols(orders);

@@ -14,7 +14,8 @@ namespace sbeh::axisym::spectral {
 
 enum class Rim {
   smooth,  ///< ψ = π/2 there
-  sharp    ///< β = 0 there, and ψ takes the value that costs least
+  sharp,   ///< β = 0 there, and ψ takes the value that costs least
+  free     ///< nothing is prescribed: for variations
 };
 
 /// Where the elements are on 0 <= σ <= 1/2, from pole to rim: two of a fifth of it, then each a `ratio` of

@@ -159,16 +159,44 @@ RimPathState locate_fold(const RimProblem& problem, const RimPathState& before,
   return best;
 }
 
-int negative_directions(const RimProblem& problem, const RimState& s) {
-  const Problem at = problem.at(s.L);
-  const Eigen::HouseholderQR<MatrixXd> qr(expand(at, s.y)->jacobian.transpose());
-  MatrixXd H = hessian(at, s.y, s.multipliers);
+namespace {
+
+// Negative eigenvalues of H among the directions that these rows (one each) map to zero.
+int negative_among(MatrixXd H, const MatrixXd& rows) {
+  const Eigen::HouseholderQR<MatrixXd> qr(rows.transpose());
   H.applyOnTheLeft(qr.householderQ().adjoint());
   H.applyOnTheRight(qr.householderQ());
-  const Index tangential = s.y.size() - s.multipliers.size();
+  const Index tangential = H.rows() - rows.rows();
   const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H.bottomRightCorner(tangential, tangential),
                                                       Eigen::EigenvaluesOnly);
   return int((eigen.eigenvalues().array() < 0).count());
+}
+
+}  // namespace
+
+int negative_directions(const RimProblem& problem, const RimState& s) {
+  const RimProblem free(problem.material, problem.reduced_volume, Rim::free, problem.mesh);
+  const VectorXd y =
+      free.unknowns(s.y[0], problem.angles_at_nodes(s.y), problem.order_at_nodes(s.y));
+  const Problem at = free.at(s.L);
+  const MatrixXd H = hessian(at, y, s.multipliers);
+  const Basis& B = *free.basis;
+  const Index n = B.modes(), order_at_rim = y.size() - 1, angle_at_rim = n;
+
+  // Both halves vary alike: the rim keeps what is prescribed there.
+  MatrixXd alike = MatrixXd::Zero(3, y.size());
+  alike.topRows(2) = expand(at, y)->jacobian;
+  alike(2, problem.rim == Rim::smooth ? angle_at_rim : order_at_rim) = 1;
+
+  // They vary oppositely, which keeps area and volume: radius ℓ∫cos ψ dσ and order of the rim, which they
+  // share, cannot change.
+  const Angles angles = spectral::angles(curve_of(at, y));
+  MatrixXd opposite = MatrixXd::Zero(2, y.size());
+  opposite(0, 0) = B.even.dot(angles.psi.array().cos().matrix());
+  opposite.row(0).segment(1, n) =
+      -s.y[0] * (B.even.array() * angles.psi.array().sin()).matrix().transpose() * B.S;
+  opposite(1, order_at_rim) = 1;
+  return negative_among(H, alike) + negative_among(H, opposite);
 }
 
 }  // namespace sbeh::axisym::spectral

@@ -65,8 +65,9 @@ std::optional<RimPathState> arc_step(const RimProblem& problem, const RimPathSta
 RimPathState locate_fold(const RimProblem& problem, const RimPathState& before,
                          const RimPathState& beyond, double ds);
 
-/// Number of directions among the shapes symmetric top to bottom in which U falls to second order, area
-/// and volume kept. At a fold, where one eigenvalue is zero, it is that of the side it is rounded to.
+/// Number of axisymmetric directions, symmetric top to bottom or not, in which U falls to second order,
+/// area and volume kept; a kink stays one. At a fold, where one eigenvalue is zero, it is left to
+/// rounding.
 int negative_directions(const RimProblem& problem, const RimState& s);
 
 }  // namespace sbeh::axisym::spectral
