@@ -52,6 +52,14 @@ struct Leg {
   std::vector<RimPathState> states;
   std::optional<RimPathState> fold, beyond;  // where it ends, and the first state after
 
+  // A state so far before the fold that no eigenvalue is near zero for its sake.
+  const RimState& before_fold() const {
+    constexpr double clear = 0.1;  // of the tangent's L
+    for (auto state = states.rbegin(); state != states.rend(); ++state)
+      if (std::abs(state->slope()) > clear) return state->s;
+    return states.front().s;
+  }
+
   // The two neighbours around an L; empty when it is not on the leg.
   std::optional<RimState> guess(double L) const {
     for (std::size_t k = 1; k < states.size(); ++k) {
@@ -175,7 +183,7 @@ class SharpStates {
   }
 
   const std::optional<RimPathState>& fold() const { return leg_.fold; }
-  const RimPathState& last_before_fold() const { return leg_.states.back(); }
+  const RimState& before_fold() const { return leg_.before_fold(); }
 
   std::optional<RimRecord> at(double L, RimKind kind = RimKind::sharp) const {
     if (!exist_) return {};
@@ -274,7 +282,7 @@ std::vector<RimRecord> beyond_fold(const model::Material& material, double reduc
   const Leg smooth = smooth_leg(problem);
   if (!smooth.fold) return {};
   std::vector<RimRecord> rows{record(RimKind::fold, problem, smooth.fold->s)};
-  rows[0].negative_directions = negative_directions(problem, smooth.states.back().s);
+  rows[0].negative_directions = negative_directions(problem, smooth.before_fold());
 
   const Leg saddle = follow(problem, *smooth.beyond, [&](const RimState& s) {
     return s.L < smallest_L || order_at_rim(problem, s) < smallest_order;
@@ -286,7 +294,7 @@ std::vector<RimRecord> beyond_fold(const model::Material& material, double reduc
   const SharpStates sharp(problem, std::max(2 * L_fold, asked.empty() ? 0 : asked.back()), L_fold);
   if (sharp.fold()) {
     rows.push_back(record(RimKind::second_fold, problem, sharp.fold()->s));
-    rows.back().negative_directions = negative_directions(problem, sharp.last_before_fold().s);
+    rows.back().negative_directions = negative_directions(problem, sharp.before_fold());
   }
   for (const double L : asked)
     if (const auto row = sharp.at(L)) rows.push_back(*row);

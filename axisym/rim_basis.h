@@ -21,9 +21,9 @@ enum class Rim {
 /// Where the elements are on 0 <= σ <= 1/2, from pole to rim: two of a fifth of it, then each a `ratio` of
 /// what is left.
 struct RimMesh {
-  int elements = 14;   ///< >= 4
-  int degree = 8;      ///< of the polynomials, >= 2
-  double ratio = 0.3;  ///< of what is left, the share beyond the next joint; 0 < ratio < 1
+  int elements = 12;    ///< >= 4
+  int degree = 10;      ///< of the polynomials, >= 2
+  double ratio = 0.25;  ///< of what is left, the share beyond the next joint; 0 < ratio < 1
 };
 
 /// Continuous piecewise polynomials: ψ = πσ + Σ b_k S_k, β = Σ c_k C_k with the values at the elements'

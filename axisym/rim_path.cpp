@@ -161,8 +161,12 @@ RimPathState locate_fold(const RimProblem& problem, const RimPathState& before,
 
 namespace {
 
-// Negative eigenvalues of H among the directions that these rows (one each) map to zero.
-int negative_among(MatrixXd H, const MatrixXd& rows) {
+// Negative eigenvalues of H among the directions that these rows (one each) map to zero. The unknowns are
+// scaled to diagonal entries of 1: those of the smallest elements would drown the others in rounding.
+int negative_among(MatrixXd H, MatrixXd rows) {
+  const VectorXd scale = H.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+  H = scale.asDiagonal() * H * scale.asDiagonal();
+  rows = rows * scale.asDiagonal();
   const Eigen::HouseholderQR<MatrixXd> qr(rows.transpose());
   H.applyOnTheLeft(qr.householderQ().adjoint());
   H.applyOnTheRight(qr.householderQ());
@@ -189,13 +193,14 @@ int negative_directions(const RimProblem& problem, const RimState& s) {
   alike(2, problem.rim == Rim::smooth ? angle_at_rim : order_at_rim) = 1;
 
   // They vary oppositely, which keeps area and volume: radius ℓ∫cos ψ dσ and order of the rim, which they
-  // share, cannot change.
+  // share, cannot change. A smooth rim is no point of its own: where the curve is divided is not counted.
   const Angles angles = spectral::angles(curve_of(at, y));
-  MatrixXd opposite = MatrixXd::Zero(2, y.size());
+  MatrixXd opposite = MatrixXd::Zero(problem.rim == Rim::smooth ? 3 : 2, y.size());
   opposite(0, 0) = B.even.dot(angles.psi.array().cos().matrix());
   opposite.row(0).segment(1, n) =
       -s.y[0] * (B.even.array() * angles.psi.array().sin()).matrix().transpose() * B.S;
   opposite(1, order_at_rim) = 1;
+  if (problem.rim == Rim::smooth) opposite(2, 0) = 1;
   return negative_among(H, alike) + negative_among(H, opposite);
 }
 

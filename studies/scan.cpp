@@ -1,5 +1,6 @@
 #include "studies/scan.h"
 
+#include "studies/beyond_fold_table.h"
 #include "studies/branch_lines.h"
 #include "studies/branch_points.h"
 #include "studies/describe.h"
@@ -88,6 +89,7 @@ class ScanFolder {
                       folder_.path().string()));
     }
     make_folder(folder_ / "points");
+    if (input.beyond_fold) make_folder(folder_ / "beyond_fold");
     return folder_;
   }
   Progress progress_of(const ScanInput& input) {
@@ -252,7 +254,16 @@ void write_lines(const ScanInput& input, ScanFolder& folder) {
   const auto write = [&](std::string_view name, const auto& rows) {
     if (!interrupt_signal()) folder.write(name, table_of(rows));
   };
-  if (wants(input, Model::SBEH)) write("folds.csv", find_folds(input, point));
+  if (wants(input, Model::SBEH)) {
+    const std::vector<FoldRow> folds = find_folds(input, point);
+    write("folds.csv", folds);
+    if (input.beyond_fold) {
+      const auto states = find_beyond_fold(input, folds);
+      write("beyond_fold.csv", states);
+      for (const auto& state : states)
+        folder.write("beyond_fold/" + stem(state) + ".csv", profile_text(state.state));
+    }
+  }
   if (input.branches.size() > 1) write("equal_energy.csv", find_equal_energies(input, point));
 }
 
