@@ -235,7 +235,7 @@ std::optional<double> equal_energy(const std::function<std::optional<double>(dou
     const double L = (low * *at_high - high * *at_low) / (*at_high - *at_low);
     const auto here = gap(L);
     if (!here) return {};
-    if (std::abs(*here) < 1e-11 || high - low < 1e-12) return L;
+    if (std::abs(*here) < 1e-11 || std::abs(high - low) < 1e-12) return L;
     if (*here * *at_high < 0) {
       low = high, at_low = at_high;
     } else {
