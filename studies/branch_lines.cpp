@@ -115,6 +115,38 @@ std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const Po
   });
 }
 
+std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
+                                   const std::vector<axisym::RimRecord>& beyond) {
+  std::vector<LowestRow> rows;
+  for (const Model model : input.models)
+    for (const double L : input.L)
+      for (const double v : input.reduced_volume) {
+        std::optional<LowestRow> lowest;
+        const auto offer = [&](const std::string& branch, double energy) {
+          if (!lowest || energy < lowest->energy) lowest = LowestRow{model, L, v, branch, energy};
+        };
+        for (const std::string& branch : input.branches) {
+          const PointResult* point = row({v, L, model, branch});
+          if (point && point->status == PointStatus::stationary)
+            offer(branch, point->diagnostics->energy.total());
+        }
+        for (const axisym::RimRecord& state : beyond)
+          if (model == Model::SBEH && state.kind == axisym::RimKind::sharp && state.L == L
+              && state.reduced_volume == v && state.resolution <= axisym::resolution_limit)
+            offer("sharp_oblate", state.energy);
+        if (lowest) rows.push_back(*lowest);
+      }
+  return rows;
+}
+
+std::string table_of(const std::vector<LowestRow>& rows) {
+  std::string text = "model,L,reduced_volume,branch,energy\n";
+  for (const LowestRow& r : rows)
+    text += fmt::format("{},{},{},{},{}\n", model::name(r.model), r.L, r.reduced_volume, r.branch,
+                        r.energy);
+  return text;
+}
+
 std::string table_of(const std::vector<FoldRow>& rows) {
   std::string text = "reduced_volume,L,energy,order_min,H_abs_max,branch\n";
   for (const FoldRow& r : rows)

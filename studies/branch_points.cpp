@@ -81,7 +81,7 @@ PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
         "at "
         "the fold",
         key.branch, at.reduced_volume, at.L,
-        key.model == Model::SBEH ? "; beyond it the rim sharpens without limit" : "");
+        key.model == Model::SBEH ? "; beyond it the rim is sharp" : "");
   }
   return point;
 }
