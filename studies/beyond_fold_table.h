@@ -6,8 +6,8 @@
 
 namespace sbeh::studies {
 
-/// The states of axisym/beyond_fold.h at every reduced volume above 0.51 whose oblates fold below the scan's
-/// largest L, for its values of L. In parallel; incomplete when interrupted.
+/// The states of axisym/beyond_fold.h at every reduced volume above 0.51 whose oblates fold below twice
+/// the scan's largest L, for its values of L. In parallel; incomplete when interrupted.
 std::vector<axisym::RimRecord> find_beyond_fold(const ScanInput& input,
                                                 const std::vector<FoldRow>& folds);
 

@@ -29,6 +29,13 @@ std::vector<Row> collect(std::size_t count, Find&& find) {
   return rows;
 }
 
+FoldRow row_of(const ScanInput& input, const std::string& branch, double v,
+               const axisym::BranchState& fold) {
+  const axisym::Diagnostics d =
+      axisym::diagnose(input.material.with_L(fold.at.L), fold.solution.state);
+  return {branch, v, fold.at.L, d.energy.total(), d.order_min, d.H_abs_max};
+}
+
 std::vector<FoldRow> fold_of(const ScanInput& input, const std::string& branch, double v,
                              const PointLookup& point) {
   for (auto L = input.L.rbegin(); L != input.L.rend(); ++L) {
@@ -36,11 +43,15 @@ std::vector<FoldRow> fold_of(const ScanInput& input, const std::string& branch, 
     if (!is_stationary(last)) continue;
     const auto fold = fold_above(input, {{v, *L}, *last->state});
     if (!fold) return {};
-    const axisym::Diagnostics d =
-        axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state);
-    return {{branch, v, fold->at.L, d.energy.total(), d.order_min, d.H_abs_max}};
+    return {row_of(input, branch, v, *fold)};
   }
-  return {};
+  // All of the scan's L may lie beyond: then from a smaller one, where the shape is much the same.
+  const double first = input.L.front();
+  const auto beyond = point({v, first, Model::SBEH, branch});
+  if (!beyond || !beyond->state || beyond->row.fold_side != "at") return {};
+  const auto fold = fold_above(input, {{v, std::min(first / 2, small_L)}, *beyond->state});
+  if (!fold) return {};
+  return {row_of(input, branch, v, *fold)};
 }
 
 // Newton on the difference of two branches' energies, from states at the same reduced volume.

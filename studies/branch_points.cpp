@@ -81,9 +81,23 @@ PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
         "at "
         "the fold",
         key.branch, at.reduced_volume, at.L,
-        key.model == Model::SBEH ? "; beyond it the rim is sharp" : "");
+        key.model == Model::SBEH && key.branch == "oblate" ? "; beyond it the rim is sharp" : "");
   }
   return point;
+}
+
+// Follows along L in stages, so that a fold at a small L is no tiny piece of the way.
+axisym::FollowResult follow_up(const ScanInput& input, Model model, BranchState from, double L) {
+  constexpr double stage = 4;
+  const double v = from.at.reduced_volume;
+  while (true) {
+    const int before = from.iterations;
+    const double next = from.at.L > 0 && stage * from.at.L < L ? stage * from.at.L : L;
+    auto result = axisym::follow(input.material, model, from, {v, next}, input.numerics);
+    result.state.iterations += before;
+    if (next == L || result.arrival != axisym::Arrival::reached) return result;
+    from = result.state;
+  }
 }
 
 // The point of the key, along the branch from a settled state.
@@ -130,11 +144,12 @@ std::optional<Neighbour> enter_branch(const ScanInput& input, const std::string&
   return Neighbour{entry->state.at, entry->state.solution.state};
 }
 
+constexpr double largest_fold = 2;  // of L
+
 std::optional<BranchState> fold_above(const ScanInput& input, const Neighbour& from) {
   const auto start = settled(input.material.with_L(from.at.L), Model::SBEH, from);
   if (!start) return {};
-  const auto result = axisym::follow(input.material, Model::SBEH, *start,
-                                     {from.at.reduced_volume, 2}, input.numerics);
+  const auto result = follow_up(input, Model::SBEH, *start, largest_fold);
   if (result.arrival != axisym::Arrival::fold) return {};
   return result.state;
 }
@@ -158,13 +173,16 @@ PointOutcome rescale_to(const ScanInput& input, const PointKey& key, const Neigh
 
 PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neighbour& ssh) {
   const Clock clock;
-  // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly.
-  const double first_L = std::min(key.L, 0.01);
+  // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly. It must be
+  // well below any fold: beyond one, Newton may find a state of another branch.
+  const double first_L = std::min(key.L, small_L);
   for (double L = first_L; L > first_L / 1000; L /= 2) {
     const auto first =
         settled(input.material.with_L(L), key.model, {{key.reduced_volume, L}, ssh.state});
     if (!first) continue;
-    return followed(input, key, *first, clock);
+    PointOutcome point = outcome_of(input, key, follow_up(input, key.model, *first, key.L));
+    point.row.wall_seconds = clock.seconds();
+    return point;
   }
   return failed_point(key,
                       "Newton's method found no ordered state near the SSH shape, even at small L");

@@ -131,10 +131,10 @@ TEST(LowestBranch, is_that_of_least_energy_among_the_stationary_ones) {
   EXPECT_NE(crossed->status, PointStatus::stationary);
 }
 
-TEST(BeyondFold, is_tabled_where_the_fold_is_within_the_scan_and_offers_its_sharp_rims) {
+TEST(BeyondFold, is_tabled_where_the_fold_is_near_the_scan_and_offers_its_sharp_rims) {
   ScanInput input;
   input.reduced_volume = {0.6, 0.8};
-  input.L = {0.03, 0.05, 0.09};
+  input.L = {0.03, 0.05, 0.06};
   input.models = {model::Model::SBEH};
   input.beyond_fold = true;
   const ScratchFolder folder;
@@ -150,8 +150,8 @@ TEST(BeyondFold, is_tabled_where_the_fold_is_within_the_scan_and_offers_its_shar
     EXPECT_TRUE(
         fs::exists(folder.path() / "scan/beyond_fold" / (row[2] + "_v0.6_L" + row[1] + ".csv")));
   }
-  EXPECT_EQ(kinds, (std::vector<std::string>{"fold", "saddle", "saddle", "sharp", "sharp", "sharp",
-                                             "equal_energy"}));
+  EXPECT_EQ(kinds, (std::vector<std::string>{"fold", "saddle", "saddle", "saddle", "sharp", "sharp",
+                                             "sharp", "equal_energy"}));
   const Rows lowest =
       rows_of(folder.path() / "scan/lowest.csv", "model,L,reduced_volume,branch,energy");
   ASSERT_EQ(lowest.size(), 6u);  // by L, then by reduced volume
