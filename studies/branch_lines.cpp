@@ -29,29 +29,22 @@ std::vector<Row> collect(std::size_t count, Find&& find) {
   return rows;
 }
 
-FoldRow row_of(const ScanInput& input, const std::string& branch, double v,
-               const axisym::BranchState& fold) {
-  const axisym::Diagnostics d =
-      axisym::diagnose(input.material.with_L(fold.at.L), fold.solution.state);
-  return {branch, v, fold.at.L, d.energy.total(), d.order_min, d.H_abs_max};
-}
-
+// The fold that the scan has run into, or else the one ahead of its largest L.
 std::vector<FoldRow> fold_of(const ScanInput& input, const std::string& branch, double v,
                              const PointLookup& point) {
-  for (auto L = input.L.rbegin(); L != input.L.rend(); ++L) {
-    const auto last = point({v, *L, Model::SBEH, branch});
-    if (!is_stationary(last)) continue;
-    const auto fold = fold_above(input, {{v, *L}, *last->state});
-    if (!fold) return {};
-    return {row_of(input, branch, v, *fold)};
+  for (const double L : input.L) {
+    const auto at = point({v, L, Model::SBEH, branch});
+    if (!at || !at->row.fold_L) continue;
+    const axisym::Diagnostics& d = *at->row.diagnostics;
+    return {{branch, v, *at->row.fold_L, d.energy.total(), d.order_min, d.H_abs_max}};
   }
-  // All of the scan's L may lie beyond: then from a smaller one, where the shape is much the same.
-  const double first = input.L.front();
-  const auto beyond = point({v, first, Model::SBEH, branch});
-  if (!beyond || !beyond->state || beyond->row.fold_side != "at") return {};
-  const auto fold = fold_above(input, {{v, std::min(first / 2, small_L)}, *beyond->state});
+  const double L = input.L.back();
+  const auto last = point({v, L, Model::SBEH, branch});
+  const auto fold = is_stationary(last) ? fold_above(input, {{v, L}, *last->state}) : std::nullopt;
   if (!fold) return {};
-  return {row_of(input, branch, v, *fold)};
+  const axisym::Diagnostics d =
+      axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state);
+  return {{branch, v, fold->at.L, d.energy.total(), d.order_min, d.H_abs_max}};
 }
 
 // Newton on the difference of two branches' energies, from states at the same reduced volume.

@@ -21,7 +21,7 @@ struct FoldRow {
 };
 
 /// The folds of SBEH in which the branches end as L grows, below L = 2, one per reduced volume and
-/// branch, each followed from the point of largest L that is stationary. In parallel.
+/// branch: those that the scan has run into, and those ahead of its largest L. In parallel.
 std::vector<FoldRow> find_folds(const ScanInput& input, const PointLookup& point);
 
 /// Two branches of equal energy.

@@ -59,7 +59,13 @@ PointOutcome stationary(const model::Material& material, const PointKey& key, co
   return point;
 }
 
-PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
+// At a fold one eigenvalue is zero, and rounding says whether it counts. Before it, the number of negative
+// directions is that of the start, up to pairs.
+int before_fold(int at_fold, int at_start) {
+  return at_fold == 0 || (at_fold - at_start) % 2 == 0 ? at_fold : at_fold - 1;
+}
+
+PointOutcome outcome_of(const ScanInput& input, const PointKey& key, const BranchState& start,
                         const axisym::FollowResult& result) {
   const PlanePoint at = result.state.at;
   const model::Material material = input.material.with_L(at.L);
@@ -73,9 +79,13 @@ PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
   point.row.negative_directions =
       axisym::negative_directions(material, key.model, result.state.solution);
   point.row.fold_side = "before";
-  if (result.arrival == axisym::Arrival::fold) {
+  if (result.arrival == axisym::Arrival::fold && point.row.status != PointStatus::failed) {
     point.row.status = PointStatus::unresolved;
     point.row.fold_side = "at";
+    if (key.model == Model::SBEH) point.row.fold_L = at.L;
+    point.row.negative_directions = before_fold(
+        *point.row.negative_directions,
+        axisym::negative_directions(input.material.with_L(start.at.L), key.model, start.solution));
     point.row.stop_reason = fmt::format(
         "the smooth {} branch ends in a fold at V_r = {:.6g}, L = {:.6g}{}; the values are those "
         "at "
@@ -103,7 +113,7 @@ axisym::FollowResult follow_up(const ScanInput& input, Model model, BranchState 
 // The point of the key, along the branch from a settled state.
 PointOutcome followed(const ScanInput& input, const PointKey& key, const BranchState& start,
                       const Clock& clock) {
-  PointOutcome point = outcome_of(input, key,
+  PointOutcome point = outcome_of(input, key, start,
                                   axisym::follow(input.material, key.model, start,
                                                  {key.reduced_volume, key.L}, input.numerics));
   point.row.steps += start.iterations;
@@ -166,7 +176,7 @@ PointOutcome rescale_to(const ScanInput& input, const PointKey& key, const Neigh
   const PlanePoint at{key.reduced_volume, key.L};
   const auto state = settled(input.material.with_L(key.L), key.model, {at, from.state});
   if (!state) return follow_to(input, key, from);
-  PointOutcome point = outcome_of(input, key, {axisym::Arrival::reached, *state});
+  PointOutcome point = outcome_of(input, key, *state, {axisym::Arrival::reached, *state});
   point.row.wall_seconds = clock.seconds();
   return point;
 }
@@ -180,7 +190,7 @@ PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neigh
     const auto first =
         settled(input.material.with_L(L), key.model, {{key.reduced_volume, L}, ssh.state});
     if (!first) continue;
-    PointOutcome point = outcome_of(input, key, follow_up(input, key.model, *first, key.L));
+    PointOutcome point = outcome_of(input, key, *first, follow_up(input, key.model, *first, key.L));
     point.row.wall_seconds = clock.seconds();
     return point;
   }
@@ -237,8 +247,10 @@ std::optional<PointOutcome> flow_to_rest(const ScanInput& input, const PointKey&
   point.row.residual = std::max(run.last.normal_speed, run.last.order_speed);
   if (run.stop == axisym::FlowStop::at_rest) {
     if (const auto polished = settled(material, key.model, end)) {
-      point = outcome_of(input, key, {axisym::Arrival::reached, *polished});
-      point.row.stop_reason = fmt::format("at rest at t = {:.4g}", run.last.time);
+      point = outcome_of(input, key, *polished, {axisym::Arrival::reached, *polished});
+      const std::string rest = fmt::format("at rest at t = {:.4g}", run.last.time);
+      point.row.stop_reason =
+          point.row.status == PointStatus::stationary ? rest : rest + "; " + point.row.stop_reason;
     }
   } else {
     point.row.status = run.stop == axisym::FlowStop::step_too_small ? PointStatus::failed
