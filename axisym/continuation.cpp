@@ -63,6 +63,11 @@ FollowResult follow(const model::Material& material, model::Model model, const B
       ds /= 2;
       continue;
     }
+    if (next->tangent.parameter <= 0 && moved > 0) {  // the fold is worth fresh nodes
+      here = with_fresh_nodes(line, *here, numerics.grading);
+      moved = 0;
+      continue;
+    }
     if (next->tangent.parameter <= 0) {
       const PathState fold = locate_fold(line, *here, *next, ds);
       return {Arrival::fold,
