@@ -207,6 +207,7 @@ std::string describe(const ScanInput& input, std::string_view version) {
   toml.value("branches", input.branches);
   toml.value("method", input.method);
   if (input.method == Method::flow) toml.value("end_time", input.flow_end_time);
+  if (input.method == Method::newton) toml.value("beyond_fold", input.beyond_fold);
   write_material(toml, input.material, Elasticity::without_L);
   write_numerics(toml, input.numerics);
   return toml.text();
