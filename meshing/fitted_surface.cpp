@@ -98,7 +98,7 @@ FittedSurface::Graph FittedSurface::graph_at(int point, const std::vector<int>& 
   g.frame << tangent, normal.cross(tangent), normal;
   g.degree = highest_degree;
   const auto count = Eigen::Index(around.size());
-  while (g.degree > 1 && 2 * count < 3 * monomial_count(g.degree)) --g.degree;
+  while (g.degree > 1 && 5 * count < 6 * monomial_count(g.degree)) --g.degree;
   if (count < monomial_count(g.degree)) {
     g.coefficients = VectorXd::Zero(2);
     g.degree = 1;
@@ -114,7 +114,7 @@ FittedSurface::Graph FittedSurface::graph_at(int point, const std::vector<int>& 
   Eigen::MatrixXd A(count, monomial_count(g.degree));
   VectorXd b(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const double weight = std::exp(-local.col(k).squaredNorm() / 4);
+    const double weight = std::exp(-local.col(k).squaredNorm());
     A.row(k) = weight * monomials(g.degree, local(0, k), local(1, k));
     b[k] = weight * local(2, k);
   }

@@ -10,6 +10,7 @@
 #include "studies/seifert.h"
 #include "studies/spelling.h"
 #include "studies/toml_reader.h"
+#include "tools/mesh_command.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -191,6 +192,7 @@ int run(int argc, char** argv) {
   seifert_command->add_flag("--no-pictures", a.no_pictures, "tables only");
   seifert_command->add_option("--elements", a.elements, "of the finite elements (96)")
       ->check(CLI::Range(32, 4096));
+  const tools::MeshCommand mesh_command(app);
   CLI::App* picture_command = app.add_subcommand(
       "picture", "draw the pictures of a folder again: picture scan|relax|seifert DIR");
   picture_command->prefix_command();
@@ -213,6 +215,7 @@ int run(int argc, char** argv) {
     if (*relax_command) return relax(a);
     if (*check_command) return check(a);
     if (*seifert_command) return seifert(a);
+    if (app.got_subcommand("mesh")) return mesh_command.run();
   } catch (const std::invalid_argument& error) {  // only the start itself could tell
     throw studies::InputError(fmt::format("{}: {}", a.input, error.what()));
   }

@@ -49,8 +49,8 @@ Eigen::MatrixXi cells_of(vtkDataSet& data, const std::string& file) {
     const int type = data.GetCellType(t);
     data.GetCellPoints(t, ids);
     const vtkIdType size = ids->GetNumberOfIds();
-    const bool triangle = type == VTK_TRIANGLE || type == VTK_QUADRATIC_TRIANGLE
-                       || type == VTK_LAGRANGE_TRIANGLE;
+    const bool triangle =
+        type == VTK_TRIANGLE || type == VTK_QUADRATIC_TRIANGLE || type == VTK_LAGRANGE_TRIANGLE;
     if (!triangle || (size != 3 && size != 6 && size != 10))
       throw InputError(fmt::format(
           "{}: cell {} (VTK's type {}, {} points): must be a triangle of order 1, 2 or 3", file, t,
