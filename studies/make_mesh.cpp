@@ -14,6 +14,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <memory>
 #include <stdexcept>
 
 namespace sbeh::studies {
@@ -71,9 +72,19 @@ TriangleMesh checked(const FileShape& shape, TriangleMesh mesh, MadeMesh& made) 
   return mesh;
 }
 
-void curve(const MeshRequest& request, const TriangleMesh& plain, MadeMesh& made) {
+std::shared_ptr<const meshing::FittedSurface> fitted(const std::filesystem::path& file,
+                                                     const TriangleMesh& plain) {
+  try {
+    return std::make_shared<const meshing::FittedSurface>(plain);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
+  }
+}
+
+void curve(const MeshRequest& request, const std::filesystem::path& file, const TriangleMesh& plain,
+           MadeMesh& made) {
   const meshing::Resolution resolution = resolution_of(request);
-  const auto surface = std::make_shared<const meshing::FittedSurface>(plain);
+  const auto surface = fitted(file, plain);
   if (request.triangles) {
     const meshing::Projection onto_surface = meshing::onto(surface);
     made.mesh = meshing::curved(
@@ -119,7 +130,7 @@ void make(const ProfileShape& shape, const MeshRequest& request, MadeMesh& made)
 void make(const FileShape& shape, const MeshRequest& request, MadeMesh& made) {
   const MeshFile file = read_mesh(shape.file);
   if (const auto* plain = std::get_if<TriangleMesh>(&file))
-    return curve(request, checked(shape, *plain, made), made);
+    return curve(request, shape.file, checked(shape, *plain, made), made);
   const CurvedFile& curved = std::get<CurvedFile>(file);
   if (request.triangles || request.order.value_or(curved.mesh.order) != curved.mesh.order)
     throw InputError(

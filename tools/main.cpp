@@ -150,17 +150,23 @@ int seifert(const Arguments& a) {
 
 // The words of the command line that CLI11 did not take, with what may have been meant.
 int complain_of_command_line(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<std::string> rest = app.remaining();
-  if (!app.get_subcommands().empty() || rest.empty()) return app.exit(error) == 0 ? 0 : 2;
+  const CLI::App* at = &app;  // the command they belong to
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
+  const std::vector<std::string> rest = app.remaining(true);
+  const bool has_commands = !at->get_subcommands({}).empty();
+  if (!has_commands || rest.empty()) return app.exit(error) == 0 ? 0 : 2;
   const std::string& word = rest.front();
   const bool option = word.starts_with('-');
   std::vector<std::string> known;
   if (option)
     known = {"--help", "--version"};
   else
-    for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+    for (const CLI::App* command : at->get_subcommands({})) known.push_back(command->get_name());
   const auto meant = studies::nearest(word, known);
-  complain(fmt::format("{}: unknown {}{} Known: {}", word, option ? "option" : "command",
+  complain(fmt::format("{}: unknown {}{} Known: {}", word,
+                       option       ? "option"
+                       : at == &app ? "command"
+                                    : "shape",
                        meant ? fmt::format("; did you mean {}?", *meant) : ".",
                        fmt::join(known, ", ")));
   return 2;
