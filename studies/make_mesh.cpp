@@ -1,5 +1,6 @@
 #include "studies/make_mesh.h"
 
+#include "meshing/curvature.h"
 #include "meshing/curving.h"
 #include "meshing/defects.h"
 #include "meshing/fitted_surface.h"
@@ -195,6 +196,8 @@ MadeMesh make_mesh(const MeshRequest& request) {
   scale(request, made);
   made.quality = meshing::quality_of(made.mesh);
   check(request, made.quality);
+  if (made.mesh.order > 1)
+    made.fields["mean_curvature"] = meshing::node_mean_curvature(made.mesh).transpose();
   return made;
 }
 

@@ -44,7 +44,7 @@ struct MeshRequest {
 
 struct MadeMesh {
   meshing::CurvedMesh mesh;
-  NodeFields fields;
+  NodeFields fields;  ///< "mean_curvature" for order > 1; "order" of a profile; those of the file
   meshing::Quality quality;
   std::vector<std::string> notes;  ///< what the user should know, such as what was repaired
 };
