@@ -63,7 +63,8 @@ Eigen::Matrix2Xd jacobian_points() {
 void measure_jacobian(const CurvedMesh& mesh, Quality& q) {
   const model::TriangleElement element(mesh.order);
   std::vector<Eigen::MatrixX2d> dphi;
-  for (const auto x : jacobian_points().colwise())
+  const Eigen::Matrix2Xd points = jacobian_points();
+  for (const auto x : points.colwise())
     dphi.emplace_back(element.derivatives(x).transpose());
   q.min_jacobian = std::numeric_limits<double>::infinity();
   q.max_jacobian = -q.min_jacobian;
@@ -98,6 +99,12 @@ TriangleMesh lattice(const CurvedMesh& mesh) {
   for (const auto c : mesh.triangles.colwise())
     for (const Eigen::Vector3i& s : small) fine.triangles.col(column++) = c(s);
   return fine;
+}
+
+double min_jacobian(const CurvedMesh& mesh) {
+  Quality q;
+  measure_jacobian(mesh, q);
+  return q.min_jacobian;
 }
 
 Quality quality_of(const CurvedMesh& mesh) {

@@ -29,6 +29,9 @@ struct Quality {
 /// Throws std::invalid_argument when the triangles make no oriented surface.
 Quality quality_of(const CurvedMesh& mesh);
 
+/// Smallest Jacobian of the curved triangles, as in Quality.
+double min_jacobian(const CurvedMesh& mesh);
+
 /// The small plain triangles between the nodes, order² for each curved one, in its place and order.
 TriangleMesh lattice(const CurvedMesh& mesh);
 

@@ -67,7 +67,7 @@ const std::vector<Case> cases{
        for (const double x : {0., 1., 2.}) add_point(m, x, x, x);
        add_triangle(m, 92, 93, 94);
      },
-     false},
+     true},
     {DefectKind::repeated, "triangle 180 (points ",
      [](TriangleMesh& m) {
        add_triangle(m, m.triangles(1, 5), m.triangles(2, 5), m.triangles(0, 5));
