@@ -113,15 +113,52 @@ CurvedMesh with_nodes(const TriangleMesh& mesh, int order, const AlongSide& alon
 
 }  // namespace
 
+namespace {
+
+Eigen::Matrix3Xd point_normals(const TriangleMesh& mesh) {
+  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, mesh.point_count());
+  for (const auto c : mesh.triangles.colwise()) {
+    const Vector3d a = mesh.points.col(c[0]);
+    const Vector3d n = (mesh.points.col(c[1]) - a).cross(mesh.points.col(c[2]) - a);
+    for (const int corner : c) normals.col(corner) += n;
+  }
+  normals.colwise().normalize();
+  return normals;
+}
+
+// The point of the surface over `foot` in the direction n: a projection that has another direction,
+// such as a radial one, is asked again from where it went astray.
+Vector3d over(const Vector3d& foot, const Vector3d& n, const Projection& onto_surface) {
+  constexpr int corrections = 8;
+  const auto astray = [&](const Vector3d& y) {
+    return Vector3d(y - foot - (y - foot).dot(n) * n);
+  };
+  Vector3d x = foot, y = onto_surface(x), miss = astray(y);
+  for (int i = 0; i < corrections; ++i) {
+    const Vector3d next_x = x - miss, next = onto_surface(next_x), next_miss = astray(next);
+    if (!(next_miss.norm() < miss.norm())) break;  // rounding, or too coarse to see the surface
+    x = next_x;
+    y = next;
+    miss = next_miss;
+  }
+  return y;
+}
+
+}  // namespace
+
 CurvedMesh curved(const TriangleMesh& mesh, int order, const Projection& onto_surface) {
+  const Eigen::Matrix3Xd normals = point_normals(mesh);
   const auto along_side = [&](int t, int side, double s) -> Vector3d {
-    const Vector3d from = mesh.points.col(mesh.triangles(side, t));
-    const Vector3d to = mesh.points.col(mesh.triangles((side + 1) % 3, t));
-    return onto_surface((1 - s) * from + s * to);
+    const int from = mesh.triangles(side, t), to = mesh.triangles((side + 1) % 3, t);
+    const Vector3d n = normals.col(from) + normals.col(to);
+    return over((1 - s) * mesh.points.col(from) + s * mesh.points.col(to), n.normalized(),
+                onto_surface);
   };
   // Where a cubic would have it that is a quadratic inside.
-  const auto inside_of = [&](int, const Eigen::Matrix3Xd& X) -> Vector3d {
-    return onto_surface(X.rightCols<6>().rowwise().sum() / 4 - X.leftCols<3>().rowwise().sum() / 6);
+  const auto inside_of = [&](int t, const Eigen::Matrix3Xd& X) -> Vector3d {
+    const Vector3d n = normals(Eigen::all, mesh.triangles.col(t)).rowwise().sum();
+    return over(X.rightCols<6>().rowwise().sum() / 4 - X.leftCols<3>().rowwise().sum() / 6,
+                n.normalized(), onto_surface);
   };
   return with_nodes(mesh, order, along_side, inside_of);
 }

@@ -62,7 +62,7 @@ TEST(SphericalHarmonics, that_do_not_exist_are_refused) {
 
 TEST(EllipsoidMesh, has_the_area_and_reduced_volume_asked_for) {
   for (const bool prolate : {false, true})
-    for (const double v : {0.3, 0.6, 0.8, 0.95, 0.999})
+    for (const double v : {0.6, 0.8, 0.95, 0.999})
       for (const int order : {1, 2, 3}) {
         const Resolution resolution{.triangles = 1280, .order = order};
         if (order == 1 && v == 0.999) continue;  // plain triangles do not reach it
@@ -102,6 +102,10 @@ TEST(Resolution, refuses_what_cannot_be_meshed) {
   EXPECT_THROW(sphere({.order = 0}), std::invalid_argument);
   EXPECT_THROW(sphere({.order = 4}), std::invalid_argument);
   EXPECT_THROW(sphere({.grading = -1}), std::invalid_argument);
+}
+
+TEST(StarShaped, refuses_shapes_that_bend_too_sharply_for_their_triangles) {
+  EXPECT_THROW(ellipsoid({1, 1, 100}, {.triangles = 80}), std::invalid_argument);
 }
 
 TEST(HarmonicSphere, refuses_radii_that_are_not_positive) {
