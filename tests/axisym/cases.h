@@ -30,7 +30,7 @@ namespace sbeh::axisym::test {
 
 using model::Material;
 using model::Model;
-using model::test::OrderTable;
+using sbeh::test::OrderTable;
 using std::numbers::pi;
 
 /// The one-constant material of the paper.
@@ -101,7 +101,5 @@ inline BranchState reach(Model model, const BranchState& from, PlanePoint to) {
 inline BranchState oblate(Model model, PlanePoint at, int elements) {
   return refined(model, reach(model, first_oblate(model), at), elements);
 }
-
-using sbeh::test::OrderTable;
 
 }  // namespace sbeh::axisym::test

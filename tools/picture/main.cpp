@@ -7,6 +7,7 @@
 #include "tools/picture/energy.h"
 #include "tools/picture/mesh.h"
 #include "tools/picture/relax.h"
+#include "tools/picture/run.h"
 #include "tools/picture/virtual_display.h"
 
 #include <CLI/CLI.hpp>
@@ -52,6 +53,12 @@ void picture_relaxation(const Options& options) {
   if (options.wants("shapes")) draw_relaxation_shapes(canvas, options);
 }
 
+void picture_run(const Options& options) {
+  Canvas canvas;
+  if (options.wants("energy")) draw_relaxation_energy(canvas, options);
+  if (options.wants("shapes")) draw_run_shapes(canvas, options);
+}
+
 void add_common_options(CLI::App* command, Options& options, std::string& size,
                         std::vector<std::string> pictures) {
   command->add_option("DIR", options.directory, "Folder of the results; the pictures go there")
@@ -75,6 +82,8 @@ int run(int count, char** arguments) {
   scan->add_option("--branch", options.branch, "Only this branch, e.g. oblate");
   CLI::App* relax = app.add_subcommand("relax", "energy, shapes from DIR/series.csv, profiles.csv");
   add_common_options(relax, options, size, {"energy", "shapes"});
+  CLI::App* run_3d = app.add_subcommand("run", "energy, shapes from DIR/series.csv, frames.csv");
+  add_common_options(run_3d, options, size, {"energy", "shapes"});
   CLI::App* seifert =
       app.add_subcommand("seifert", "the classical diagram from DIR/branches.csv, points.csv");
   add_common_options(seifert, options, size, {"branches"});
@@ -91,6 +100,7 @@ int run(int count, char** arguments) {
   ensure_display(arguments);
   if (scan->parsed()) picture_scan(options);
   if (relax->parsed()) picture_relaxation(options);
+  if (run_3d->parsed()) picture_run(options);
   if (seifert->parsed()) {
     Canvas canvas;
     draw_classical_diagram(canvas, options);

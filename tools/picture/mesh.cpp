@@ -5,14 +5,11 @@
 #include "studies/mesh_files/mesh_file.h"
 #include "studies/toml_reader.h"
 #include "tools/picture/csv.h"
+#include "tools/picture/image.h"
 #include "tools/picture/scene.h"
 
 #include <fmt/format.h>
-#include <vtkContext2D.h>
-#include <vtkContextItem.h>
 #include <vtkImageData.h>
-#include <vtkNew.h>
-#include <vtkObjectFactory.h>
 
 #include <algorithm>
 #include <array>
@@ -23,26 +20,6 @@ namespace sbeh::picture {
 namespace {
 
 constexpr double usual_width = 1600.0, usual_height = 880.0;
-
-class ImageItem : public vtkContextItem {
- public:
-  static ImageItem* New();
-  void set(vtkImageData* image, double x, double y) {
-    image_ = image;
-    x_ = float(x);
-    y_ = float(y);
-  }
-  bool Paint(vtkContext2D* painter) override {
-    painter->DrawImage(x_, y_, image_);
-    return true;
-  }
-
- private:
-  vtkSmartPointer<vtkImageData> image_;
-  float x_ = 0.0f, y_ = 0.0f;
-};
-
-vtkStandardNewMacro(ImageItem);
 
 studies::CurvedFile read(const std::filesystem::path& file) {
   try {
@@ -103,10 +80,8 @@ void draw_mesh(Canvas& canvas, const Options& options) {
   const std::array<View, 2> views{{{{0.5, -1.0, 0.45}, {0, 0, 1}}, {{0, 0, 1}, {0, 1, 0}}}};
   const std::array<std::string, 2> titles{"from the side", "along the z axis"};
   for (std::size_t k = 0; k < views.size(); ++k) {
-    vtkNew<ImageItem> item;
-    item->set(render(mesh, quantity.values, colours, views[k], half_width, int(side)),
-              left + double(k) * side, bottom);
-    canvas.add(item);
+    draw_image(canvas, render(mesh, quantity.values, colours, views[k], half_width, int(side)),
+               left + double(k) * side, bottom);
     canvas.text(left + (double(k) + 0.5) * side, 1.1 * text, titles[k],
                 {.size = 0.85 * text, .colour = dark_grey});
   }

@@ -1,6 +1,7 @@
 #include "tools/picture/relax.h"
 
 #include "tools/picture/csv.h"
+#include "tools/picture/frames.h"
 #include "tools/picture/history.h"
 #include "tools/picture/legend.h"
 #include "tools/picture/panels.h"
@@ -24,45 +25,6 @@ struct Part {
   double shift;
   LineStyle style;
 };
-
-struct Frame {
-  double time = 0.0;
-  std::filesystem::path file;
-};
-
-// The first, the last, and between them the frames nearest to times in geometric progression:
-// a relaxation is fast at first.
-std::vector<Frame> chosen_frames(const std::vector<Frame>& frames) {
-  if (frames.size() <= most_shapes) return frames;
-  const std::size_t first =
-      std::ranges::find_if(frames, [](const Frame& f) { return f.time > 0.0; }) - frames.begin();
-  std::vector<Frame> chosen(1, frames.front());
-  std::size_t next = 1;
-  for (std::size_t i = 1; i < most_shapes; ++i) {
-    const double fraction = double(i - 1) / double(most_shapes - 2);
-    const double wanted =
-        frames[first].time * std::pow(frames.back().time / frames[first].time, fraction);
-    const std::size_t latest =
-        frames.size() - (most_shapes - i);  // leaves one frame for each to come
-    while (next < latest
-           && std::abs(frames[next + 1].time - wanted) < std::abs(frames[next].time - wanted)) {
-      ++next;
-    }
-    chosen.push_back(frames[next]);
-    next = std::min(next + 1, latest + 1);
-  }
-  return chosen;
-}
-
-std::vector<Frame> read_frames(const std::filesystem::path& directory) {
-  const CsvTable table(directory / "profiles.csv");
-  const std::size_t time = table.column("time"), file = table.column("file");
-  std::vector<Frame> frames;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    frames.push_back({table.number(row, time), directory / table.text(row, file)});
-  }
-  return frames;
-}
 
 }  // namespace
 
@@ -110,7 +72,8 @@ void draw_relaxation_energy(Canvas& canvas, const Options& options) {
 }
 
 void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
-  const std::vector<Frame> frames = chosen_frames(read_frames(options.directory));
+  const std::vector<Frame> frames =
+      chosen_frames(read_frames(options.directory / "profiles.csv"), most_shapes);
   if (frames.empty()) {
     fmt::print("no shapes: {} lists no profile\n", (options.directory / "profiles.csv").string());
     return;

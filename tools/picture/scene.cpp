@@ -145,7 +145,7 @@ void set_camera(vtkRenderer* renderer, const Vector3d& middle, const View& view,
 
 vtkSmartPointer<vtkImageData> render(const meshing::CurvedMesh& mesh, const Eigen::VectorXd& values,
                                      const ColourMap& colours, const View& view, double half_width,
-                                     int pixels) {
+                                     int pixels, Edges show_edges) {
   vtkNew<vtkPolyDataMapper> surface_mapper, edge_mapper;
   surface_mapper->SetResolveCoincidentTopologyToPolygonOffset();
   surface_mapper->SetInputData(surface_of(mesh, values, colours));
@@ -165,7 +165,7 @@ vtkSmartPointer<vtkImageData> render(const meshing::CurvedMesh& mesh, const Eige
   vtkNew<vtkRenderer> renderer;
   renderer->SetBackground(1, 1, 1);
   renderer->AddActor(surface);
-  renderer->AddActor(edges);
+  if (show_edges == Edges::shown) renderer->AddActor(edges);
   renderer->AutomaticLightCreationOff();
   add_light(renderer, {-0.5, 0.7, 1}, 0.85);
   add_light(renderer, {1, -0.2, 0.6}, 0.3);

@@ -16,10 +16,12 @@ struct View {
   Eigen::Vector3d up;
 };
 
-/// Square image of `pixels` per side. The surface is coloured by `values`, one per node, and shows
+enum class Edges { shown, hidden };
+
+/// Square image of `pixels` per side. The surface is coloured by `values`, one per node, and may show
 /// the edges of its triangles; `half_width` is the length from the middle of the image to its side.
 vtkSmartPointer<vtkImageData> render(const meshing::CurvedMesh& mesh, const Eigen::VectorXd& values,
                                      const ColourMap& colours, const View& view, double half_width,
-                                     int pixels);
+                                     int pixels, Edges edges = Edges::shown);
 
 }  // namespace sbeh::picture
