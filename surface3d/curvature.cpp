@@ -104,7 +104,7 @@ bool correct_area_volume(const Triangulation& mesh, Nodes& X, double area_asked,
   const auto miss = [&](const Nodes& Y) {
     return Eigen::Vector2d(area(mesh, Y) / area_asked - 1, volume(mesh, Y) / volume_asked - 1);
   };
-  const bool sphere = is_sphere(area(mesh, X), volume(mesh, X));
+  const bool sphere = is_sphere(mesh, area(mesh, X), volume(mesh, X));
   Eigen::Vector2d c = Eigen::Vector2d::Zero();
   for (int iteration = 0; iteration < 12; ++iteration) {
     Eigen::Vector2d residual = miss(moved(c));

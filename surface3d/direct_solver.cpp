@@ -4,7 +4,6 @@
 
 #include <cassert>
 #include <cmath>
-#include <cstdlib>
 #include <vector>
 
 namespace sbeh::surface3d {
@@ -31,8 +30,9 @@ struct DirectSolver::Mumps {
     for (const int stream : {1, 2, 3}) control(stream) = -1;
     control(4) = 0;  // silent
     control(6) = 0;  // no permutation by values: the analysis sees the structure alone
-    control(7) = 3;  // ordering by SCOTCH, with one thread, or it differs from run to run
-    setenv("SCOTCH_PTHREAD_NUMBER", "1", 0);
+    // Ordering by QAMD: multipliers' dense rows do not mislead it, and it is a function of the structure
+    // alone (SCOTCH's depends on what the process ordered before).
+    control(7) = 6;
     control(14) = 60;  // per cent of memory more than estimated, for pivoting
   }
   ~Mumps() { run(-2); }

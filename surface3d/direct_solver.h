@@ -18,7 +18,7 @@ class DirectSolver {
   DirectSolver& operator=(DirectSolver&&) noexcept;
 
   /// Factors A; the first call analyses the structure, which later calls must keep. False when A is
-  /// singular or not finite.
+  /// exactly singular or not finite; where it is singular to rounding, the solutions are large.
   [[nodiscard]] bool factor(const SparseMatrix& A);
   /// Overwrites the columns of rhs (n x k) with A⁻¹ rhs; after factor().
   void solve(Eigen::Ref<Eigen::MatrixXd> rhs) const;

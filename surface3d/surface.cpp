@@ -105,6 +105,10 @@ double reduced_volume(double area, double volume) {
   return 6 * std::sqrt(std::numbers::pi) * volume / std::pow(area, 1.5);
 }
 
+bool is_sphere(const Triangulation& mesh, double area, double volume) {
+  return reduced_volume(area, volume) > 1 - 1e-7 - 32 / std::pow(mesh.count(), 3);
+}
+
 Nodes node_normals(const Triangulation& mesh, const Nodes& X) {
   Nodes n = Nodes::Zero(3, X.cols());
   for (int e = 0; e < mesh.count(); ++e) {

@@ -112,10 +112,9 @@ double area(const Triangulation& mesh, const Nodes& X);
 double volume(const Triangulation& mesh, const Nodes& X);
 /// V_r = 6√π V / A^{3/2}, 1 for the sphere.
 double reduced_volume(double area, double volume);
-/// So near the sphere that area and volume are one constraint: V_r > 1 − 1e-7.
-inline bool is_sphere(double area, double volume) {
-  return reduced_volume(area, volume) > 1 - 1e-7;
-}
+/// So near the sphere that area and volume are one constraint: V_r > 1 − 1e-7 − 32/triangles³. A mesh
+/// whose nodes lie on the sphere has V_r = 1 − 16/triangles³.
+bool is_sphere(const Triangulation& mesh, double area, double volume);
 
 /// Unit normals at the nodes: the normalised mean of the triangles' normals, weighted by their areas;
 /// 3 x nodes.

@@ -68,7 +68,7 @@ bool TimeStepper::Workspace::solve_coupled(const State& old, const Curvature& cu
   system.assemble(*mesh, old, curvature, tau,
                   {.area_rate = (target.area - A) / (tau * A),
                    .volume_rate = (target.volume - volume_now) / tau,
-                   .keep_volume = !is_sphere(A, volume_now)});
+                   .keep_volume = !is_sphere(*mesh, A, volume_now)});
   if (!flow.factor(system.flow().matrix)) return false;
   Eigen::VectorXd solution = system.flow().rhs;
   flow.solve(solution);

@@ -1,97 +1,19 @@
 // Two modes on a sphere, l = 2 and 3, exchange amplitude: the flow against the linear theory.
-//
-// r = 1 + Σ u_l Y_l(θ), β = β₀ + Σ b_l Y_l, β₀ the rest state. To second order in the amplitudes the
-// energy is that of the sphere and, with k = (l − 1)(l + 2),
-//   ½ Σ { k κ [l(l + 1) + s] u_l² + 2 k C u_l b_l + [l₁ l(l + 1) + 2κ″ + κ_G″ + u″] b_l² },
-// since δH = −k u_l, δK = k u_l and H = −2: C = (2 + H₀) κ' + κ_G'. The multiplier s(t) keeps the
-// excess area ½ Σ k u_l²; the friction of mode l is ζ_l = γ_⊥ + 4γ_∥/l(l+1) + 4ηk/l(l+1): where every
-// piece keeps its area, the tangential velocity of a normal velocity Y_l has Div_C w = −2 Y_l, so that
-// ∫|w|² = 4/l(l+1) ∫Y_l². Where only the whole does, there is none: ζ_l = γ_⊥.
-// With one constant C = 9Lβ₀ and 2κ″ + κ_G″ = 9L.
-//
-// The theory errs by O(ε) relative to an amplitude ε. Both modes with the opposite sign err by the
-// opposite share, and the reflection of that run at the equator differs from the first in the sign of
-// the even mode alone: the mean over both signs of u_2 errs by O(ε²). (A sign flip of the odd mode is
-// that reflection itself, the same run.)
-#include "model/rest_order.h"
+// See sphere_theory.h.
 #include "tests/axisym/cases.h"
-
-#include <boost/numeric/odeint.hpp>
+#include "tests/model/sphere_theory.h"
 
 namespace sbeh::axisym {
 namespace {
 
 using namespace test;
+using namespace model::test;
 
 constexpr int elements = 32, steps = 32;
 constexpr double u2_start = 1, u3_start = 0.8, b2_start = 0.3, b3_start = -0.4;  // times ε
-using Amplitudes = std::array<double, 4>;                                        // u_2 u_3 b_2 b_3
-
-class TwoModes {
- public:
-  TwoModes(const Material& m, Model model)
-      : m_(effective(m, model)),
-        model_(model),
-        beta_(has_free_order(model) ? model::sphere_rest_order(m).value() : model::full_order) {}
-
-  Model model() const { return model_; }
-  double rest_order() const { return beta_; }
-  double drag(int l) const {
-    const double n = l * (l + 1);
-    return m_.friction_normal + 4 * m_.friction_tangential / n + 4 * m_.eta(beta_) * (n - 2) / n;
-  }
-  // Long enough for u_2/u_3 to change noticeably.
-  double end_time() const { return 0.015 * drag(3) / m_.kappa(beta_); }
-
-  void operator()(const Amplitudes& x, Amplitudes& rate, double) const {
-    const double kappa = m_.kappa(beta_);
-    const double coupling =
-        (2 + m_.spontaneous_curvature) * m_.kappa_slope(beta_) + m_.kappa_gauss_slope(beta_);
-    double with = 0, without = 0;  // Σ k u u̇ = without + s · with
-    std::array<double, 2> force{};
-    for (int l : {2, 3}) {
-      const std::size_t i = std::size_t(l - 2);
-      const double n = l * (l + 1), k = n - 2, u = x[i];
-      force[i] = kappa * n * u + (has_free_order(model_) ? coupling * x[i + 2] : 0);
-      without -= k * u * k * force[i] / drag(l);
-      with -= k * u * k * kappa * u / drag(l);
-    }
-    const double s = -without / with;
-    for (int l : {2, 3}) {
-      const std::size_t i = std::size_t(l - 2);
-      const double n = l * (l + 1), k = n - 2;
-      rate[i] = -k * (force[i] + kappa * s * x[i]) / drag(l);
-      rate[i + 2] = has_free_order(model_)
-                      ? -((m_.l1() * n + order_stiffness()) * x[i + 2] + coupling * k * x[i])
-                            / m_.order_drag()
-                      : 0;
-    }
-  }
-
- private:
-  double order_stiffness() const {
-    return 2 * m_.kappa_slope(1.) + m_.kappa_gauss_slope(1.) + m_.potential.curvature(beta_);
-  }
-  Material m_;
-  Model model_;
-  double beta_;
-};
 
 constexpr int outputs = 4;
 using Ratios = Eigen::Array<double, outputs, 1>;  // u_2/u_3 at equal shares of the time
-
-Ratios theory(const TwoModes& modes, Amplitudes x) {
-  namespace odeint = boost::numeric::odeint;
-  const double dt = modes.end_time() / outputs;
-  Ratios q;
-  for (int k = 0; k < outputs; ++k) {
-    odeint::integrate_adaptive(
-        odeint::make_controlled<odeint::runge_kutta_dopri5<Amplitudes>>(1e-13, 1e-10), modes, x,
-        k * dt, (k + 1) * dt, dt / 10);
-    q[k] = x[0] / x[1];
-  }
-  return q;
-}
 
 // ∫ ρ Y_l over the sphere of directions, ρ the distance from the point (0, z).
 double amplitude(const Nodes& X, int l, double z) {
@@ -168,7 +90,7 @@ Ratios misses(const Material& material, const TwoModes& modes, double eps, doubl
   const Start s = start(modes, eps, sign);
   const Ratios coarse = flow(material, modes, s.state, eps, steps);
   const Ratios fine = flow(material, modes, s.state, eps, 2 * steps);
-  return (4 * fine - coarse) / 3 / theory(modes, s.amplitudes) - 1;
+  return (4 * fine - coarse) / 3 / two_mode_ratios(modes, s.amplitudes, outputs) - 1;
 }
 
 // The models with this material, at ε = 0.04, 0.02, 0.01.
@@ -176,7 +98,8 @@ void expect_theory(const Material& material,
                    const std::vector<Model>& models = {Model::SSH, Model::SBEH}) {
   for (const Model model : models) {
     const TwoModes modes(material, model);
-    const double ratio = theory(modes, {u2_start, u3_start, b2_start, b3_start})[outputs - 1];
+    const double ratio =
+        two_mode_ratios(modes, {u2_start, u3_start, b2_start, b3_start}, outputs)[outputs - 1];
     std::printf("%s: u_2/u_3 from %.2f to %.3f at t = %.4f\n", name(model), u2_start / u3_start,
                 ratio, modes.end_time());
     EXPECT_GT(std::abs(std::log(ratio * u3_start / u2_start)), 0.2);

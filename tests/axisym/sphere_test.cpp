@@ -1,8 +1,6 @@
 // Uniform order on a sphere: the sphere stays, and the order follows an ordinary differential equation.
-#include "model/rest_order.h"
 #include "tests/axisym/cases.h"
-
-#include <boost/numeric/odeint.hpp>
+#include "tests/model/sphere_theory.h"
 
 namespace sbeh::axisym {
 namespace {
@@ -17,19 +15,6 @@ State uniform_sphere(double beta) {
   State s{.X = spheroid(1, false, elements, 0), .beta = {}};
   s.beta = Field::Constant(s.X.cols(), beta);
   return s;
-}
-
-// (3/2) M β̇ = −9Lβ − u'(β)
-double exact_order(const Material& m, double time) {
-  namespace odeint = boost::numeric::odeint;
-  double beta = start_order;
-  const auto rate = [&](const double& b, double& slope, double) {
-    slope = -(9 * m.L1 * b + m.potential.slope(b)) / (1.5 * m.immobility);
-  };
-  odeint::integrate_adaptive(
-      odeint::make_controlled<odeint::runge_kutta_dopri5<double>>(1e-13, 1e-13), rate, beta, 0.,
-      time, 1e-3);
-  return beta;
 }
 
 struct Evolved {
@@ -57,7 +42,7 @@ double largest_bump(const Nodes& X) {
 
 TEST(Sphere, lets_uniform_order_follow_its_equation_at_first_order_in_tau) {
   const Material material = paper_material(0.05);
-  const double expected = exact_order(material, end_time);
+  const double expected = model::test::order_on_sphere(material, start_order, end_time);
   std::printf("order from %.2f to %.6f\n", start_order, expected);
   EXPECT_GT(expected, start_order + 0.1);
   OrderTable table("order at the end", "tau");
@@ -112,7 +97,8 @@ TEST(Sphere, runs_under_step_control_like_any_other_shape) {
       material, Model::SBEH, uniform_sphere(start_order), unit_sphere, with_elements(elements),
       {.end_time = end_time, .output_times = {}, .stop_at_rest = false});
   EXPECT_EQ(run.stop, FlowStop::end_time);
-  EXPECT_NEAR(diagnose(material, run.state).order_mean, exact_order(material, end_time), 1e-4);
+  EXPECT_NEAR(diagnose(material, run.state).order_mean,
+              model::test::order_on_sphere(material, start_order, end_time), 1e-4);
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 #include "model/energy_density.h"
 #include "model/terms.h"
 #include "tests/model/analytic_surface.h"
+#include "tests/model/energy_parts.h"
 #include "tests/model/finite_difference.h"
 #include "tests/model/general_material.h"
 
@@ -17,47 +18,6 @@ namespace sbeh::model {
 namespace {
 
 using namespace test;
-
-using Density = EnergyDensity<double>;
-using Parts = Eigen::Vector4d;  // one number per part of the energy, in the order of the table
-
-struct Term {
-  const char* label;
-  Gradient<double> (*stress)(const Material&, const ElasticPoint<double, double>&);
-};
-
-// A part of the energy and what it puts into the momentum equation: with e its density,
-//   −d/dε ∫ e dS = (T, ∇_C W) − (e, Div_C W),
-// of which the terms carry T, and e is taken up by the pressure.
-struct Part {
-  const char* label;
-  double Density::*density;
-  bool isotropic;  ///< false for the Gaussian energy, whose e cancels against H B − B² = K P
-  std::vector<Term> terms;
-};
-
-const std::vector<Part>& parts() {
-  static const std::vector<Part> table{
-      {"E1", &Density::distortion, true, {{"V5", distortion_stress<double, double>}}},
-      {"E2",
-       &Density::bending,
-       true,
-       {{"V6", bending_stress<double, double>},
-        {"V7", curvature_gradient_stress<double, double>},
-        {"V8", stiffness_gradient_stress<double, double>}}},
-      {"E3",
-       &Density::gaussian,
-       false,
-       {{"V9", gaussian_trace_stress<double, double>},
-        {"V10", gaussian_shape_stress<double, double>}}},
-      {"E4", &Density::thermotropic, true, {}},
-  };
-  return table;
-}
-
-double contract(const Gradient<double>& a, const Gradient<double>& b) {
-  return a.cwiseProduct(b).sum();
-}
 
 Density density_at(const SurfacePoint& p, const ElasticPoint<double, double>& x) {
   return energy_density(general_material(), x.beta, x.grad_beta.squaredNorm(), p.H, p.K());

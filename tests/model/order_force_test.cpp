@@ -4,7 +4,7 @@
 #include "model/terms.h"
 #include "tests/model/analytic_surface.h"
 #include "tests/model/finite_difference.h"
-#include "tests/model/general_material.h"
+#include "tests/model/order_cases.h"
 
 #include <gtest/gtest.h>
 
@@ -17,35 +17,6 @@ namespace sbeh::model {
 namespace {
 
 using namespace test;
-
-// A material with one part of the energy that depends on the order; the last one has all.
-struct Case {
-  std::string label;
-  Material material;
-};
-
-Material elastic(double L1, double L2, double L3) {
-  Material m = general_material();
-  m.L1 = L1;
-  m.L2 = L2;
-  m.L3 = L3;
-  return m;
-}
-Material elastic_alone(double L1, double L2, double L3) {
-  Material m = elastic(L1, L2, L3);
-  m.potential = Potential(std::vector<double>{});
-  return m;
-}
-
-// l₁ = (6L₁ + L₂ + L₃)/4, κ ~ 2L₁ + L₂ + L₃, κ_G ~ −(2L₁ + L₃): all vanish but one.
-const std::vector<Case>& cases() {
-  static const std::vector<Case> table{
-      {"B2", elastic_alone(0.05, 0, -0.1)},  {"B3", elastic_alone(0.05, -0.2, -0.1)},
-      {"B4", elastic_alone(0, -0.05, 0.05)}, {"B5", elastic(0, 0, 0)},
-      {"all", general_material()},
-  };
-  return table;
-}
 
 // The energy density at order β + amount · ψ.
 double changed_density(const Material& m, const Example& example, double amount,
@@ -67,7 +38,7 @@ constexpr double step = 0.5, tolerance = 17 * 16 * 2 * std::numeric_limits<doubl
 TEST_P(OrderForce, is_the_derivative_of_the_energy_by_the_order) {
   const Example& example = GetParam();
   const auto all = directions(example.axisymmetric, points);
-  for (const auto& [label, material] : cases()) {
+  for (const auto& [label, material] : order_cases()) {
     const Material& m = material;
     const double derivative = derivative_at_zero(
         [&](double amount) {

@@ -1,0 +1,242 @@
+// The systems of the coupled step against a dense sum of whole element systems, and what rigid motions
+// do in them.
+#include "surface3d/coupled_system.h"
+
+#include "tests/model/general_material.h"
+#include "tests/surface3d/cases.h"
+
+#include <limits>
+#include <vector>
+
+namespace sbeh::surface3d {
+namespace {
+
+using namespace test;
+using model::test::general_material;
+
+constexpr double epsilon = std::numeric_limits<double>::epsilon();
+constexpr double tau = 0.3;
+constexpr Constraints pulled{.area_rate = 0.7, .volume_rate = -0.4, .keep_volume = true};
+
+// A bumpy surface with an order that is nowhere constant.
+Surface bumpy(int triangles) {
+  const std::vector<meshing::Harmonic> modes{{2, 1, 0.1}, {3, -2, 0.15}, {4, 3, 0.1}};
+  Surface s = surface_of(meshing::harmonic_sphere(modes, {.triangles = triangles}));
+  for (Eigen::Index i = 0; i < s.state.beta.size(); ++i) {
+    const Eigen::Vector3d x = s.state.X.col(i);
+    s.state.beta[i] = 0.4 + 0.1 * x[0] - 0.15 * x[1] * x[2] + 0.12 * x[2];
+  }
+  return s;
+}
+
+Material frictionless() {
+  Material m = general_material();
+  m.friction_tangential = m.friction_normal = 0;
+  return m;
+}
+
+// All unknowns of all triangles, nothing left out: V, p, H, Y, then the multipliers.
+struct Dense {
+  int nodes, quadratic, multipliers;
+  Eigen::MatrixXd matrix;
+  Eigen::VectorXd rhs;
+  int p() const { return 3 * nodes; }
+  int H() const { return p() + quadratic; }
+  int Y() const { return H() + nodes; }
+  int border() const { return Y() + 3 * nodes; }
+};
+
+Dense dense_system(const Surface& s, const Material& material, int multipliers) {
+  const Triangulation& mesh = *s.mesh;
+  const auto curvature = curvature_of(mesh, s.state.X);
+  Dense d{.nodes = mesh.nodes,
+          .quadratic = mesh.quadratic_nodes,
+          .multipliers = multipliers,
+          .matrix = {},
+          .rhs = {}};
+  const int size = d.border() + multipliers;
+  d.matrix = Eigen::MatrixXd::Zero(size, size);
+  d.rhs = Eigen::VectorXd::Zero(size);
+  for (int e = 0; e < mesh.count(); ++e) {
+    ElementSystem element;
+    assemble_element(material,
+                     {.X = on_element(mesh, e, s.state.X),
+                      .normals = on_element(mesh, e, curvature->normals),
+                      .beta = on_element(mesh, e, s.state.beta),
+                      .H = on_element(mesh, e, curvature->H)},
+                     {.tau = tau, .area_rate = pulled.area_rate}, element);
+    std::vector<int> index(local::size, -1);
+    for (int a = 0; a < 10; ++a) {
+      for (int k = 0; k < 3; ++k) {
+        index[std::size_t(local::V + 10 * k + a)] = 3 * mesh.triangles(a, e) + k;
+        index[std::size_t(local::Y + 10 * k + a)] = d.Y() + 3 * mesh.triangles(a, e) + k;
+      }
+      if (a < 6) index[std::size_t(local::p + a)] = d.p() + mesh.quadratic(a, e);
+      index[std::size_t(local::H + a)] = d.H() + mesh.triangles(a, e);
+    }
+    for (int i = 0; i < local::size; ++i) {
+      if (index[std::size_t(i)] < 0) {  // the padding of the pressure
+        EXPECT_EQ(element.matrix.row(i).norm() + element.matrix.col(i).norm(), 0);
+        continue;
+      }
+      d.rhs[index[std::size_t(i)]] += element.rhs[i];
+      for (int j = 0; j < local::size; ++j)
+        if (index[std::size_t(j)] >= 0)
+          d.matrix(index[std::size_t(i)], index[std::size_t(j)]) += element.matrix(i, j);
+    }
+    for (int i = 0; i < 30; ++i)
+      for (int k = 0; k < multipliers; ++k) {
+        d.matrix(index[std::size_t(i)], d.border() + k) += element.constraints(i, k);
+        d.matrix(d.border() + k, index[std::size_t(i)]) += element.constraints(i, k);
+      }
+  }
+  d.rhs[d.border()] = pulled.volume_rate;
+  return d;
+}
+
+CoupledSystem assembled(const Surface& s, const Material& material, Scheme scheme) {
+  CoupledSystem system(*s.mesh, material, scheme);
+  system.assemble(*s.mesh, s.state, *curvature_of(*s.mesh, s.state.X), tau, pulled);
+  return system;
+}
+
+// Sums of at most some hundred numbers, in another order.
+void expect_equal(const Eigen::MatrixXd& a, const Eigen::MatrixXd& b) {
+  ASSERT_EQ(a.rows(), b.rows());
+  ASSERT_EQ(a.cols(), b.cols());
+  EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 100 * epsilon * b.cwiseAbs().maxCoeff());
+}
+
+TEST(CoupledSystem, monolithic_leaves_out_nothing_of_the_element_systems) {
+  const Surface s = bumpy(20);
+  for (const auto& [material, multipliers] :
+       {std::pair{general_material(), 1}, std::pair{frictionless(), 7}}) {
+    const CoupledSystem system = assembled(s, material, Scheme::monolithic);
+    const Dense d = dense_system(s, material, multipliers);
+    expect_equal(Eigen::MatrixXd(system.flow().matrix), d.matrix);
+    expect_equal(system.flow().rhs, d.rhs);
+  }
+}
+
+// In the split scheme Y = τV stands in the equation (H1), tested with Z = φ_i n_i; then (Y1) and (H1)
+// with the velocity known.
+TEST(CoupledSystem, split_is_the_monolithic_one_with_material_nodes_and_tests_along_the_normals) {
+  const Surface s = bumpy(20);
+  const Nodes n = node_normals(*s.mesh, s.state.X);
+  for (const auto& [material, multipliers] :
+       {std::pair{general_material(), 1}, std::pair{frictionless(), 7}}) {
+    const Dense d = dense_system(s, material, multipliers);
+    const int size = d.Y() + multipliers, whole = d.border() + multipliers;
+    Eigen::MatrixXd unknowns = Eigen::MatrixXd::Zero(whole, size), tests = unknowns.transpose();
+    unknowns.topLeftCorner(d.Y(), d.Y()).setIdentity();
+    unknowns.block(d.Y(), 0, 3 * d.nodes, 3 * d.nodes).diagonal().array() = tau;
+    unknowns.bottomRightCorner(multipliers, multipliers).setIdentity();
+    tests.topLeftCorner(d.H(), d.H()).setIdentity();
+    for (int i = 0; i < d.nodes; ++i)
+      tests.block<1, 3>(d.H() + i, d.Y() + 3 * i) = n.col(i).transpose();
+    tests.bottomRightCorner(multipliers, multipliers).setIdentity();
+
+    const CoupledSystem system = assembled(s, material, Scheme::split);
+    expect_equal(Eigen::MatrixXd(system.flow().matrix), tests * d.matrix * unknowns);
+    expect_equal(system.flow().rhs, tests * d.rhs);
+
+    const int moved = 4 * d.nodes;
+    expect_equal(Eigen::MatrixXd(system.motion().matrix),
+                 d.matrix.block(d.H(), d.H(), moved, moved));
+    Nodes V = Nodes::Random(3, d.nodes);
+    Eigen::VectorXd rhs = system.motion().rhs;
+    system.add_normal_motion(V, rhs);
+    expect_equal(rhs, d.rhs.segment(d.H(), moved)
+                          - d.matrix.block(d.H(), 0, moved, 3 * d.nodes) * V.reshaped());
+  }
+}
+
+TEST(CoupledSystem, motion_is_symmetric) {
+  const CoupledSystem system = assembled(bumpy(20), general_material(), Scheme::split);
+  const Eigen::MatrixXd motion(system.motion().matrix);
+  expect_equal(motion, motion.transpose());
+}
+
+TEST(CoupledSystem, takes_its_solution_apart_in_the_order_of_the_unknowns) {
+  const Surface s = bumpy(20);
+  for (const Scheme scheme : {Scheme::split, Scheme::monolithic}) {
+    const CoupledSystem system = assembled(s, frictionless(), scheme);
+    const int N = s.mesh->nodes, Q = s.mesh->quadratic_nodes, size = int(system.flow().rhs.size());
+    const Eigen::VectorXd x = Eigen::VectorXd::LinSpaced(size, 0, size - 1);
+    EXPECT_EQ(system.velocity(x)(2, 5), 3 * 5 + 2);
+    EXPECT_EQ(system.pressure(x)[Q - 1], 3 * N + Q - 1);
+    EXPECT_EQ(system.curvature(x)[4], 3 * N + Q + 4);
+    EXPECT_EQ(system.lambda(x), size - 7);
+    EXPECT_EQ(system.displacement(x)(1, 3),
+              scheme == Scheme::split ? N + 3 * 3 + 1 : 4 * N + Q + 3 * 3 + 1);
+  }
+}
+
+TEST(CoupledSystem, sets_the_volume_multiplier_to_zero_on_a_sphere) {
+  const Surface s = bumpy(20);
+  CoupledSystem system(*s.mesh, general_material(), Scheme::split);
+  system.assemble(*s.mesh, s.state, *curvature_of(*s.mesh, s.state.X), tau,
+                  {.area_rate = 0, .volume_rate = 5, .keep_volume = false});
+  const Eigen::MatrixXd A(system.flow().matrix);
+  const Eigen::Index last = A.rows() - 1;
+  EXPECT_EQ(system.flow().rhs[last], 0);
+  EXPECT_GT(A(last, last), 0);
+  EXPECT_EQ(A.row(last).norm(), A(last, last));
+  EXPECT_EQ(A.col(last).norm(), A(last, last));
+}
+
+// ---- rigid motions ----------------------------------------------------------------------------------
+
+// Translations and rotations as velocities at the nodes.
+std::vector<Nodes> rigid_motions(const Nodes& X) {
+  std::vector<Nodes> motions;
+  for (int k = 0; k < 3; ++k) {
+    const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
+    motions.push_back(axis.replicate(1, X.cols()));
+    Nodes turn(3, X.cols());
+    for (Eigen::Index i = 0; i < X.cols(); ++i) turn.col(i) = axis.cross(X.col(i));
+    motions.push_back(turn);
+  }
+  return motions;
+}
+
+TEST(RigidMotions, have_no_strain_and_no_divergence) {
+  const Surface s = bumpy(20);
+  const Dense d = dense_system(s, frictionless(), 1);
+  const auto velocity_columns = d.matrix.topLeftCorner(d.H(), 3 * d.nodes);
+  for (const Nodes& R : rigid_motions(s.state.X)) {
+    const Eigen::VectorXd force = velocity_columns * R.reshaped();  // (V1) and (P1)
+    EXPECT_LT(force.cwiseAbs().maxCoeff(), 1000 * epsilon * velocity_columns.cwiseAbs().maxCoeff());
+  }
+  const Nodes stretch = s.state.X;  // one that is none
+  EXPECT_GT((velocity_columns * stretch.reshaped()).norm(), 0.1);
+}
+
+TEST(RigidMotions, feel_no_elastic_force_up_to_the_error_of_the_curvature) {
+  // (V5) … (V10) against R: the energy does not change. Translations see a stress field in balance
+  // exactly because ∇_C R = 0; rotations see its antisymmetric part.
+  OrderTable table("torque of the elastic stress", "h");
+  for (const int triangles : {320, 1280}) {
+    const Surface s = bumpy(triangles);
+    const CoupledSystem system = assembled(s, general_material(), Scheme::monolithic);
+    const auto curvature = curvature_of(*s.mesh, s.state.X);
+    const int N = s.mesh->nodes, first = 3 * N + s.mesh->quadratic_nodes;
+    Eigen::VectorXd x = Eigen::VectorXd::Zero(system.flow().rhs.size());
+    x.segment(first, N) = curvature->H;
+    const Eigen::VectorXd force = (system.flow().matrix * x - system.flow().rhs).head(3 * N);
+    double torque = 0;
+    const auto motions = rigid_motions(s.state.X);
+    for (std::size_t k = 0; k < motions.size(); ++k) {
+      const double power = force.dot(motions[k].reshaped());
+      if (k % 2 == 0)
+        EXPECT_LT(std::abs(power), 1e-11);
+      else
+        torque = std::max(torque, std::abs(power));
+    }
+    table.add(1 / std::sqrt(triangles), torque);
+  }
+  EXPECT_GT(table.print(), 2);
+}
+
+}  // namespace
+}  // namespace sbeh::surface3d
