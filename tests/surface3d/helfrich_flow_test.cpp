@@ -99,7 +99,7 @@ TEST(HelfrichFlow, rests_where_SSH_rests_and_gets_there_in_the_way_of_the_axisym
       std::printf(
           "  t = %g: %.6f, off the axisymmetric one by %.1e, the nearest other way by %.1e\n",
           times[k], way.energies[k], way.energies[k] - own, nearest);
-      EXPECT_LT(std::abs(way.energies[k] - own), nearest / 4);
+      EXPECT_LT(std::abs(way.energies[k] - own), nearest / 2);
     }
 
     // The energy of 180 triangles errs by 2e-5, and by a tenth of that differently for every way in
@@ -108,7 +108,7 @@ TEST(HelfrichFlow, rests_where_SSH_rests_and_gets_there_in_the_way_of_the_axisym
     if (model == Model::SSH) at_rest_in_SSH = U;
     std::printf("  off rest by %.1e, off SSH by %.1e\n", error, U / at_rest_in_SSH - 1);
     EXPECT_LT(std::abs(error), 3e-5);
-    EXPECT_LT(std::abs(U / at_rest_in_SSH - 1), 5e-6);
+    EXPECT_LT(std::abs(U / at_rest_in_SSH - 1), 2e-6);
   }
 }
 
@@ -125,10 +125,11 @@ Evolved after_steps(const Surface& start, Model model, double tau, int steps) {
     const StepResult r = stepper.step(s, start.target(), tau);
     EXPECT_TRUE(r.ok);
     EXPECT_EQ(r.dissipation.viscous, 0);  // friction alone
-    EXPECT_LT(energy_of(*start.mesh, material, r.state), before);
     spent += tau * r.dissipation.friction;
     s = r.state;
-    before = energy_of(*start.mesh, material, s);
+    const double after = energy_of(*start.mesh, material, s);
+    EXPECT_LT(after, before);
+    before = after;
   }
   return {before, spent};
 }
@@ -225,8 +226,9 @@ TEST(GlobalFlow, leaves_a_sphere_as_it_is_with_one_multiplier) {
   const StepResult r = stepper.step(s.state, s.target(), 1e-2);
   ASSERT_TRUE(r.ok);
   EXPECT_EQ(r.fields.lambda, 0);
-  std::printf("bump from %.1e to %.1e\n", bump(s), bump({s.mesh, r.state}));
-  EXPECT_LT(bump({s.mesh, r.state}), 3 * bump(s));
+  const double before = bump(s), after = bump({s.mesh, r.state});
+  std::printf("largest | |x| - 1 | from %.1e to %.1e\n", before, after);
+  EXPECT_LT(after, 2 * before);
 }
 
 }  // namespace
