@@ -10,6 +10,8 @@ namespace sbeh::axisym {
 namespace {
 constexpr double least_cosine = 0.6;  // between tangents of a step: more turning means a jump
 constexpr int quick_iterations = 9;   // more than these: the prediction was not on the branch
+constexpr double tolerance =
+    1e-6;  // on the last change on the way; the error left is about its square
 
 // Length of a direction: root mean square of motion and order, and the parameter.
 double length_of(const Increment& t) {
@@ -80,11 +82,7 @@ std::optional<PathState> arc_step(const Line& line, const PathState& from, doubl
   double mu = from.mu + ds * from.tangent.parameter;
   if (!line.contains(mu)) return {};
   StationaryState s = from.s;
-  {
-    NewtonSystem system(line.material(from.mu), line.model(), int(s.state.beta.size()));
-    if (!system.linearise(s)) return {};
-    system.apply(from.tangent, ds, s);
-  }
+  displace(from.tangent, ds, s);
   for (int iteration = 0; iteration < quick_iterations; ++iteration) {
     NewtonSystem system(line.material(mu), line.model(), int(s.state.beta.size()));
     const Parameter parameter = across(line, mu, s, from.tangent);
@@ -94,7 +92,7 @@ std::optional<PathState> arc_step(const Line& line, const PathState& from, doubl
     if (!(change < 0.3)) return {};
     system.apply(step, 1, s);
     mu += step.parameter;
-    if (change < NewtonOptions{}.tolerance) {
+    if (change < tolerance) {
       auto arrived = with_tangent(line, mu, s, &from.tangent);
       return arrived && cosine(arrived->tangent, from.tangent) > least_cosine ? arrived
                                                                               : std::nullopt;
@@ -129,9 +127,9 @@ PathState locate_fold(const Line& line, const PathState& start, const PathState&
 }
 
 PathState with_fresh_nodes(const Line& line, const PathState& state, double grading) {
-  const NewtonResult r =
-      solve_stationary(line.material(state.mu), line.model(), line.target(state.mu),
-                       redistribute(state.s, grading), {.iterations = quick_iterations});
+  const NewtonResult r = solve_stationary(line.material(state.mu), line.model(),
+                                          line.target(state.mu), redistribute(state.s, grading),
+                                          {.iterations = quick_iterations, .tolerance = tolerance});
   if (r.status != NewtonStatus::converged) return state;
   // The tangent as a field over the old nodes still tells which way is forward.
   const auto fresh = with_tangent(line, state.mu, r.solution, &state.tangent);

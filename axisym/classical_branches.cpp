@@ -37,14 +37,6 @@ BranchState moved(const BranchState& from, double reduced_volume, const Numerics
   return r.state;
 }
 
-BranchState entry(Branch branch, const Numerics& numerics) {
-  const auto found = enter_branch(branch, classical_material(), numerics);
-  if (!found)
-    throw std::domain_error(
-        fmt::format("classical {}s: Newton's method failed at the entry", name(branch)));
-  return found->state;
-}
-
 double reduced_energy(const BranchState& b) {
   const Energy u = energy(classical_material(), b.solution.state, b.solution.H);
   return (u.bending + 4 * pi) / (8 * pi);
@@ -104,34 +96,59 @@ SpecialPoint self_contact(BranchState oblate, const Numerics& numerics) {
   return {v1, reduced_energy(oblate), 0};
 }
 
-SpecialPoints special_points(const Numerics& numerics) {
-  const BranchState oblate = moved(entry(Branch::oblate, numerics), 0.65, numerics);
-  const BranchState prolate = moved(entry(Branch::prolate, numerics), 0.65, numerics);
-  const BranchState flat = moved(oblate, 0.59, numerics);
-  const auto stomatocytes = enter_stomatocytes(flat, classical_material(), numerics);
-  if (!stomatocytes) throw std::domain_error("classical stomatocytes: the branch was lost");
-  const auto point = [](const BranchState& b) {
-    return SpecialPoint{b.at.reduced_volume, reduced_energy(b), 0};
-  };
-  return {
-      .prolate_oblate = equal_energy(oblate, prolate, 0.651, numerics),
-      .oblate_stomatocyte = equal_energy(flat, stomatocytes->state, 0.591, numerics),
-      .stomatocyte_fold = point(*stomatocytes->fold),
-      .oblate_symmetry_loss = point(*stomatocytes->pitchfork),
-      .oblate_self_contact = self_contact(flat, numerics),
-  };
+SpecialPoint point_of(const BranchState& b) { return {b.at.reduced_volume, reduced_energy(b), 0}; }
+
+template <class Compute>
+const auto& once(auto& slot, Compute&& compute) {
+  if (!slot) slot = compute();
+  return *slot;
 }
 
 }  // namespace
 
-std::vector<ClassicalShape> element_branch(Branch branch, std::span<const double> reduced_volumes,
-                                           const Numerics& numerics) {
+const BranchState& ElementBranches::entry(Branch branch) {
+  return once(entries_[std::size_t(branch)], [&] {
+    if (branch == Branch::stomatocyte) return stomatocytes().state;
+    const auto found = enter_branch(branch, classical_material(), numerics_);
+    if (!found)
+      throw std::domain_error(
+          fmt::format("classical {}s: Newton's method failed at the entry", name(branch)));
+    return found->state;
+  });
+}
+
+const BranchState& ElementBranches::flat_oblate() {
+  return once(flat_, [&] { return moved(entry(Branch::oblate), 0.59, numerics_); });
+}
+
+const BranchEntry& ElementBranches::stomatocytes() {
+  return once(stomatocytes_, [&] {
+    auto found = enter_stomatocytes(flat_oblate(), classical_material(), numerics_);
+    if (!found) throw std::domain_error("classical stomatocytes: the branch was lost");
+    return *found;
+  });
+}
+
+SpecialPoints ElementBranches::special_points() {
+  const BranchState oblate = moved(flat_oblate(), 0.65, numerics_);
+  const BranchState prolate = moved(entry(Branch::prolate), 0.65, numerics_);
+  return {
+      .prolate_oblate = equal_energy(oblate, prolate, 0.651, numerics_),
+      .oblate_stomatocyte = equal_energy(flat_oblate(), stomatocytes().state, 0.591, numerics_),
+      .stomatocyte_fold = point_of(*stomatocytes().fold),
+      .oblate_symmetry_loss = point_of(*stomatocytes().pitchfork),
+      .oblate_self_contact = self_contact(flat_oblate(), numerics_),
+  };
+}
+
+std::vector<ClassicalShape> ElementBranches::shapes(Branch branch,
+                                                    std::span<const double> reduced_volumes) {
   // Downwards from the entry, then upwards from it; stomatocytes downwards from the fold.
   std::vector<std::size_t> order(reduced_volumes.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
   std::sort(order.begin(), order.end(),
             [&](auto i, auto j) { return reduced_volumes[i] > reduced_volumes[j]; });
-  const BranchState start = entry(branch, numerics);
+  const BranchState& start = entry(branch);
   const auto first_below = std::stable_partition(order.begin(), order.end(), [&](std::size_t i) {
     return reduced_volumes[i] > start.at.reduced_volume;
   });
@@ -141,7 +158,7 @@ std::vector<ClassicalShape> element_branch(Branch branch, std::span<const double
   const auto walk = [&](auto begin, auto end) {
     BranchState here = start;
     for (auto i = begin; i != end; ++i) {
-      here = moved(here, reduced_volumes[*i], numerics);
+      here = moved(here, reduced_volumes[*i], numerics_);
       shapes[*i] = shape_of(branch, here);
     }
   };
@@ -150,17 +167,26 @@ std::vector<ClassicalShape> element_branch(Branch branch, std::span<const double
   return shapes;
 }
 
-SpecialPoints element_special_points(const Numerics& numerics) {
-  Numerics coarse = numerics;
-  coarse.elements = numerics.elements / 2;
-  SpecialPoints points = special_points(numerics);
-  const SpecialPoints rough = special_points(coarse);
+SpecialPoints ElementBranches::special_points_with_errors() {
+  SpecialPoints points = special_points();
+  Numerics coarse = numerics_;
+  coarse.elements /= 2;
+  const SpecialPoints rough = ElementBranches(coarse).special_points();
   for (const auto member : {&SpecialPoints::prolate_oblate, &SpecialPoints::oblate_stomatocyte,
                             &SpecialPoints::stomatocyte_fold, &SpecialPoints::oblate_symmetry_loss,
                             &SpecialPoints::oblate_self_contact})
     (points.*member).error =
         std::abs((points.*member).reduced_volume - (rough.*member).reduced_volume);
   return points;
+}
+
+std::vector<ClassicalShape> element_branch(Branch branch, std::span<const double> reduced_volumes,
+                                           const Numerics& numerics) {
+  return ElementBranches(numerics).shapes(branch, reduced_volumes);
+}
+
+SpecialPoints element_special_points(const Numerics& numerics) {
+  return ElementBranches(numerics).special_points_with_errors();
 }
 
 }  // namespace sbeh::axisym

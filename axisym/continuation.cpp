@@ -16,6 +16,7 @@ Target target_of(double reduced_volume) {
 
 namespace {
 
+constexpr double stale = 0.1;         // displacement after which nodes are redistributed
 constexpr int direct_iterations = 6;  // more than these: the prediction was not on the branch
 
 std::optional<NewtonResult> solve_near(const Line& line, double mu, const StationaryState& guess,
@@ -49,18 +50,22 @@ FollowResult follow(const model::Material& material, model::Model model, const B
 
   const double whole = 1 / here->tangent.parameter;  // arc length to μ = 1 along the tangent
   if (whole * largest_change(here->tangent) < 0.3) {
-    NewtonSystem system(line.material(0), model, int(from.solution.state.beta.size()));
     StationaryState guess = from.solution;
-    if (system.linearise(guess)) system.apply(here->tangent, whole, guess);
+    displace(here->tangent, whole, guess);
     if (const auto r = solve_near(line, 1, guess, sign))
       return {Arrival::reached, arrived(line, 1, r->solution, sign, numerics)};
   }
 
-  double ds = std::min(whole / 2, 0.1);
+  double ds = std::min(whole / 2, 0.1), moved = 0;
   for (int step = 0; step < 200 && ds > 1e-7; ++step) {
     const auto next = arc_step(line, *here, ds);
     if (!next) {
       ds /= 2;
+      continue;
+    }
+    if (next->tangent.parameter <= 0 && moved > 0) {  // the fold is worth fresh nodes
+      here = with_fresh_nodes(line, *here, numerics.grading);
+      moved = 0;
       continue;
     }
     if (next->tangent.parameter <= 0) {
@@ -82,7 +87,12 @@ FollowResult follow(const model::Material& material, model::Model model, const B
       continue;
     }
     // Move on, with the nodes where the curvature now is.
-    here = with_fresh_nodes(line, *next, numerics.grading);
+    moved += ds * largest_change(here->tangent);
+    here = next;
+    if (moved > stale) {
+      here = with_fresh_nodes(line, *here, numerics.grading);
+      moved = 0;
+    }
     ds *= 1.5;
   }
   return {Arrival::lost, {.at = line.at(here->mu), .solution = here->s, .determinant_sign = sign}};

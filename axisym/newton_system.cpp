@@ -25,6 +25,15 @@ Eigen::VectorXd scattered(const Increment& row) {
   return v;
 }
 
+void displace(const Nodes& normals, const Increment& step, double scale, StationaryState& s) {
+  s.state.X += normals * (scale * step.d).asDiagonal();
+  s.state.beta += scale * step.beta;
+  s.Lambda += scale * step.Lambda;
+  s.H += scale * step.H;
+  s.tension += scale * step.tension;
+  s.pressure += scale * step.pressure;
+}
+
 }  // namespace
 
 NewtonSystem::NewtonSystem(const model::Material& material, model::Model model, int nodes)
@@ -109,12 +118,11 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
 }
 
 void NewtonSystem::apply(const Increment& step, double scale, StationaryState& s) const {
-  s.state.X += normals_ * (scale * step.d).asDiagonal();
-  s.state.beta += scale * step.beta;
-  s.Lambda += scale * step.Lambda;
-  s.H += scale * step.H;
-  s.tension += scale * step.tension;
-  s.pressure += scale * step.pressure;
+  displace(normals_, step, scale, s);
+}
+
+void displace(const Increment& step, double scale, StationaryState& s) {
+  displace(node_normals(s.state.X), step, scale, s);
 }
 
 }  // namespace sbeh::axisym

@@ -30,6 +30,9 @@ struct Parameter {
   Increment row;                  ///< only d, β and parameter are used
 };
 
+/// s moves by scale · step along its node normals.
+void displace(const Increment& step, double scale, StationaryState& s);
+
 class NewtonSystem {
  public:
   NewtonSystem(const model::Material& material, model::Model model, int nodes);

@@ -112,7 +112,7 @@ std::shared_ptr<const Basis> basis(Symmetry symmetry, int cutoff, const Grading&
   for (int k = step; k <= cutoff; k += step) B->k.push_back(k);
   B->cutoff = B->k.back();
   const int N = step * int(std::ceil(oversampling * cutoff / step));  // on the whole curve
-  const int n = B->modes(), points = N / step;
+  const int n = int(B->k.size()), points = N / step;
   B->x.resize(points);
   B->S.resize(points, n), B->dS.resize(points, n);
   B->C.resize(points, n + 1), B->dC.resize(points, n + 1);
@@ -147,6 +147,7 @@ std::shared_ptr<const Basis> basis(Symmetry symmetry, int cutoff, const Grading&
   B->M = sines * cosines.transpose() * slope.asDiagonal();
   B->odd.array() *= slope.array();
   B->even = slope / points;
+  B->dx = slope.cwiseInverse();
   return B;
 }
 
@@ -176,7 +177,7 @@ Angles angles(const Curve& curve) {
   const Basis& B = *curve.basis;
   Angles at;
   at.psi = pi * B.x + B.S * curve.b;
-  at.dpsi = B.dS * curve.b + pi / B.points() * B.even.cwiseInverse();
+  at.dpsi = B.dS * curve.b + pi * B.dx;
   at.r = B.M * at.psi.array().cos().matrix();
   return at;
 }

@@ -31,20 +31,22 @@ struct Grading {
   double inverse(double sigma) const;
 };
 
-/// Collocation points and the trigonometric functions on them. Symmetric bases hold half the curve.
+/// Collocation points and the trigonometric functions on them, or those of rim_basis.h. Symmetric bases
+/// hold half the curve.
 struct Basis {
   Symmetry symmetry;
   Grading grading;
-  int cutoff;             // largest k
-  std::vector<int> k;     // n wave numbers of the angle: 1, 2, 3 … or 2, 4, 6 …
+  int cutoff;             // largest k, 0 for those of rim_basis.h
+  std::vector<int> k;     // n wave numbers of the angle: 1, 2, 3 … or 2, 4, 6 …, or none
   Eigen::VectorXd x;      // N points
+  Eigen::VectorXd dx;     // N: dx/dσ
   Eigen::VectorXd even;   // N weights of ∫ dσ over the whole curve for even functions
   Eigen::VectorXd odd;    // N weights for odd functions
   Eigen::MatrixXd S, dS;  // N x n: sin(kπx) and its derivative by σ
   Eigen::MatrixXd C, dC;  // N x (n + 1): cos(kπx), k = 0 first, and its derivative by σ
   Eigen::MatrixXd M;  // N x N: f ↦ ∫₀ˣ f dσ for f even and periodic; a mean of f dσ/dx is left out
 
-  int modes() const { return int(k.size()); }
+  int modes() const { return int(S.cols()); }
   int points() const { return int(x.size()); }
 };
 

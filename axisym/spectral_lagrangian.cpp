@@ -125,7 +125,7 @@ struct Sampled {
                          + jacobian(dpsi).transpose() * g.col(dpsi)
                          + jacobian(radius).transpose() * g.col(radius);
     if (problem.with_order)
-      result.tail(n + 1) =
+      result.tail(problem.order_modes()) =
           jacobian(order).transpose() * g.col(order) + jacobian(dorder).transpose() * g.col(dorder);
     return result;
   }
@@ -150,7 +150,7 @@ Curve curve_of(const Problem& problem, const VectorXd& y) {
   return {.basis = problem.basis, .length = y[0], .b = y.segment(1, problem.basis->modes())};
 }
 VectorXd order_of(const Problem& problem, const VectorXd& y) {
-  return problem.with_order ? y.tail(problem.basis->modes() + 1) : VectorXd();
+  return y.tail(problem.order_modes());
 }
 
 std::optional<Expansion> expand(const Problem& problem, const VectorXd& y) {
@@ -232,7 +232,8 @@ MatrixXd hessian(const Problem& problem, const VectorXd& y, const Multipliers& m
   add_length({psi, dpsi, radius}, 1);
   if (problem.with_order) {
     add({order, dorder}, 1 + n, {psi, dpsi, radius}, 1);
-    result.block(1, 1 + n, n, n + 1) = result.block(1 + n, 1, n + 1, n).transpose();
+    const Eigen::Index c = problem.order_modes();
+    result.block(1, 1 + n, n, c) = result.block(1 + n, 1, c, n).transpose();
     add({order, dorder}, 1 + n, {order, dorder}, 1 + n);
     add_length({order, dorder}, 1 + n);
   }

@@ -20,7 +20,8 @@ struct Problem {
   std::shared_ptr<const Basis> basis;
   bool with_order = true;
 
-  int unknowns() const { return 1 + basis->modes() + (with_order ? basis->modes() + 1 : 0); }
+  int unknowns() const { return 1 + basis->modes() + order_modes(); }
+  int order_modes() const { return with_order ? int(basis->C.cols()) : 0; }
   int constraints() const { return basis->symmetry == Symmetry::none ? 3 : 2; }
 
   /// F/κ = ½∫H² dS of the shape alone.

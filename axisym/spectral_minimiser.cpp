@@ -101,7 +101,10 @@ std::optional<Ordered> ordered_from(const model::Material& material, double redu
   constexpr int first = 60, most = 210;
   const Grading grading{.a = branch == Branch::oblate ? 0.8 : 0};  // finer at the rim
   for (int cutoff = first; cutoff <= most; cutoff = cutoff * 3 / 2) {
-    const Problem problem{material, basis(Symmetry::top_bottom, cutoff, grading), true};
+    const auto modes = branch == Branch::stomatocyte
+                         ? basis_for(branch, reduced_volume, cutoff)
+                         : basis(Symmetry::top_bottom, cutoff, grading);
+    const Problem problem{material, modes, true};
     VectorXd longer = VectorXd::Zero(problem.basis->modes() + 1);
     longer.head(std::min(c.size(), longer.size())) = c.head(std::min(c.size(), longer.size()));
     const auto state = minimise(problem, target_of(problem, reduced_volume),
@@ -148,8 +151,6 @@ std::optional<OrderedMinimum> minimise_ordered(const model::Material& material,
                                                double reduced_volume, Branch start) {
   require_reduced_volume(reduced_volume);
   material.validate();
-  if (start == Branch::stomatocyte)
-    throw std::invalid_argument("minimise_ordered: start from an oblate or a prolate");
   const auto classical = minimum(start, reduced_volume);
   if (!classical) return {};
   Curve curve = classical->curve();

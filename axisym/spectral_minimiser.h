@@ -31,7 +31,7 @@ std::vector<ClassicalShape> minimise_branch(Branch branch, std::span<const doubl
 /// Two resolutions; the errors are their difference and a bound on rounding.
 SpecialPoints minimise_special_points();
 
-/// A minimum of U over shape and order, symmetric top to bottom.
+/// A minimum of U over shape and order; oblates and prolates among those symmetric top to bottom.
 struct OrderedMinimum {
   double reduced_volume;
   double energy;                       ///< U
@@ -45,9 +45,9 @@ struct OrderedMinimum {
   Eigen::VectorXd order;               // n: β there
 };
 
-/// The minimum next to the classical oblate or prolate with β = 2/3, directly or in steps of the elastic
-/// constants. Empty where there is none that is smooth: beyond the fold, where the rim sharpens.
-/// Throws std::invalid_argument unless 0 < V_r < 1 and the material is valid, and for stomatocytes.
+/// The minimum next to the classical shape of the branch with β = 2/3, directly or in steps of the elastic
+/// constants. Empty where there is none that is smooth: beyond the fold.
+/// Throws std::invalid_argument unless 0 < V_r < 1 and the material is valid.
 std::optional<OrderedMinimum> minimise_ordered(const model::Material& material,
                                                double reduced_volume,
                                                Branch start = Branch::oblate);

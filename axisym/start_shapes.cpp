@@ -65,8 +65,22 @@ Nodes spheroid(double v, bool prolate, int elements, double grading) {
     q = std::exp(bracket.first);
   }
   Nodes X = spheroid(1, q, elements, grading);
-  correct_area_volume(X, 4 * pi, 4 * pi / 3 * v);
-  return X;
+  if (correct_area_volume(X, 4 * pi, 4 * pi / 3 * v)) return X;
+  // Too sharp for a small displacement along the normal: the spheroid whose elements hold the volume.
+  const auto held = [&](double log_q) {
+    const Nodes Y = spheroid(1, std::exp(log_q), elements, grading);
+    return reduced_volume(area(Y), volume(Y)) / v - 1;
+  };
+  const double near = std::log(q), low = near - 1, high = near + 1;
+  if (!(held(low) * held(high) < 0))
+    throw std::invalid_argument(
+        fmt::format("spheroid: reduced volume {}: {} elements cannot hold one so {}; give more "
+                    "elements or a larger reduced volume",
+                    v, elements, prolate ? "thin" : "flat"));
+  std::uintmax_t iterations = 60;
+  const auto bracket = boost::math::tools::toms748_solve(
+      held, low, high, boost::math::tools::eps_tolerance<double>(48), iterations);
+  return spheroid(1, std::exp(bracket.first), elements, grading);
 }
 
 double zonal_sum(std::span<const Mode> modes, double theta) {

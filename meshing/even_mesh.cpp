@@ -1,6 +1,8 @@
 #include "meshing/even_mesh.h"
 
+#include "meshing/curving.h"
 #include "meshing/icosphere.h"
+#include "meshing/quality.h"
 #include "meshing/remeshing.h"
 
 #include <fmt/format.h>
@@ -32,18 +34,52 @@ int triangle_count(int wanted) {
   return 20 * n * n;
 }
 
-TriangleMesh even_mesh(const Resolution& resolution, const Projection& from_sphere,
-                       const Projection& onto_surface) {
+namespace {
+
+struct Candidate {
+  CurvedMesh mesh;
+  double min_jacobian = 0;
+  double score = 0;  // 1: good enough
+};
+
+Candidate candidate(const TriangleMesh& plain, int order, const Projection& onto_surface) {
+  constexpr double good_angle = 40, good_jacobian = 0.4;
+  Candidate c{.mesh = curved(plain, order, onto_surface)};
+  c.min_jacobian = min_jacobian(c.mesh);
+  c.score = std::min(min_angle(plain) / good_angle, c.min_jacobian / good_jacobian);
+  return c;
+}
+
+}  // namespace
+
+CurvedMesh even_mesh(const Resolution& resolution, const Projection& from_sphere,
+                     const Projection& onto_surface) {
   constexpr int coarsest = 4;  // divisions that a shape needs for its triangles to settle
-  constexpr double good_angle = 40;
   int n = divisions(resolution.triangles), halvings = 0;
   for (; n % 2 == 0 && n / 2 >= coarsest; n /= 2) ++halvings;
-  TriangleMesh mesh = icosphere(n);
-  project(mesh, from_sphere);
-  mesh = refined(std::move(mesh), halvings, onto_surface, resolution.grading);
-  if (resolution.grading > 0 || min_angle(mesh) >= good_angle) return mesh;
-  TriangleMesh other = remeshed(mesh, mesh.triangle_count(), onto_surface, resolution.grading);
-  return min_angle(other) > min_angle(mesh) ? other : mesh;
+  TriangleMesh start = icosphere(n);
+  project(start, from_sphere);
+
+  Candidate best;
+  for (const double evenness : {0.5, 1.}) {
+    const Smoothing aim{.grading = resolution.grading, .evenness = evenness};
+    const TriangleMesh plain = refined(start, halvings, onto_surface, aim);
+    Candidate other = candidate(plain, resolution.order, onto_surface);
+    if (best.mesh.triangle_count() == 0 || other.score > best.score) best = std::move(other);
+    if (best.score >= 1) return best.mesh;
+  }
+  if (resolution.grading == 0) {
+    const TriangleMesh plain =
+        remeshed(corners(best.mesh), best.mesh.triangle_count(), onto_surface, 0);
+    Candidate other = candidate(plain, resolution.order, onto_surface);
+    if (other.score > best.score) best = std::move(other);
+  }
+  if (!(best.min_jacobian > 0))
+    throw std::invalid_argument(
+        fmt::format("the shape bends too sharply for {} triangles, some fold over when they are "
+                    "curved: take more",
+                    best.mesh.triangle_count()));
+  return best.mesh;
 }
 
 }  // namespace sbeh::meshing

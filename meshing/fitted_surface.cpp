@@ -4,9 +4,11 @@
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <stdexcept>
 
 namespace sbeh::meshing {
@@ -75,12 +77,32 @@ Eigen::Matrix3Xd point_normals(const TriangleMesh& mesh) {
   return normals;
 }
 
+// No fit makes sense across a sharp edge: the icosahedron has 42 degrees between its triangles.
+void require_smooth(const HalfEdgeMesh& mesh) {
+  constexpr double sharpest = 60;  // degrees between the normals
+  const auto normal = [&](OpenMesh::SmartHalfedgeHandle h) {
+    const Vector3d a = meshing::point(mesh, h.from());
+    return Vector3d(
+        (meshing::point(mesh, h.to()) - a).cross(meshing::point(mesh, h.next().to()) - a));
+  };
+  for (const auto edge : mesh.edges()) {
+    if (edge.is_boundary()) throw std::invalid_argument("fitted surface: the mesh is open");
+    const Vector3d n = normal(edge.h0()), m = normal(edge.h1());
+    const double angle = std::atan2(n.cross(m).norm(), n.dot(m)) * 180 / std::numbers::pi;
+    if (angle > sharpest)
+      throw std::invalid_argument(fmt::format(
+          "edge {}-{}: triangles {} and {} meet at {:.0f} degrees, more than {}: no smooth "
+          "surface can be put through them; more triangles there would help",
+          edge.v0().idx(), edge.v1().idx(), edge.h0().face().idx(), edge.h1().face().idx(), angle,
+          sharpest));
+  }
+}
+
 }  // namespace
 
 FittedSurface::FittedSurface(const TriangleMesh& mesh) : mesh_(mesh) {
   const HalfEdgeMesh half_edges = half_edge_mesh(mesh);
-  for (const auto edge : half_edges.edges())
-    if (edge.is_boundary()) throw std::invalid_argument("fitted surface: the mesh is open");
+  require_smooth(half_edges);
   const Eigen::Matrix3Xd normals = point_normals(mesh);
   Rings rings(half_edges);
   constexpr double same_side = 0.3;  // cosine between normals: beyond, a graph cannot follow
@@ -98,7 +120,7 @@ FittedSurface::Graph FittedSurface::graph_at(int point, const std::vector<int>& 
   g.frame << tangent, normal.cross(tangent), normal;
   g.degree = highest_degree;
   const auto count = Eigen::Index(around.size());
-  while (g.degree > 1 && 2 * count < 3 * monomial_count(g.degree)) --g.degree;
+  while (g.degree > 1 && 5 * count < 6 * monomial_count(g.degree)) --g.degree;
   if (count < monomial_count(g.degree)) {
     g.coefficients = VectorXd::Zero(2);
     g.degree = 1;
@@ -114,7 +136,7 @@ FittedSurface::Graph FittedSurface::graph_at(int point, const std::vector<int>& 
   Eigen::MatrixXd A(count, monomial_count(g.degree));
   VectorXd b(count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const double weight = std::exp(-local.col(k).squaredNorm() / 4);
+    const double weight = std::exp(-local.col(k).squaredNorm());
     A.row(k) = weight * monomials(g.degree, local(0, k), local(1, k));
     b[k] = weight * local(2, k);
   }

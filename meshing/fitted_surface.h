@@ -16,7 +16,8 @@ namespace sbeh::meshing {
 /// within O(h⁵) of it.
 class FittedSurface {
  public:
-  /// Throws std::invalid_argument unless the mesh is closed and oriented.
+  /// Throws std::invalid_argument unless the mesh is closed and oriented, and where triangles meet
+  /// at more than 60 degrees: they describe no smooth surface.
   explicit FittedSurface(const TriangleMesh& mesh);
 
   /// The place on the smooth surface for barycentric coordinates in a triangle.

@@ -16,8 +16,7 @@ std::vector<std::array<int, 2>> self_intersections(const TriangleMesh& mesh) {
   CGAL::Polygon_mesh_processing::self_intersections(half_edges, std::back_inserter(found));
   std::vector<std::array<int, 2>> pairs;
   for (const auto& [a, b] : found) {
-    const auto [low, high] = std::minmax(a.idx(), b.idx());
-    pairs.push_back({low, high});
+    pairs.push_back({std::min(a.idx(), b.idx()), std::max(a.idx(), b.idx())});
   }
   std::sort(pairs.begin(), pairs.end());
   return pairs;

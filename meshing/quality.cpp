@@ -63,27 +63,30 @@ Eigen::Matrix2Xd jacobian_points() {
 void measure_jacobian(const CurvedMesh& mesh, Quality& q) {
   const model::TriangleElement element(mesh.order);
   std::vector<Eigen::MatrixX2d> dphi;
-  for (const auto x : jacobian_points().colwise())
+  const Eigen::Matrix2Xd points = jacobian_points();
+  for (const auto x : points.colwise())
     dphi.emplace_back(element.derivatives(x).transpose());
   q.min_jacobian = std::numeric_limits<double>::infinity();
   q.max_jacobian = -q.min_jacobian;
-  for (const auto c : mesh.triangles.colwise()) {
-    const Eigen::Matrix3Xd X = mesh.nodes(Eigen::all, c);
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    const Eigen::Matrix3Xd X = mesh.nodes(Eigen::all, mesh.triangles.col(t));
     const Vector3d plain = (X.col(1) - X.col(0)).cross(X.col(2) - X.col(0));
     for (const auto& d : dphi) {
       const Eigen::Matrix<double, 3, 2> dX = X * d;
       const double J = dX.col(0).cross(dX.col(1)).dot(plain) / plain.squaredNorm();
+      if (J < q.min_jacobian) q.worst_triangle = t;
       q.min_jacobian = std::min(q.min_jacobian, J);
       q.max_jacobian = std::max(q.max_jacobian, J);
     }
   }
 }
 
-int count_self_intersections(const CurvedMesh& mesh) {
+void measure_intersections(const CurvedMesh& mesh, Quality& q) {
   const int parts = mesh.order * mesh.order;
   std::set<std::array<int, 2>> pairs;
   for (const auto& [a, b] : self_intersections(lattice(mesh))) pairs.insert({a / parts, b / parts});
-  return int(pairs.size());
+  q.self_intersections = int(pairs.size());
+  if (!pairs.empty()) q.first_pair = *pairs.begin();
 }
 
 }  // namespace
@@ -98,6 +101,12 @@ TriangleMesh lattice(const CurvedMesh& mesh) {
   return fine;
 }
 
+double min_jacobian(const CurvedMesh& mesh) {
+  Quality q;
+  measure_jacobian(mesh, q);
+  return q.min_jacobian;
+}
+
 Quality quality_of(const CurvedMesh& mesh) {
   Quality q;
   q.triangles = mesh.triangle_count();
@@ -107,7 +116,7 @@ Quality quality_of(const CurvedMesh& mesh) {
   const TriangleMesh plain = corners(mesh);
   measure_corners(plain, q);
   measure_jacobian(mesh, q);
-  q.self_intersections = count_self_intersections(mesh);
+  measure_intersections(mesh, q);
   const HalfEdgeMesh half_edges = half_edge_mesh(plain);
   q.euler = int(half_edges.n_vertices()) - int(half_edges.n_edges()) + int(half_edges.n_faces());
   return q;

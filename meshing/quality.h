@@ -4,6 +4,7 @@
 #include "meshing/curved_mesh.h"
 #include "meshing/triangle_mesh.h"
 
+#include <array>
 #include <map>
 
 namespace sbeh::meshing {
@@ -18,14 +19,18 @@ struct Quality {
   /// Extreme values of (X_1 × X_2)·n / |X_1 × X_2| of the plain triangle, n its normal: 1 for a
   /// plain one; a curved triangle that folds over has values <= 0.
   double min_jacobian = 0, max_jacobian = 0;
+  int worst_triangle = 0;       ///< the one with min_jacobian
   std::map<int, int> valences;  ///< number of triangles at a vertex → how many such vertices
-  int self_intersections =
-      0;          ///< pairs of curved triangles, each seen as its small plain triangles
-  int euler = 0;  ///< V − E + F, 2 for the sphere
+  int self_intersections = 0;   ///< pairs of curved triangles, each seen as its small plain ones
+  std::array<int, 2> first_pair{};  ///< of them
+  int euler = 0;                    ///< V − E + F, 2 for the sphere
 };
 
 /// Throws std::invalid_argument when the triangles make no oriented surface.
 Quality quality_of(const CurvedMesh& mesh);
+
+/// Smallest Jacobian of the curved triangles, as in Quality.
+double min_jacobian(const CurvedMesh& mesh);
 
 /// The small plain triangles between the nodes, order² for each curved one, in its place and order.
 TriangleMesh lattice(const CurvedMesh& mesh);

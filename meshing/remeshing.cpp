@@ -43,7 +43,7 @@ TriangleMesh remeshed(const TriangleMesh& mesh, int triangles, const Projection&
   TriangleMesh result = with_edges_of(length, mesh, onto_surface);
   length *= std::sqrt(double(result.triangle_count()) / triangles);
   result = with_edges_of(length, result, onto_surface);
-  smooth(result, onto_surface, grading, sweeps);
+  smooth(result, onto_surface, {.grading = grading}, sweeps);
   return result;
 }
 

@@ -1,8 +1,6 @@
 #include "meshing/revolution.h"
 
-#include "meshing/curving.h"
 #include "meshing/even_mesh.h"
-#include "meshing/icosphere.h"
 
 #include <cmath>
 
@@ -33,8 +31,7 @@ RevolvedMesh revolved(const Profile& profile, const Resolution& resolution) {
   const Projection from_sphere = [&](const Vector3d& d) {
     return turned(curve.at(curve.at_area((1 - d.z()) / 2)), d);
   };
-  const TriangleMesh mesh = even_mesh(resolution, from_sphere, onto_profile);
-  RevolvedMesh result{.mesh = curved(mesh, resolution.order, onto_profile), .beta = {}};
+  RevolvedMesh result{.mesh = even_mesh(resolution, from_sphere, onto_profile), .beta = {}};
   if (down.beta.size() == 0) return result;
   result.beta.resize(result.mesh.node_count());
   for (int i = 0; i < result.mesh.node_count(); ++i)

@@ -1,6 +1,5 @@
 #include "meshing/shapes.h"
 
-#include "meshing/curving.h"
 #include "meshing/even_mesh.h"
 #include "meshing/measures.h"
 
@@ -49,7 +48,7 @@ CurvedMesh star_shaped(const RadialFunction& r, const Resolution& resolution) {
                       std::acos(d.z()), std::atan2(d.y(), d.x())));
     return radius * d;
   };
-  return curved(even_mesh(resolution, radially, radially), resolution.order, radially);
+  return even_mesh(resolution, radially, radially);
 }
 
 CurvedMesh sphere(const Resolution& resolution) {

@@ -71,16 +71,16 @@ Eigen::VectorXd wanted_sizes(const HalfEdgeMesh& mesh, double grading) {
 }
 
 // One Jacobi sweep.
-void move_points(HalfEdgeMesh& mesh, const Projection& onto_surface, double grading) {
+void move_points(HalfEdgeMesh& mesh, const Projection& onto_surface, const Smoothing& aim) {
   const Eigen::Index count = Eigen::Index(mesh.n_vertices());
   const Eigen::VectorXd size =
-      grading > 0 ? wanted_sizes(mesh, grading) : Eigen::VectorXd::Ones(count);
+      aim.grading > 0 ? wanted_sizes(mesh, aim.grading) : Eigen::VectorXd::Ones(count);
   Eigen::Matrix3Xd centre = Eigen::Matrix3Xd::Zero(3, count), normal = centre;
   Eigen::VectorXd total = Eigen::VectorXd::Zero(count);
   for_each_face(mesh, [&](const Face& f) {
     const auto [i, j, k] = f.corner;
     const double mean_size = (size[i] + size[j] + size[k]) / 3;
-    const double weight = std::sqrt(f.area.norm()) / (mean_size * mean_size);
+    const double weight = std::pow(f.area.norm() / std::pow(mean_size, 4), aim.evenness);
     const Vector3d centroid = (f.x[0] + f.x[1] + f.x[2]) / 3;
     for (const int vertex : f.corner) {
       centre.col(vertex) += weight * centroid;
@@ -132,26 +132,27 @@ void project(TriangleMesh& mesh, const Projection& onto_surface) {
     mesh.points.col(i) = onto_surface(mesh.points.col(i));
 }
 
-void smooth(TriangleMesh& mesh, const Projection& onto_surface, double grading, int sweeps) {
+void smooth(TriangleMesh& mesh, const Projection& onto_surface, const Smoothing& aim, int sweeps) {
   constexpr int flip_passes = 10;  // they end by themselves long before, except for rounding
   HalfEdgeMesh half_edges = half_edge_mesh(mesh);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
-    move_points(half_edges, onto_surface, grading);
+    move_points(half_edges, onto_surface, aim);
     for (int pass = 0; pass < flip_passes && flip_edges(half_edges) > 0; ++pass) {
     }
   }
   mesh = triangle_mesh(half_edges);
 }
 
-TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface, double grading) {
+TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface,
+                     const Smoothing& aim) {
   constexpr int sweeps = 40;
   project(mesh, onto_surface);
   // Long waves settle as the square of their length.
-  smooth(mesh, onto_surface, grading, sweeps + mesh.triangle_count() / 40);
+  smooth(mesh, onto_surface, aim, sweeps + mesh.triangle_count() / 40);
   for (int level = 0; level < times; ++level) {
     mesh = subdivided(mesh);
     project(mesh, onto_surface);
-    smooth(mesh, onto_surface, grading, sweeps);
+    smooth(mesh, onto_surface, aim, sweeps);
   }
   return mesh;
 }

@@ -13,17 +13,24 @@ using Projection = std::function<Eigen::Vector3d(const Eigen::Vector3d&)>;
 /// Moves every point onto the surface.
 void project(TriangleMesh& mesh, const Projection& onto_surface);
 
+/// What smoothing aims at.
+struct Smoothing {
+  /// Wanted edge lengths 1/(1 + grading R|H|/2) up to a factor, R = √(A/4π): the same everywhere for
+  /// 0; for 1 twice as long where the surface is flat as where |H| = 2/R.
+  double grading = 0;
+  /// Power of the triangles' areas in their weights: 1 makes areas even at the cost of angles,
+  /// 0 angles at the cost of areas.
+  double evenness = 0.5;
+};
+
 /// Sweeps over a closed mesh: every point goes along the surface to the weighted mean of the
-/// centroids of its triangles and back onto the surface; then edges that violate Delaunay's
-/// criterion flip. Weights √area/size²: equal areas would cost angles, equal weights sizes.
-///
-/// size = 1/(1 + grading R|H|/2), R = √(A/4π), is the wanted edge length up to a factor: the same
-/// everywhere for grading = 0; for grading = 1 twice as long where the surface is flat as where
-/// |H| = 2/R.
-void smooth(TriangleMesh& mesh, const Projection& onto_surface, double grading, int sweeps);
+/// centroids of its triangles, weight = (area/size⁴)^evenness, and back onto the surface; then edges
+/// that violate Delaunay's criterion flip.
+void smooth(TriangleMesh& mesh, const Projection& onto_surface, const Smoothing& aim, int sweeps);
 
 /// Smooths; then so many times divides each triangle into four, projects and smooths again.
-TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface, double grading);
+TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface,
+                     const Smoothing& aim);
 
 /// Smallest angle of the triangles, degrees.
 double min_angle(const TriangleMesh& mesh);

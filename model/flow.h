@@ -201,12 +201,13 @@ FlowResult<typename Solver::State> Flow<Solver>::run(const State& start, const F
   FlowResult<State> run{.stop = FlowStop::end_time, .state = start, .last = from, .steps = 0};
   run.last.energy = solver_.energy(start);
   double tau = from.next_step > 0 ? from.next_step : control_.first_step;
+  run.last.next_step = tau;
 
   const std::vector<double> stops = stops_of(schedule);
   auto next = stops.begin();
   const bool begins_with_output = *next <= from.time;
   while (next != stops.end() && *next <= from.time) ++next;
-  const bool begins = from.time == 0;
+  const bool begins = from.next_step == 0;  // and does not go on
   if (begins && observe && !observe(run.last, run.state, begins_with_output))
     return run.stop = FlowStop::interrupted, run;
 

@@ -29,18 +29,22 @@ std::vector<Row> collect(std::size_t count, Find&& find) {
   return rows;
 }
 
+// The fold that the scan has run into, or else the one ahead of its largest L.
 std::vector<FoldRow> fold_of(const ScanInput& input, const std::string& branch, double v,
                              const PointLookup& point) {
-  for (auto L = input.L.rbegin(); L != input.L.rend(); ++L) {
-    const auto last = point({v, *L, Model::SBEH, branch});
-    if (!is_stationary(last)) continue;
-    const auto fold = fold_above(input, {{v, *L}, *last->state});
-    if (!fold) return {};
-    const axisym::Diagnostics d =
-        axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state);
-    return {{branch, v, fold->at.L, d.energy.total(), d.order_min, d.H_abs_max}};
+  for (const double L : input.L) {
+    const auto at = point({v, L, Model::SBEH, branch});
+    if (!at || !at->row.fold_L) continue;
+    const axisym::Diagnostics& d = *at->row.diagnostics;
+    return {{branch, v, *at->row.fold_L, d.energy.total(), d.order_min, d.H_abs_max}};
   }
-  return {};
+  const double L = input.L.back();
+  const auto last = point({v, L, Model::SBEH, branch});
+  const auto fold = is_stationary(last) ? fold_above(input, {{v, L}, *last->state}) : std::nullopt;
+  if (!fold) return {};
+  const axisym::Diagnostics d =
+      axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state);
+  return {{branch, v, fold->at.L, d.energy.total(), d.order_min, d.H_abs_max}};
 }
 
 // Newton on the difference of two branches' energies, from states at the same reduced volume.
@@ -113,6 +117,38 @@ std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const Po
   return collect<EqualEnergyRow>(input.L.size(), [&](std::size_t k) {
     return meetings_at(input, ordered ? Model::SBEH : Model::SSH, input.L[k], point);
   });
+}
+
+std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
+                                   const std::vector<axisym::RimRecord>& beyond) {
+  std::vector<LowestRow> rows;
+  for (const Model model : input.models)
+    for (const double L : input.L)
+      for (const double v : input.reduced_volume) {
+        std::optional<LowestRow> lowest;
+        const auto offer = [&](const std::string& branch, double energy) {
+          if (!lowest || energy < lowest->energy) lowest = LowestRow{model, L, v, branch, energy};
+        };
+        for (const std::string& branch : input.branches) {
+          const PointResult* point = row({v, L, model, branch});
+          if (point && point->status == PointStatus::stationary)
+            offer(branch, point->diagnostics->energy.total());
+        }
+        for (const axisym::RimRecord& state : beyond)
+          if (model == Model::SBEH && state.kind == axisym::RimKind::sharp && state.L == L
+              && state.reduced_volume == v && state.resolution <= axisym::resolution_limit)
+            offer("sharp_oblate", state.energy);
+        if (lowest) rows.push_back(*lowest);
+      }
+  return rows;
+}
+
+std::string table_of(const std::vector<LowestRow>& rows) {
+  std::string text = "model,L,reduced_volume,branch,energy\n";
+  for (const LowestRow& r : rows)
+    text += fmt::format("{},{},{},{},{}\n", model::name(r.model), r.L, r.reduced_volume, r.branch,
+                        r.energy);
+  return text;
 }
 
 std::string table_of(const std::vector<FoldRow>& rows) {

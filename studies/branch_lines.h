@@ -2,6 +2,7 @@
 // energy.
 #pragma once
 
+#include "axisym/beyond_fold.h"
 #include "studies/branch_points.h"
 
 #include <functional>
@@ -20,7 +21,7 @@ struct FoldRow {
 };
 
 /// The folds of SBEH in which the branches end as L grows, below L = 2, one per reduced volume and
-/// branch, each followed from the point of largest L that is stationary. In parallel.
+/// branch: those that the scan has run into, and those ahead of its largest L. In parallel.
 std::vector<FoldRow> find_folds(const ScanInput& input, const PointLookup& point);
 
 /// Two branches of equal energy.
@@ -34,6 +35,24 @@ struct EqualEnergyRow {
 /// slope ∂U/∂V = P. In parallel.
 std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const PointLookup& point);
 
+/// The branch of lowest energy at a point.
+struct LowestRow {
+  model::Model model;
+  double L, reduced_volume;
+  std::string branch;  ///< "sharp_oblate": an oblate with a sharp rim, see beyond_fold
+  double energy;
+};
+
+/// Gives the row of a finished point; nullptr where there is none.
+using RowLookup = std::function<const PointResult*(const PointKey&)>;
+
+/// At every L and reduced volume the lowest of the stationary states of each model, and of SBEH's sharp rims
+/// among `beyond`; none where no branch has one. States that pass through themselves do not count.
+std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
+                                   const std::vector<axisym::RimRecord>& beyond);
+
+/// lowest.csv: model,L,reduced_volume,branch,energy.
+std::string table_of(const std::vector<LowestRow>& rows);
 /// folds.csv: reduced_volume,L,energy,order_min,H_abs_max,branch.
 std::string table_of(const std::vector<FoldRow>& rows);
 /// equal_energy.csv: first,second,L,reduced_volume,energy.

@@ -59,7 +59,13 @@ PointOutcome stationary(const model::Material& material, const PointKey& key, co
   return point;
 }
 
-PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
+// At a fold one eigenvalue is zero, and rounding says whether it counts. Before it, the number of negative
+// directions is that of the start, up to pairs.
+int before_fold(int at_fold, int at_start) {
+  return at_fold == 0 || (at_fold - at_start) % 2 == 0 ? at_fold : at_fold - 1;
+}
+
+PointOutcome outcome_of(const ScanInput& input, const PointKey& key, const BranchState& start,
                         const axisym::FollowResult& result) {
   const PlanePoint at = result.state.at;
   const model::Material material = input.material.with_L(at.L);
@@ -73,23 +79,41 @@ PointOutcome outcome_of(const ScanInput& input, const PointKey& key,
   point.row.negative_directions =
       axisym::negative_directions(material, key.model, result.state.solution);
   point.row.fold_side = "before";
-  if (result.arrival == axisym::Arrival::fold) {
+  if (result.arrival == axisym::Arrival::fold && point.row.status != PointStatus::failed) {
     point.row.status = PointStatus::unresolved;
     point.row.fold_side = "at";
+    if (key.model == Model::SBEH) point.row.fold_L = at.L;
+    point.row.negative_directions = before_fold(
+        *point.row.negative_directions,
+        axisym::negative_directions(input.material.with_L(start.at.L), key.model, start.solution));
     point.row.stop_reason = fmt::format(
         "the smooth {} branch ends in a fold at V_r = {:.6g}, L = {:.6g}{}; the values are those "
         "at "
         "the fold",
         key.branch, at.reduced_volume, at.L,
-        key.model == Model::SBEH ? "; beyond it the rim sharpens without limit" : "");
+        key.model == Model::SBEH && key.branch == "oblate" ? "; beyond it the rim is sharp" : "");
   }
   return point;
+}
+
+// Follows along L in stages, so that a fold at a small L is no tiny piece of the way.
+axisym::FollowResult follow_up(const ScanInput& input, Model model, BranchState from, double L) {
+  constexpr double stage = 4;
+  const double v = from.at.reduced_volume;
+  while (true) {
+    const int before = from.iterations;
+    const double next = from.at.L > 0 && stage * from.at.L < L ? stage * from.at.L : L;
+    auto result = axisym::follow(input.material, model, from, {v, next}, input.numerics);
+    result.state.iterations += before;
+    if (next == L || result.arrival != axisym::Arrival::reached) return result;
+    from = result.state;
+  }
 }
 
 // The point of the key, along the branch from a settled state.
 PointOutcome followed(const ScanInput& input, const PointKey& key, const BranchState& start,
                       const Clock& clock) {
-  PointOutcome point = outcome_of(input, key,
+  PointOutcome point = outcome_of(input, key, start,
                                   axisym::follow(input.material, key.model, start,
                                                  {key.reduced_volume, key.L}, input.numerics));
   point.row.steps += start.iterations;
@@ -130,11 +154,12 @@ std::optional<Neighbour> enter_branch(const ScanInput& input, const std::string&
   return Neighbour{entry->state.at, entry->state.solution.state};
 }
 
+constexpr double largest_fold = 2;  // of L
+
 std::optional<BranchState> fold_above(const ScanInput& input, const Neighbour& from) {
   const auto start = settled(input.material.with_L(from.at.L), Model::SBEH, from);
   if (!start) return {};
-  const auto result = axisym::follow(input.material, Model::SBEH, *start,
-                                     {from.at.reduced_volume, 2}, input.numerics);
+  const auto result = follow_up(input, Model::SBEH, *start, largest_fold);
   if (result.arrival != axisym::Arrival::fold) return {};
   return result.state;
 }
@@ -151,20 +176,23 @@ PointOutcome rescale_to(const ScanInput& input, const PointKey& key, const Neigh
   const PlanePoint at{key.reduced_volume, key.L};
   const auto state = settled(input.material.with_L(key.L), key.model, {at, from.state});
   if (!state) return follow_to(input, key, from);
-  PointOutcome point = outcome_of(input, key, {axisym::Arrival::reached, *state});
+  PointOutcome point = outcome_of(input, key, *state, {axisym::Arrival::reached, *state});
   point.row.wall_seconds = clock.seconds();
   return point;
 }
 
 PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neighbour& ssh) {
   const Clock clock;
-  // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly.
-  const double first_L = std::min(key.L, 0.01);
+  // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly. It must be
+  // well below any fold: beyond one, Newton may find a state of another branch.
+  const double first_L = std::min(key.L, small_L);
   for (double L = first_L; L > first_L / 1000; L /= 2) {
     const auto first =
         settled(input.material.with_L(L), key.model, {{key.reduced_volume, L}, ssh.state});
     if (!first) continue;
-    return followed(input, key, *first, clock);
+    PointOutcome point = outcome_of(input, key, *first, follow_up(input, key.model, *first, key.L));
+    point.row.wall_seconds = clock.seconds();
+    return point;
   }
   return failed_point(key,
                       "Newton's method found no ordered state near the SSH shape, even at small L");
@@ -219,8 +247,10 @@ std::optional<PointOutcome> flow_to_rest(const ScanInput& input, const PointKey&
   point.row.residual = std::max(run.last.normal_speed, run.last.order_speed);
   if (run.stop == axisym::FlowStop::at_rest) {
     if (const auto polished = settled(material, key.model, end)) {
-      point = outcome_of(input, key, {axisym::Arrival::reached, *polished});
-      point.row.stop_reason = fmt::format("at rest at t = {:.4g}", run.last.time);
+      point = outcome_of(input, key, *polished, {axisym::Arrival::reached, *polished});
+      const std::string rest = fmt::format("at rest at t = {:.4g}", run.last.time);
+      point.row.stop_reason =
+          point.row.status == PointStatus::stationary ? rest : rest + "; " + point.row.stop_reason;
     }
   } else {
     point.row.status = run.stop == axisym::FlowStop::step_too_small ? PointStatus::failed

@@ -45,6 +45,9 @@ PointOutcome follow_to(const ScanInput& input, const PointKey& key, const Neighb
 /// SSH's state with another elastic constant: the same shape unless k₀ or H₀ is there.
 PointOutcome rescale_to(const ScanInput& input, const PointKey& key, const Neighbour& from);
 
+/// An L well below any fold: stomatocytes with V_r = 0.5 fold at 7e-5.
+inline constexpr double small_L = 1e-5;
+
 /// The first SBEH state at a reduced volume, from SSH's: at a small L, then along the branch.
 PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neighbour& ssh);
 

@@ -210,6 +210,7 @@ std::string describe(const ScanInput& input, std::string_view version) {
   toml.value("branches", input.branches);
   toml.value("method", input.method);
   if (input.method == Method::flow) toml.value("end_time", input.flow_end_time);
+  if (input.method == Method::newton) toml.value("beyond_fold", input.beyond_fold);
   write_material(toml, input.material, Elasticity::without_L);
   write_numerics(toml, input.numerics);
   return toml.text();
@@ -233,6 +234,7 @@ std::string describe(const RunInput& input, std::string_view version) {
   toml.table("numerics");
   write_time_control(toml, input.numerics);
   toml.value("scheme", std::string(name(input.numerics.scheme)));
+  toml.value("factorisation", std::string(name(input.numerics.factorisation)));
   toml.table("time");
   toml.value("end", input.end_time);
   toml.value("output", input.output_times);

@@ -31,10 +31,17 @@ void write_frame(const std::filesystem::path& path, const Frame& frame, const Fr
                       {"normal", fields.normals}};
   if (fields.velocity.size() > 0) at_nodes["velocity"] = fields.velocity;
   const surface3d::FlowRecord& r = frame.record;
-  const Globals globals{{"TimeValue", number(r.time)},
-                        {"next_step", number(r.next_step)},
-                        {"rejected_steps", number(r.rejected)},
-                        {"target", Eigen::Vector2d(frame.target.area, frame.target.volume)}};
+  Globals globals{{"TimeValue", number(r.time)},
+                  {"next_step", number(r.next_step)},
+                  {"rejected_steps", number(r.rejected)},
+                  {"target", Eigen::Vector2d(frame.target.area, frame.target.volume)}};
+  if (const surface3d::StepperMemory& memory = frame.memory; memory.solves > 0) {
+    at_nodes["factored_at"] = memory.factored_at.X;
+    at_nodes["factored_order"] = memory.factored_at.beta.transpose();
+    globals["factored"] = (Eigen::VectorXd(4) << memory.factored_tau, memory.solves,
+                           memory.iterations, memory.last_iterations)
+                              .finished();
+  }
   write_file(path, vtu_text(frame.mesh, at_nodes, globals));
 }
 
@@ -44,13 +51,25 @@ Frame read_frame(const std::filesystem::path& path) {
   if (!curved || curved->mesh.order != 3)
     throw InputError(
         fmt::format("{}: is no frame of a run: its triangles are not of order 3", path.string()));
-  Frame frame{.mesh = std::move(curved->mesh), .beta = {}, .record = {}, .target = {}};
+  Frame frame{
+      .mesh = std::move(curved->mesh), .beta = {}, .record = {}, .target = {}, .memory = {}};
   frame.beta = part(curved->fields, "order", frame.mesh.node_count(), path).transpose();
   frame.record.time = part(curved->globals, "TimeValue", 1, path)[0];
   frame.record.next_step = part(curved->globals, "next_step", 1, path)[0];
   frame.record.rejected = int(part(curved->globals, "rejected_steps", 1, path)[0]);
   const Eigen::VectorXd& target = part(curved->globals, "target", 2, path);
   frame.target = {target[0], target[1]};
+  if (curved->globals.contains("factored")) {
+    const Eigen::VectorXd& factored = part(curved->globals, "factored", 4, path);
+    const Eigen::Index nodes = frame.mesh.node_count();
+    frame.memory = {
+        .factored_at = {part(curved->fields, "factored_at", 3 * nodes, path),
+                        part(curved->fields, "factored_order", nodes, path).transpose()},
+        .factored_tau = factored[0],
+        .solves = int(factored[1]),
+        .iterations = int(factored[2]),
+        .last_iterations = int(factored[3])};
+  }
   return frame;
 }
 

@@ -13,6 +13,7 @@ struct Frame {
   surface3d::Field beta;     // nodes
   surface3d::FlowRecord record;
   surface3d::Target target;
+  surface3d::StepperMemory memory;
 };
 
 /// Fields for the eye only.

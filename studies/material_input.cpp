@@ -138,6 +138,12 @@ surface3d::Numerics read_numerics_3d(const TomlTable& table) {
   numerics.scheme = table.word("scheme", {split, monolithic}, name(numerics.scheme)) == split
                       ? surface3d::Scheme::split
                       : surface3d::Scheme::monolithic;
+  const std::string lagged = name(surface3d::Factorisation::lagged),
+                    every_step = name(surface3d::Factorisation::every_step);
+  numerics.factorisation =
+      table.word("factorisation", {lagged, every_step}, name(numerics.factorisation)) == lagged
+          ? surface3d::Factorisation::lagged
+          : surface3d::Factorisation::every_step;
   return checked(table, numerics);
 }
 

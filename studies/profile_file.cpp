@@ -38,10 +38,9 @@ void write_profile(const std::filesystem::path& path, const axisym::State& state
   write_file(path, {text.data(), text.size()});
 }
 
-axisym::State read_profile(const std::filesystem::path& path) {
+axisym::State read_profile(const std::filesystem::path& path, std::string_view advice) {
   const auto fail = [&](std::string_view what) {
-    throw OutputError(
-        fmt::format("{}: {}: delete it to have it computed again", path.string(), what));
+    throw OutputError(fmt::format("{}: {}: {}", path.string(), what, advice));
   };
   std::istringstream text(read_file(path));
   std::string line;

@@ -4,6 +4,7 @@
 #include "axisym/curve.h"
 
 #include <filesystem>
+#include <string_view>
 
 namespace sbeh::studies {
 
@@ -12,7 +13,8 @@ namespace sbeh::studies {
 /// Throws OutputError.
 void write_profile(const std::filesystem::path& path, const axisym::State& state);
 
-/// Throws OutputError when the file cannot be read or is no such table.
-axisym::State read_profile(const std::filesystem::path& path);
+/// Throws OutputError when the file cannot be read or is no such table; it ends with `advice`.
+axisym::State read_profile(const std::filesystem::path& path,
+                           std::string_view advice = "delete it to have it computed again");
 
 }  // namespace sbeh::studies

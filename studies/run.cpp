@@ -23,7 +23,7 @@ namespace sbeh::studies {
 namespace fs = std::filesystem;
 using surface3d::FlowRecord;
 using surface3d::State;
-using surface3d::StepFields;
+using surface3d::StepView;
 
 namespace {
 
@@ -140,14 +140,16 @@ class Recorder {
     index_ = std::make_unique<AppendFile>(folder / "frames.csv");
   }
 
-  bool operator()(const FlowRecord& record, const State& state, const StepFields& fields,
-                  bool exact) {
+  bool operator()(const FlowRecord& record, const State& state, const StepView& view, bool exact) {
     if (exact && contains(input_.output_times, record.time)) write_row(record, state);
-    if (exact && contains(input_.frame_times, record.time)) write_state(record, state, fields);
+    if (exact && contains(input_.frame_times, record.time)) write_state(record, state, view);
     ++steps_;
     show(record);
-    last_fields_ = fields;
-    return interrupt_signal() == 0;
+    last_fields_ = view.fields;
+    last_memory_ = view.memory;
+    if (interrupt_signal() == 0) return true;
+    if (record.time != last_frame_) write(folder_ / "interrupted.vtu", record, state, view);
+    return false;
   }
 
   /// The last state: a row and a frame, or, when the run is to go on later, the state alone.
@@ -155,11 +157,9 @@ class Recorder {
     const bool interrupted = run.stop == surface3d::FlowStop::interrupted;
     std::error_code ignored;
     if (!interrupted) fs::remove(folder_ / "interrupted.vtu", ignored);
-    if (interrupted && run.last.time != last_frame_)
-      write(folder_ / "interrupted.vtu", run.last, run.state, last_fields_);
     if (!interrupted && run.last.time != last_row_) write_row(run.last, run.state);
     if (!interrupted && run.last.time != last_frame_)
-      write_state(run.last, run.state, last_fields_);
+      write_state(run.last, run.state, {last_fields_, last_memory_});
     if (terminal_ && steps_ > 1) tell("\n");
   }
   int frames() const { return int(frames_.size()); }
@@ -175,16 +175,20 @@ class Recorder {
     last_row_ = record.time;
   }
   void write(const fs::path& path, const FlowRecord& record, const State& state,
-             const StepFields& fields) const {
-    Frame frame{.mesh = start_.mesh, .beta = state.beta, .record = record, .target = start_.target};
+             const StepView& view) const {
+    Frame frame{.mesh = start_.mesh,
+                .beta = state.beta,
+                .record = record,
+                .target = start_.target,
+                .memory = view.memory};
     frame.mesh.nodes = state.X;
     const auto curvature = surface3d::curvature_of(*mesh_, state.X);
     if (!curvature) throw std::runtime_error("the surface is degenerate");
-    write_frame(path, frame, {curvature->H, curvature->node_normals, fields.V});
+    write_frame(path, frame, {curvature->H, curvature->node_normals, view.fields.V});
   }
-  void write_state(const FlowRecord& record, const State& state, const StepFields& fields) {
+  void write_state(const FlowRecord& record, const State& state, const StepView& view) {
     const std::string file = fmt::format("frames/{:04d}.vtu", frames_.size());
-    write(folder_ / file, record, state, fields);
+    write(folder_ / file, record, state, view);
     index_->append(fmt::format("{},{},{}", frames_.size(), record.time, file));
     frames_.push_back({record.time, file});
     write_file(folder_ / "run.pvd", pvd_text(frames_));
@@ -211,7 +215,8 @@ class Recorder {
   const OutputFolder& folder_;
   std::unique_ptr<AppendFile> series_, index_;
   std::vector<FrameEntry> frames_;
-  StepFields last_fields_;
+  surface3d::StepFields last_fields_;
+  surface3d::StepperMemory last_memory_;
   const bool terminal_ = isatty(STDERR_FILENO) != 0;
   std::chrono::steady_clock::time_point began_, shown_;
   int steps_ = 0;
@@ -229,28 +234,27 @@ RunSummary run_surface(const RunInput& input, const fs::path& path, std::string_
   write_file(folder / "run.toml", description);
 
   const auto mesh = std::make_shared<const surface3d::Triangulation>(start.mesh);
-  State state{start.mesh.nodes, start.beta};
-  FlowRecord from;
+  surface3d::FlowStart from{.state = {start.mesh.nodes, start.beta}};
   if (frame) {
-    state = {frame->mesh.nodes, frame->beta};
-    from = frame->record;
+    from = {.state = {frame->mesh.nodes, frame->beta},
+            .record = frame->record,
+            .memory = frame->memory};
     start.target = frame->target;
   }
   Recorder recorder(input, start, mesh, folder,
-                    frame ? std::optional(from.time) : std::optional<double>());
+                    frame ? std::optional(from.record.time) : std::optional<double>());
   surface3d::FlowSchedule schedule{.end_time = input.end_time,
                                    .output_times = input.output_times,
                                    .stop_at_rest = input.stop_at_rest};
   schedule.output_times.insert(schedule.output_times.end(), input.frame_times.begin(),
                                input.frame_times.end());
   const surface3d::FlowResult run = surface3d::run_flow(
-      mesh, input.material, input.model, state, start.target, input.numerics, schedule,
-      [&](const FlowRecord& record, const State& now, const StepFields& fields, bool exact) {
-        return recorder(record, now, fields, exact);
-      },
-      from);
+      mesh, input.material, input.model, from, start.target, input.numerics, schedule,
+      [&](const FlowRecord& record, const State& state, const StepView& view, bool exact) {
+        return recorder(record, state, view, exact);
+      });
   recorder.finish(run);
-  return {run, recorder.frames(), from.time};
+  return {run, recorder.frames(), from.record.time};
 }
 
 }  // namespace sbeh::studies

@@ -1,5 +1,6 @@
 #include "studies/scan.h"
 
+#include "studies/beyond_fold_table.h"
 #include "studies/branch_lines.h"
 #include "studies/branch_points.h"
 #include "studies/describe.h"
@@ -88,6 +89,7 @@ class ScanFolder {
                       folder_.path().string()));
     }
     make_folder(folder_ / "points");
+    if (input.beyond_fold) make_folder(folder_ / "beyond_fold");
     return folder_;
   }
   Progress progress_of(const ScanInput& input) {
@@ -246,14 +248,28 @@ void scan_by_flow(const ScanInput& input, ScanFolder& folder) {
   });
 }
 
-// folds.csv and equal_energy.csv, from the finished points; not when interrupted.
+// The lines of the diagram and the lowest branches, from the finished points; not when interrupted.
 void write_lines(const ScanInput& input, ScanFolder& folder) {
   const PointLookup point = [&](const PointKey& key) { return folder.finished(key); };
   const auto write = [&](std::string_view name, const auto& rows) {
     if (!interrupt_signal()) folder.write(name, table_of(rows));
   };
-  if (wants(input, Model::SBEH)) write("folds.csv", find_folds(input, point));
+  std::vector<axisym::RimRecord> beyond;
+  if (wants(input, Model::SBEH)) {
+    const std::vector<FoldRow> folds = find_folds(input, point);
+    write("folds.csv", folds);
+    if (input.beyond_fold) {
+      beyond = find_beyond_fold(input, folds);
+      write("beyond_fold.csv", beyond);
+      for (const auto& state : beyond)
+        folder.write("beyond_fold/" + stem(state) + ".csv", profile_text(state.state));
+    }
+  }
   if (input.branches.size() > 1) write("equal_energy.csv", find_equal_energies(input, point));
+  if (input.branches.size() > 1 || input.beyond_fold) {
+    const auto row = [&](const PointKey& key) { return folder.table().find(key); };
+    write("lowest.csv", find_lowest(input, row, beyond));
+  }
 }
 
 }  // namespace

@@ -5,6 +5,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace sbeh::studies {
 
 const char* name(Method method) { return method == Method::newton ? "newton" : "flow"; }
@@ -22,6 +24,17 @@ namespace {
 
 constexpr std::size_t most_points = 1'000'000;  // 20 GB of profiles
 
+// Whether the scan looks for what `beyond_fold` starts from.
+void require_folds(const TomlTable& table, const ScanInput& input) {
+  const auto has = [](const auto& list, const auto& value) {
+    return std::find(list.begin(), list.end(), value) != list.end();
+  };
+  if (input.method != Method::newton || !has(input.models, model::Model::SBEH)
+      || !has(input.branches, std::string("oblate")))
+    table.fail("beyond_fold",
+               "needs method = \"newton\", the model \"SBEH\" and the branch \"oblate\"");
+}
+
 void read_scan_table(const TomlTable& table, ScanInput& input) {
   input.reduced_volume = table.grid("reduced_volume", {.low = 0, .high = 1, .low_open = true});
   input.L = table.grid("L", above(0));
@@ -37,6 +50,8 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
   if (input.method != Method::flow)
     table.refuse("end_time", "must not be given without method = \"flow\"");
   input.flow_end_time = table.number("end_time", above(0), input.flow_end_time);
+  input.beyond_fold = table.boolean("beyond_fold", input.beyond_fold);
+  if (input.beyond_fold) require_folds(table, input);
   table.reject_unknown_keys();
   if (point_count(input) > most_points)
     table.fail("L",

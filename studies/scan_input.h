@@ -27,6 +27,9 @@ struct ScanInput {
   std::vector<model::Model> models{model::Model::SBEH, model::Model::SSH};
   std::vector<std::string> branches{"oblate"};  ///< of known_branches()
   Method method = Method::newton;
+  bool beyond_fold =
+      false;  ///< also the saddles and sharp rims of SBEH's oblates; method newton, two
+              ///< seconds per reduced volume with a fold
   model::Material material;  ///< its L1, L2, L3 give way to L of the point: material.with_L(L)
   axisym::Numerics numerics;
   double flow_end_time = 200;  ///< method flow, key `end_time`: a run that is not at rest ends here

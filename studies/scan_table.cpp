@@ -16,8 +16,8 @@ constexpr const char* header =
     "energy_thermotropic,order_min,order_max,order_mean,order_std,order_variance,H_pole,H_rim,"
     "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,stop_"
     "reason,"
-    "class,negative_directions,self_contact,fold_side";
-constexpr std::size_t columns = 30;
+    "class,negative_directions,self_contact,fold_side,fold_L";
+constexpr std::size_t columns = 31;
 
 constexpr std::array<const char*, 3> status_words{"stationary", "unresolved", "failed"};
 
@@ -72,7 +72,8 @@ std::string line_of(const PointResult& row) {
        + fmt::format(",{:.3g},{},{:.4g},{},{},{},{:d},{}", row.residual, row.steps,
                      row.wall_seconds, csv_field(row.stop_reason), row.shape,
                      row.negative_directions ? std::to_string(*row.negative_directions) : "",
-                     row.self_contact, row.fold_side);
+                     row.self_contact, row.fold_side)
+       + (row.fold_L ? fmt::format(",{}", *row.fold_L) : ",");
 }
 
 std::optional<PointResult> row_of(const std::string& line) {
@@ -98,6 +99,7 @@ std::optional<PointResult> row_of(const std::string& line) {
   if (!f[27].empty()) row.negative_directions = std::atoi(f[27].c_str());
   row.self_contact = f[28] == "1";
   row.fold_side = f[29];
+  if (!f[30].empty()) ok = ok && parse_number(f[30], row.fold_L.emplace());
   return ok ? std::optional(row) : std::nullopt;
 }
 

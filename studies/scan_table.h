@@ -40,9 +40,10 @@ struct PointResult {
   int steps = 0;                                   ///< Newton iterations, or time steps
   double wall_seconds = 0;
   std::string shape{};                       ///< class of the shape, see axisym/shape_class.h
-  std::optional<int> negative_directions{};  ///< see axisym/stability.h
+  std::optional<int> negative_directions{};  ///< see axisym/stability.h; at a fold: before it
   bool self_contact = false;                 ///< the surface passes through itself
   std::string fold_side{};                   ///< "before" the branch's fold, or "at" it
+  std::optional<double> fold_L{};  ///< at the fold of SBEH: its L, to which the diagnostics belong
   std::string stop_reason{};
 };
 

@@ -61,10 +61,12 @@ WitnessReport report(std::string name, Shapes&& shapes_of, Points&& points) {
 }
 
 WitnessReport witness(int which, const axisym::Numerics& numerics) {
-  if (which == 0)
+  if (which == 0) {
+    axisym::ElementBranches branches(numerics);
     return report(
-        "elements", [&](Branch b, const auto& v) { return axisym::element_branch(b, v, numerics); },
-        [&] { return axisym::element_special_points(numerics); });
+        "elements", [&](Branch b, const auto& v) { return branches.shapes(b, v); },
+        [&] { return branches.special_points_with_errors(); });
+  }
   if (which == 1)
     return report(
         "shooting", [](Branch b, const auto& v) { return axisym::shoot_branch(b, v); },

@@ -206,7 +206,7 @@ void CoupledSystem::cut(const ElementNodes& n, double tau, bool keep_volume, Pie
     piece.flow_rhs.segment<10>(head) += along * rhs.segment<10>(Z);
   }
   piece.motion = A.bottomRightCorner<motion_size, motion_size>();
-  piece.motion_rhs = rhs.tail<motion_size>();
+  piece.motion_rhs = tau / (tau + mesh_relaxation_time) * rhs.tail<motion_size>();
 }
 
 void CoupledSystem::assemble(const Triangulation& mesh, const State& old,

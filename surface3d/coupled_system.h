@@ -5,6 +5,11 @@
 // follows. Both have the same states of rest, and differ by O(τ) in motion. Both are cut from the same
 // element matrices.
 //
+// In the split scheme the mesh does not jump to its own equilibrium within one step, but moves there at a
+// finite rate: the right-hand side of (H1) in the mesh motion is taken θ = τ/(τ + mesh_relaxation_time)
+// times. Its normal part is not touched; Y/τ has a limit for τ → 0, and errors in time are those of a
+// smooth motion.
+//
 // Without friction the rigid motions R cost nothing: six more multipliers make (R, V) = 0.
 //
 // Under a global area constraint the same element matrices are restricted: to velocities and test
@@ -21,6 +26,8 @@ namespace sbeh::surface3d {
 enum class Scheme { split, monolithic };
 /// "split" or "monolithic".
 const char* name(Scheme scheme);
+
+inline constexpr double mesh_relaxation_time = 0.01;
 
 struct LinearSystem {
   SparseMatrix matrix;

@@ -1,6 +1,7 @@
 #include "surface3d/direct_solver.h"
 
 #include <dmumps_c.h>
+#include <metis.h>
 
 #include <cassert>
 #include <cmath>
@@ -8,10 +9,43 @@
 
 namespace sbeh::surface3d {
 
+namespace {
+
+// A row with more entries than this is a multiplier's: eliminated last, and no part of the graph.
+constexpr Eigen::Index dense_row = 1000;
+
+// The place of each unknown in the order of elimination, counted from 1: nested dissection by METIS,
+// a function of the structure alone. The structure is symmetric but for zeros.
+std::vector<int> elimination_order(const SparseMatrix& A) {
+  const Eigen::Index n = A.rows();
+  std::vector<int> number(std::size_t(n), -1);  // in the graph
+  idx_t vertices = 0;
+  for (Eigen::Index i = 0; i < n; ++i)
+    if (A.innerVector(i).nonZeros() <= dense_row) number[std::size_t(i)] = vertices++;
+  std::vector<idx_t> start{0}, neighbours, order(std::size_t(vertices), 0), place(order);
+  for (Eigen::Index i = 0; i < n; ++i) {
+    if (number[std::size_t(i)] < 0) continue;
+    for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
+      if (entry.col() != i && number[std::size_t(entry.col())] >= 0)
+        neighbours.push_back(number[std::size_t(entry.col())]);
+    start.push_back(idx_t(neighbours.size()));
+  }
+  if (vertices > 0)
+    METIS_NodeND(&vertices, start.data(), neighbours.data(), nullptr, nullptr, order.data(),
+                 place.data());
+  std::vector<int> positions;
+  int last = vertices;
+  for (const int vertex : number)
+    positions.push_back(1 + (vertex >= 0 ? place[std::size_t(vertex)] : last++));
+  return positions;
+}
+
+}  // namespace
+
 struct DirectSolver::Mumps {
   DMUMPS_STRUC_C id{};
   bool symmetric = false, analysed = false;
-  std::vector<int> rows, columns;
+  std::vector<int> rows, columns, order;
   std::vector<double> values;
 
   // MUMPS's manual counts from 1.
@@ -30,9 +64,7 @@ struct DirectSolver::Mumps {
     for (const int stream : {1, 2, 3}) control(stream) = -1;
     control(4) = 0;  // silent
     control(6) = 0;  // no permutation by values: the analysis sees the structure alone
-    // Ordering by QAMD: multipliers' dense rows do not mislead it, and it is a function of the structure
-    // alone (SCOTCH's depends on what the process ordered before).
-    control(7) = 6;
+    control(7) = 1;  // our ordering
     control(14) = 60;  // per cent of memory more than estimated, for pivoting
   }
   ~Mumps() { run(-2); }
@@ -56,6 +88,8 @@ struct DirectSolver::Mumps {
     id.irn = rows.data();
     id.jcn = columns.data();
     id.a = values.data();
+    order = elimination_order(A);
+    id.perm_in = order.data();
   }
   void set_values(const SparseMatrix& A) {
     auto value = values.begin();
@@ -97,6 +131,10 @@ void DirectSolver::solve(Eigen::Ref<Eigen::MatrixXd> rhs) const {
 }
 
 double DirectSolver::flops() const { return mumps_->id.rinfog[2]; }
+double DirectSolver::entries() const {
+  const int entries = mumps_->id.infog[28];
+  return entries < 0 ? -1e6 * entries : entries;  // large numbers are given in millions
+}
 double DirectSolver::megabytes() const { return mumps_->id.infog[21]; }
 
 }  // namespace sbeh::surface3d

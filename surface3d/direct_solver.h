@@ -23,8 +23,9 @@ class DirectSolver {
   /// Overwrites the columns of rhs (n x k) with A⁻¹ rhs; after factor().
   void solve(Eigen::Ref<Eigen::MatrixXd> rhs) const;
 
-  /// Of the last factorisation: floating-point operations and memory in MB.
+  /// Of the last factorisation: floating-point operations, entries of the factors, memory in MB.
   double flops() const;
+  double entries() const;
   double megabytes() const;
 
  private:

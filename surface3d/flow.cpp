@@ -12,8 +12,10 @@ class Solver {
   using State = surface3d::State;
 
   Solver(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
-         model::Model model, Scheme scheme)
-      : mesh_(std::move(mesh)), material_(material), stepper_(mesh_, material, model, scheme) {}
+         model::Model model, const Numerics& numerics)
+      : mesh_(std::move(mesh)),
+        material_(material),
+        stepper_(mesh_, material, model, numerics.scheme, numerics.factorisation) {}
 
   model::FlowStep<State> step(const State& old, const Target& target, double tau) {
     StepResult r = stepper_.step(old, target, tau);
@@ -25,8 +27,8 @@ class Solver {
             .lambda = fields_.lambda,
             .speed_max = fields_.V.colwise().norm().maxCoeff()};
   }
-  /// Of the latest step.
-  const StepFields& fields() const { return fields_; }
+  StepView view() const { return {fields_, stepper_.memory()}; }
+  bool recall(const StepperMemory& memory) { return stepper_.recall(memory); }
   Target measure(const State& state) const {
     return {area(*mesh_, state.X), volume(*mesh_, state.X)};
   }
@@ -58,16 +60,20 @@ class Solver {
 }  // namespace
 
 FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
-                    const model::Material& material, model::Model model, const State& start,
+                    const model::Material& material, model::Model model, const FlowStart& start,
                     const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
-                    const FlowObserver& observe, const FlowRecord& from) {
-  Solver solver(mesh, material, model, numerics.scheme);
+                    const FlowObserver& observe) {
+  Solver solver(mesh, material, model, numerics);
+  if (!solver.recall(start.memory))
+    return {
+        .stop = FlowStop::step_too_small, .state = start.state, .last = start.record, .steps = 0};
   model::FlowObserver<State> observer;
   if (observe)
     observer = [&](const FlowRecord& record, const State& state, bool exact) {
-      return observe(record, state, solver.fields(), exact);
+      return observe(record, state, solver.view(), exact);
     };
-  return model::Flow<Solver>(solver, target, numerics).run(start, from, schedule, observer);
+  return model::Flow<Solver>(solver, target, numerics)
+      .run(start.state, start.record, schedule, observer);
 }
 
 }  // namespace sbeh::surface3d

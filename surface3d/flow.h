@@ -12,17 +12,28 @@ using model::FlowRecord;
 using model::FlowSchedule;
 using model::FlowStop;
 using model::same_time;
-/// Sees every accepted step, and the fields of its last half (empty at the start); `exact` tells that
-/// the time is one of the output times. Returning false interrupts the run.
+/// What an observer sees besides the state.
+struct StepView {
+  const StepFields& fields;     ///< of the last half of the step; empty at the start
+  const StepperMemory& memory;  ///< to go on from here with the same bits
+};
+/// Sees every accepted step; `exact` tells that the time is one of the output times. Returning false
+/// interrupts the run.
 using FlowObserver =
-    std::function<bool(const FlowRecord&, const State&, const StepFields&, bool exact)>;
+    std::function<bool(const FlowRecord&, const State&, const StepView&, bool exact)>;
 using FlowResult = model::FlowResult<State>;
 
-/// Runs the flow on a triangulation from `start`, at the time and with the next time step of `from`,
-/// keeping area and volume at `target` to rounding.
+/// Where a run begins, or goes on.
+struct FlowStart {
+  State state;
+  FlowRecord record = {};  ///< its time and next_step count
+  StepperMemory memory = {};
+};
+
+/// Runs the flow on a triangulation, keeping area and volume at `target` to rounding.
 FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
-                    const model::Material& material, model::Model model, const State& start,
+                    const model::Material& material, model::Model model, const FlowStart& start,
                     const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
-                    const FlowObserver& observe = {}, const FlowRecord& from = {});
+                    const FlowObserver& observe = {});
 
 }  // namespace sbeh::surface3d

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/flow.h"
-#include "surface3d/coupled_system.h"
+#include "surface3d/time_step.h"
 
 namespace sbeh::surface3d {
 
@@ -13,6 +13,7 @@ struct Numerics : model::TimeControl {
     first_step = 1e-5;
   }
   Scheme scheme = Scheme::split;
+  Factorisation factorisation = Factorisation::lagged;
 
   /// Throws std::invalid_argument with name, value and constraint.
   using TimeControl::validate;

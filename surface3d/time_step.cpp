@@ -1,6 +1,7 @@
 #include "surface3d/time_step.h"
 
-#include "surface3d/direct_solver.h"
+#include "surface3d/diagnostics.h"
+#include "surface3d/lagged_solver.h"
 #include "surface3d/order_step.h"
 
 #include <utility>
@@ -54,52 +55,114 @@ struct TimeStepper::Workspace {
   std::shared_ptr<const Triangulation> mesh;
   model::Material material;
   model::Model model;
+  Factorisation factorisation;
   CoupledSystem system;
-  DirectSolver flow, motion;
+  LaggedSolver flow, motion;
+  StepperMemory memory;
+  SolverCounts counts;
 
+  void assemble(const State& old, const Curvature& curvature, const Target& target, double tau);
+  bool worth_factoring() const;
+  bool factor(const State& at, double tau);
+  bool solve_with_factors(StepFields& out, int& iterations);
   bool solve_coupled(const State& old, const Curvature& curvature, const Target& target, double tau,
                      StepFields& out);
 };
 
-// False when a matrix is singular.
-bool TimeStepper::Workspace::solve_coupled(const State& old, const Curvature& curvature,
-                                           const Target& target, double tau, StepFields& out) {
+void TimeStepper::Workspace::assemble(const State& old, const Curvature& curvature,
+                                      const Target& target, double tau) {
   const double A = area(*mesh, old.X), volume_now = volume(*mesh, old.X);
   system.assemble(*mesh, old, curvature, tau,
                   {.area_rate = (target.area - A) / (tau * A),
                    .volume_rate = (target.volume - volume_now) / tau,
                    .keep_volume = !is_sphere(*mesh, A, volume_now)});
-  if (!flow.factor(system.flow().matrix)) return false;
+}
+
+// When the next solve is likely to cost more than the mean of all since the last factorisation,
+// which it was part of.
+bool TimeStepper::Workspace::worth_factoring() const {
+  if (memory.solves == 0 || factorisation == Factorisation::every_step) return true;
+  const double all = flow.cost_of_factoring() + memory.iterations;
+  return memory.last_iterations > all / memory.solves;
+}
+
+bool TimeStepper::Workspace::factor(const State& at, double tau) {
+  memory = {.factored_at = at, .factored_tau = tau};
+  ++counts.factorisations;
+  return flow.factor(system.flow().matrix)
+      && (system.scheme() == Scheme::monolithic || motion.factor(system.motion().matrix));
+}
+
+bool TimeStepper::Workspace::solve_with_factors(StepFields& out, int& iterations) {
   Eigen::VectorXd solution = system.flow().rhs;
-  flow.solve(solution);
-  if (!solution.allFinite()) return false;
+  iterations = flow.solve(system.flow().matrix, solution);
+  if (iterations == 0) return false;
   out = {.V = system.velocity(solution),
          .Y = {},
          .H = system.curvature(solution),
          .p = system.pressure(solution),
          .lambda = system.lambda(solution)};
   if (system.scheme() == Scheme::split) {
-    if (!motion.factor(system.motion().matrix)) return false;
     solution = system.motion().rhs;
     system.add_normal_motion(out.V, solution);
-    motion.solve(solution);
-    if (!solution.allFinite()) return false;
+    if (motion.solve(system.motion().matrix, solution) == 0) return false;
   }
   out.Y = system.displacement(solution);
   return true;
 }
 
+// False when a matrix is singular.
+bool TimeStepper::Workspace::solve_coupled(const State& old, const Curvature& curvature,
+                                           const Target& target, double tau, StepFields& out) {
+  assemble(old, curvature, target, tau);
+  const bool fresh = worth_factoring();
+  if (fresh && !factor(old, tau)) return memory = {}, false;
+  int iterations = 0;
+  if (!solve_with_factors(out, iterations)) {
+    if (fresh || !factor(old, tau) || !solve_with_factors(out, iterations))
+      return memory = {}, false;
+  }
+  ++memory.solves;
+  memory.iterations += iterations;
+  memory.last_iterations = iterations;
+  ++counts.steps;
+  counts.iterations += iterations;
+  return true;
+}
+
+const char* name(Factorisation factorisation) {
+  return factorisation == Factorisation::lagged ? "lagged" : "every-step";
+}
+
 TimeStepper::TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
-                         model::Model model, Scheme scheme)
+                         model::Model model, Scheme scheme, Factorisation factorisation)
     : work_(new Workspace{.mesh = mesh,
                           .material = effective(material, model),
                           .model = model,
+                          .factorisation = factorisation,
                           .system = system_of(*mesh, material, model, scheme),
-                          .flow = DirectSolver(Symmetry::general),
-                          .motion = DirectSolver(Symmetry::symmetric)}) {}
+                          .flow = LaggedSolver(Symmetry::general),
+                          .motion = LaggedSolver(Symmetry::symmetric),
+                          .memory = {},
+                          .counts = {}}) {}
 TimeStepper::~TimeStepper() = default;
 TimeStepper::TimeStepper(TimeStepper&&) noexcept = default;
 TimeStepper& TimeStepper::operator=(TimeStepper&&) noexcept = default;
+
+const StepperMemory& TimeStepper::memory() const { return work_->memory; }
+SolverCounts TimeStepper::counts() const { return work_->counts; }
+
+bool TimeStepper::recall(const StepperMemory& memory) {
+  if (memory.solves == 0) return true;
+  const State& at = memory.factored_at;
+  const auto curvature = curvature_of(*work_->mesh, at.X);
+  if (!curvature) return false;
+  const Target target{area(*work_->mesh, at.X), volume(*work_->mesh, at.X)};
+  work_->assemble(at, *curvature, target, memory.factored_tau);
+  if (!work_->factor(at, memory.factored_tau)) return false;
+  work_->memory = memory;
+  return true;
+}
 
 StepResult TimeStepper::step(const State& old, const Target& target, double tau) {
   StepResult result;

@@ -31,19 +31,48 @@ struct StepResult {
   Dissipation dissipation;
 };
 
+/// How a step solves its linear systems.
+enum class Factorisation {
+  lagged,     ///< factors of an earlier step, refactored when that is cheaper
+  every_step  ///< the reference
+};
+/// "lagged" or "every-step".
+const char* name(Factorisation factorisation);
+
+/// What a stepper remembers of the past besides its last state: where its factors come from. With it
+/// a resumed run repeats the bits of one that was not interrupted.
+struct StepperMemory {
+  State factored_at;  ///< empty when there are no factors
+  double factored_tau = 0;
+  int solves = 0;      ///< since then
+  int iterations = 0;  ///< in all of them
+  int last_iterations = 0;
+};
+
+/// What solving has cost so far.
+struct SolverCounts {
+  int steps = 0, factorisations = 0, iterations = 0;
+};
+
 /// First-order semi-implicit step (coupled step, then the order with its velocity, so that a step
 /// is a function of position and order alone). Keeps its matrices between steps. A flow that keeps area
 /// locally and has no viscosity is always solved by the monolithic scheme.
 class TimeStepper {
  public:
   TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
-              model::Model model, Scheme scheme = Scheme::split);
+              model::Model model, Scheme scheme = Scheme::split,
+              Factorisation factorisation = Factorisation::lagged);
   ~TimeStepper();
   TimeStepper(TimeStepper&&) noexcept;
   TimeStepper& operator=(TimeStepper&&) noexcept;
 
   /// Advances by tau > 0.
   StepResult step(const State& old, const Target& target, double tau);
+
+  const StepperMemory& memory() const;
+  /// Factors anew what another stepper had factored. False where that is singular.
+  [[nodiscard]] bool recall(const StepperMemory& memory);
+  SolverCounts counts() const;
 
  private:
   struct Workspace;

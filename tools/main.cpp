@@ -11,6 +11,7 @@
 #include "studies/seifert.h"
 #include "studies/spelling.h"
 #include "studies/toml_reader.h"
+#include "tools/mesh_command.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -192,17 +193,23 @@ int seifert(const Arguments& a) {
 
 // The words of the command line that CLI11 did not take, with what may have been meant.
 int complain_of_command_line(const CLI::App& app, const CLI::ParseError& error) {
-  const std::vector<std::string> rest = app.remaining();
-  if (!app.get_subcommands().empty() || rest.empty()) return app.exit(error) == 0 ? 0 : 2;
+  const CLI::App* at = &app;  // the command they belong to
+  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
+  const std::vector<std::string> rest = app.remaining(true);
+  const bool has_commands = !at->get_subcommands({}).empty();
+  if (!has_commands || rest.empty()) return app.exit(error) == 0 ? 0 : 2;
   const std::string& word = rest.front();
   const bool option = word.starts_with('-');
   std::vector<std::string> known;
   if (option)
     known = {"--help", "--version"};
   else
-    for (const CLI::App* command : app.get_subcommands({})) known.push_back(command->get_name());
+    for (const CLI::App* command : at->get_subcommands({})) known.push_back(command->get_name());
   const auto meant = studies::nearest(word, known);
-  complain(fmt::format("{}: unknown {}{} Known: {}", word, option ? "option" : "command",
+  complain(fmt::format("{}: unknown {}{} Known: {}", word,
+                       option       ? "option"
+                       : at == &app ? "command"
+                                    : "shape",
                        meant ? fmt::format("; did you mean {}?", *meant) : ".",
                        fmt::join(known, ", ")));
   return 2;
@@ -236,6 +243,7 @@ int run(int argc, char** argv) {
   seifert_command->add_flag("--no-pictures", a.no_pictures, "tables only");
   seifert_command->add_option("--elements", a.elements, "of the finite elements (96)")
       ->check(CLI::Range(32, 4096));
+  const tools::MeshCommand mesh_command(app);
   CLI::App* picture_command = app.add_subcommand(
       "picture", "draw the pictures of a folder again: picture scan|relax|run|seifert DIR");
   picture_command->prefix_command();
@@ -259,6 +267,7 @@ int run(int argc, char** argv) {
     if (*run_command) return run_3d(a);
     if (*check_command) return check(a);
     if (*seifert_command) return seifert(a);
+    if (app.got_subcommand("mesh")) return mesh_command.run();
   } catch (const std::invalid_argument& error) {  // only the start itself could tell
     throw studies::InputError(fmt::format("{}: {}", a.input, error.what()));
   }

@@ -63,6 +63,9 @@ MeshFile read_mesh(const fs::path& path) {
     const std::string text = text_of(path);  // says why, when it cannot be read
     if (text.find("<VTKFile") == std::string::npos)
       throw InputError(fmt::format("{}: is no XML file of VTK", file));
+    if (text.find("</VTKFile>", text.size() - std::min<std::size_t>(text.size(), 100))
+        == std::string::npos)  // VTK itself would take what is missing for numbers
+      throw InputError(fmt::format("{}: is cut off: does not end with </VTKFile>", file));
     mesh = read_vtk(file, suffix == ".vtp");
   } else if (suffix == ".obj" || suffix == ".off" || suffix == ".ply" || suffix == ".stl") {
     mesh = read_triangles(path, suffix);

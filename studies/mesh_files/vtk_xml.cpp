@@ -9,6 +9,7 @@
 #include <vtkDataArray.h>
 #include <vtkFieldData.h>
 #include <vtkIdList.h>
+#include <vtkLogger.h>
 #include <vtkNew.h>
 #include <vtkOutputWindow.h>
 #include <vtkPointData.h>
@@ -36,6 +37,7 @@ auto read(Reader* reader, const std::string& file) {
   });
   reader->AddObserver(vtkCommand::ErrorEvent, remember);
   vtkOutputWindow::GetInstance()->SetDisplayModeToNever();
+  vtkLogger::SetStderrVerbosity(vtkLogger::VERBOSITY_OFF);
   reader->SetFileName(file.c_str());
   reader->Update();
   if (first_error.empty() && reader->GetErrorCode() == 0) return reader->GetOutput();

@@ -7,7 +7,7 @@
 #include "axisym/flow.h"
 #include "axisym/redistribute.h"
 #include "axisym/start_shapes.h"
-#include "tests/model/order_table.h"
+#include "tests/order_table.h"
 
 #include <gtest/gtest.h>
 
@@ -101,5 +101,7 @@ inline BranchState reach(Model model, const BranchState& from, PlanePoint to) {
 inline BranchState oblate(Model model, PlanePoint at, int elements) {
   return refined(model, reach(model, first_oblate(model), at), elements);
 }
+
+using sbeh::test::OrderTable;
 
 }  // namespace sbeh::axisym::test

@@ -29,6 +29,17 @@ TEST(Spheroid, has_the_area_and_reduced_volume_asked_for) {
       }
 }
 
+TEST(Spheroid, holds_area_and_volume_however_flat_or_thin) {
+  for (const int elements : {8, 48})
+    for (const bool prolate : {false, true})
+      for (const double v : {0.2, 0.05, 0.01}) {
+        const Nodes X = spheroid(v, prolate, elements, 0.5);
+        EXPECT_NEAR(area(X) / (4 * pi), 1, 1e-12) << elements << ' ' << prolate << ' ' << v;
+        EXPECT_NEAR(reduced_volume(area(X), volume(X)) / v, 1, 1e-11)
+            << elements << ' ' << prolate << ' ' << v;
+      }
+}
+
 TEST(Spheroid, of_reduced_volume_1_is_the_sphere) {
   const Nodes X = spheroid(1, false, 24, 0.5);
   EXPECT_NEAR(area(X) / (4 * pi), 1, correction);

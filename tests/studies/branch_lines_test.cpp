@@ -4,6 +4,7 @@
 #include "studies/csv_line.h"
 #include "studies/output.h"
 #include "studies/scan.h"
+#include "studies/scan_table.h"
 
 #include <gtest/gtest.h>
 
@@ -93,6 +94,70 @@ TEST(EqualEnergies, of_oblate_and_prolate_start_at_the_classical_point_and_are_e
   // As L → 0 the order is full and the shapes are the classical ones; the distance is linear in L.
   const double classical = axisym::shoot_special_points().prolate_oblate.reduced_volume;
   EXPECT_NEAR(std::stod(fine[0][3]), classical, 1e-6);
+}
+
+// Row by row: the table's lowest branch against the rows of scan.csv.
+TEST(LowestBranch, is_that_of_least_energy_among_the_stationary_ones) {
+  ScanInput input;
+  input.reduced_volume = {0.45, 0.6, 0.7};
+  input.L = {0.02, 0.06};
+  input.models = {model::Model::SBEH, model::Model::SSH};
+  input.branches = {"oblate", "prolate"};
+  input.numerics.elements = 32;
+  const ScratchFolder folder;
+  run_scan(input, folder.path() / "scan", "test");
+  const Rows lowest =
+      rows_of(folder.path() / "scan/lowest.csv", "model,L,reduced_volume,branch,energy");
+  const ScanTable table{OutputFolder(folder.path() / "scan")};
+  EXPECT_EQ(lowest.size(), 12u);
+  for (const auto& row : lowest) {
+    const model::Model model = row[0] == "SBEH" ? model::Model::SBEH : model::Model::SSH;
+    const double L = std::stod(row[1]), v = std::stod(row[2]), energy = std::stod(row[4]);
+    for (const std::string branch : {"oblate", "prolate"}) {
+      const PointResult* point = table.find({v, L, model, branch});
+      ASSERT_TRUE(point);
+      if (branch == row[3]) {
+        EXPECT_EQ(point->status, PointStatus::stationary);
+        EXPECT_EQ(point->diagnostics->energy.total(), energy);
+      } else if (point->status == PointStatus::stationary) {
+        EXPECT_GT(point->diagnostics->energy.total(), energy);
+      }
+    }
+  }
+  // The oblate at 0.45 passes through itself: it is marked, and the prolate is offered in spite of its energy.
+  const PointResult* crossed = table.find({0.45, 0.02, model::Model::SSH, "oblate"});
+  ASSERT_TRUE(crossed);
+  EXPECT_TRUE(crossed->self_contact);
+  EXPECT_NE(crossed->status, PointStatus::stationary);
+}
+
+TEST(BeyondFold, is_tabled_where_the_fold_is_near_the_scan_and_offers_its_sharp_rims) {
+  ScanInput input;
+  input.reduced_volume = {0.6, 0.8};
+  input.L = {0.03, 0.05, 0.06};
+  input.models = {model::Model::SBEH};
+  input.beyond_fold = true;
+  const ScratchFolder folder;
+  run_scan(input, folder.path() / "scan", "test");
+  const Rows states = rows_of(folder.path() / "scan/beyond_fold.csv",
+                              "reduced_volume,L,kind,energy,order_rim,H_rim,H_abs_max,resolution,"
+                              "status,jump,pressure,negative_directions");
+  std::vector<std::string> kinds;
+  for (const auto& row : states) {
+    EXPECT_EQ(row[0], "0.6");  // at 0.8 the fold is at L = 0.137
+    EXPECT_EQ(row[8], "stationary");
+    kinds.push_back(row[2]);
+    EXPECT_TRUE(
+        fs::exists(folder.path() / "scan/beyond_fold" / (row[2] + "_v0.6_L" + row[1] + ".csv")));
+  }
+  EXPECT_EQ(kinds, (std::vector<std::string>{"fold", "saddle", "saddle", "saddle", "sharp", "sharp",
+                                             "sharp", "equal_energy"}));
+  const Rows lowest =
+      rows_of(folder.path() / "scan/lowest.csv", "model,L,reduced_volume,branch,energy");
+  ASSERT_EQ(lowest.size(), 6u);  // by L, then by reduced volume
+  for (const auto& [row, branch] :
+       {std::pair{0, "oblate"}, {1, "oblate"}, {2, "sharp_oblate"}, {4, "sharp_oblate"}})
+    EXPECT_EQ(lowest[std::size_t(row)][3], branch) << row;
 }
 
 }  // namespace

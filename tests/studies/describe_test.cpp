@@ -36,7 +36,7 @@ TEST(InputKind, is_told_by_the_tables) {
 
 TEST(Description, of_a_scan_reads_back_as_the_same_scan) {
   const std::vector<std::string> texts{
-      small_scan,
+      small_scan, small_scan + "beyond_fold = true\n",
       "[scan]\nreduced_volume = { from = 0.61, to = 0.93, count = 77 }\n"
       "L = { from = 0.00123456789012345678, to = 0.3, count = 9, spacing = \"log\" }\n"
       "models = [\"SSH\", \"SBEH\"]\nmethod = \"flow\"\nend_time = 1e17\n"

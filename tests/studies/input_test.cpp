@@ -26,6 +26,7 @@ TEST(ScanInput, has_the_documented_defaults) {
   EXPECT_EQ(input.branches, std::vector<std::string>{"oblate"});
   EXPECT_EQ(input.method, Method::newton);
   EXPECT_EQ(input.flow_end_time, 200);
+  EXPECT_FALSE(input.beyond_fold);
   expect_same(input.material, model::Material{});
   expect_same(input.numerics, axisym::Numerics{});
 }
@@ -46,7 +47,8 @@ TEST(ScanInput, takes_what_the_file_says) {
 }
 
 TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
-  const std::string known = "Known: reduced_volume, L, models, branches, method, end_time";
+  const std::string known =
+      "Known: reduced_volume, L, models, branches, method, end_time, beyond_fold";
   const std::string grid = "must be a number, a list of numbers, or a range { from, to, count }";
   const std::vector<Case> added{
       {"models = 'SSH'",
@@ -67,6 +69,15 @@ TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
       {"method = 1", ":4: [scan] method = 1: must be one of 'newton', 'flow'"},
       {"end_time = 3", ":4: [scan] end_time = 3: must not be given without method = 'flow'"},
       {"method = 'flow'\nend_time = 0", ":5: [scan] end_time = 0: must be > 0"},
+      {"beyond_fold = 1", ":4: [scan] beyond_fold = 1: must be true or false"},
+      {"beyond_fold = true\nmodels = ['SSH']",
+       ":4: [scan] beyond_fold = true: needs method = \"newton\", the model \"SBEH\" and the "
+       "branch "
+       "\"oblate\""},
+      {"beyond_fold = true\nmethod = 'flow'",
+       ":4: [scan] beyond_fold = true: needs method = \"newton\", the model \"SBEH\" and the "
+       "branch "
+       "\"oblate\""},
       {"\nl = 0.3", ":5: [scan] l: unknown key; did you mean 'L'? " + known},
       {"zzz = 0\nyyy = 0\nxxxxxxx = 1", ":4: [scan] zzz: unknown key. " + known},
       {"[scan.extra]", ":4: [scan.extra]: unknown table. " + known},

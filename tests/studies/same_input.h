@@ -35,8 +35,9 @@ inline void expect_same(const axisym::Numerics& a, const axisym::Numerics& b) {
 
 inline void expect_same(const ScanInput& a, const ScanInput& b) {
   const auto tie = [](const ScanInput& input) {
-    const auto& [reduced_volume, L, models, branches, method, material, numerics, end] = input;
-    return std::tie(reduced_volume, L, models, branches, method, end);
+    const auto& [reduced_volume, L, models, branches, method, beyond_fold, material, numerics,
+                 end] = input;
+    return std::tie(reduced_volume, L, models, branches, method, beyond_fold, end);
   };
   EXPECT_TRUE(tie(a) == tie(b));
   expect_same(a.material, b.material);

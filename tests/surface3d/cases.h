@@ -3,7 +3,7 @@
 
 #include "meshing/shapes.h"
 #include "surface3d/flow.h"
-#include "tests/model/order_table.h"
+#include "tests/order_table.h"
 
 #include <gtest/gtest.h>
 
@@ -25,7 +25,7 @@ namespace sbeh::surface3d::test {
 
 using model::Material;
 using model::Model;
-using model::test::OrderTable;
+using sbeh::test::OrderTable;
 using std::numbers::pi;
 
 /// The one-constant material of the paper.

@@ -163,10 +163,11 @@ bool is_complete(const fs::path& file) {
 
 }  // namespace
 
-void Canvas::write(const fs::path& stem) {
+void Canvas::write(const fs::path& stem, bool with_svg) {
   const std::string name = stem.filename().string();
   // First the SVG: a chart finds its final place only when it is rendered for the second time.
   for (const std::string kind : {".svg", ".png"}) {
+    if (kind == ".svg" && !with_svg) continue;
     const fs::path target = fs::path(stem) += kind;
     const fs::path temporary = stem.parent_path() / fmt::format(".{}-{}{}", name, getpid(), kind);
     if (kind == ".png") {

@@ -75,8 +75,9 @@ class Canvas {
   /// An item of VTK's own, for example a chart.
   void add(vtkContextItem* item);
 
-  /// Writes `stem`.png and `stem`.svg, each under a temporary name first; throws std::runtime_error.
-  void write(const std::filesystem::path& stem);
+  /// Writes `stem`.png and, unless left out, `stem`.svg, each under a temporary name first; throws
+  /// std::runtime_error.
+  void write(const std::filesystem::path& stem, bool with_svg = true);
 
  private:
   struct Window;

@@ -35,7 +35,11 @@ ColourMap::ColourMap(Palette palette, double low, double high)
   vtkNew<vtkColorTransferFunction> function;
   const std::size_t used = palette == Palette::lines ? viridis.size() - 1 : viridis.size();
   for (std::size_t i = 0; i < used; ++i) {
-    const auto& [r, g, b] = viridis[palette == Palette::lines ? used - 1 - i : i];
+    auto [r, g, b] = viridis[palette == Palette::lines ? used - 1 - i : i];
+    if (palette == Palette::surfaces) {
+      constexpr double white_share = 0.22;
+      for (double* channel : {&r, &g, &b}) *channel += white_share * (1 - *channel);
+    }
     function->AddRGBPoint(double(i) / double(used - 1), r, g, b);
   }
   const unsigned char* table = function->GetTable(0.0, 1.0, table_size);

@@ -10,7 +10,8 @@ namespace sbeh::picture {
 
 enum class Palette {
   viridis,  ///< dark for small values: for areas
-  lines     ///< light for small values, without the palest: for lines on white
+  lines,    ///< light for small values, without the palest: for lines on white
+  surfaces  ///< viridis with some white: for shaded surfaces with dark edges
 };
 
 class ColourMap {

@@ -1,12 +1,13 @@
 #include "tools/picture/diagram.h"
 
-#include "tools/picture/heat_map.h"
+#include "tools/picture/diagram_lines.h"
 #include "tools/picture/line_diagram.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace sbeh::picture {
 namespace {
@@ -25,46 +26,87 @@ std::vector<Quantity> quantities_of(const ScanTable& scan) {
   return {energy_gap(scan), smallest_order(scan), largest_curvature(scan, Model::SBEH)};
 }
 
-void draw_heat_maps(Canvas& canvas, const ScanTable& scan, const Options& options) {
-  const std::vector<Quantity> quantities = quantities_of(scan);
-  const double text = options.text_size();
-  const bool as_table = scan.reduced_volumes().size() * scan.lengths().size() <= most_table_cells;
-  const auto legend = mark_legend(quantities, as_table);
-  std::vector<ColourMap> colours;
-  double bars = 0.0;  // the width that all bars take with their numbers
-  for (const Quantity& quantity : quantities) {
+// What the picture shows: the map of branches where there are several, then the quantities.
+struct Contents {
+  std::optional<Quantity> branches;
+  std::vector<Quantity> quantities;
+  std::vector<ColourMap> colours;  // of the quantities
+  std::vector<DiagramLine> lines;
+  std::vector<LegendEntry> legend;
+  bool as_table;
+};
+
+Contents contents_of(const ScanTable& scan, const Options& options) {
+  Contents c{.branches = {},
+             .quantities = quantities_of(scan),
+             .colours = {},
+             .lines = {},
+             .legend = {},
+             .as_table = scan.reduced_volumes().size() * scan.lengths().size() <= most_table_cells};
+  for (const Quantity& quantity : c.quantities) {
     const auto [low, high] = quantity.range();
-    colours.emplace_back(Palette::viridis, low, high);
-    bars += 1.7 * text + colour_bar_margin(canvas, colours.back(), false, text);
+    c.colours.emplace_back(Palette::viridis, low, high);
   }
-  const auto count = double(quantities.size());
+  const bool ordered = scan.has(Model::SBEH);
+  if (ordered) c.lines = diagram_lines(options.directory, options.branch);
+  const auto add = [&](std::vector<LegendEntry> entries) {
+    c.legend.insert(c.legend.end(), entries.begin(), entries.end());
+  };
+  if (scan.branches().size() > 1 && options.branch.empty()) {
+    c.branches = lowest_branch(scan, ordered ? Model::SBEH : Model::SSH);
+    add(branch_legend(scan.branches()));
+  }
+  add(legend_of(c.lines));
+  add(mark_legend(c.quantities, c.as_table));
+  return c;
+}
+
+void draw_heat_maps(Canvas& canvas, const ScanTable& scan, const Options& options) {
+  const Contents contents = contents_of(scan, options);
+  const double text = options.text_size();
+  double bars = 0.0;  // the width that all bars take with their numbers
+  for (const ColourMap& colours : contents.colours)
+    bars += 1.7 * text + colour_bar_margin(canvas, colours, false, text);
+  const auto count = double(contents.quantities.size() + (contents.branches ? 1 : 0));
   const double width = options.size ? options.size->width : 533.0 * count;
   const double left = 5.2 * text, gap = 1.8 * text;
   const double inner_width = (width - left - bars - gap * count) / count;
-  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
-  const double below = below_axis(text) + (legend.empty() ? 0.0 : 0.8 * text + legend_at),
+  const double legend_at = legend_height(canvas, contents.legend, width - 2.0 * text, text);
+  const double below = below_axis(text) + (contents.legend.empty() ? 0.0 : 0.8 * text + legend_at),
                above = 2.6 * text;
   const double height = options.size ? options.size->height : below + above + 1.15 * inner_width;
   const double inner_height = height - below - above;
 
-  HeatMapGrid grid{.x = {}, .y = {}, .as_table = as_table};
-  grid.x = as_table
-             ? table_axis(scan.reduced_volumes(), "reduced volume Vᵣ")
-             : distance_axis(scan.reduced_volumes(), "reduced volume Vᵣ", inner_width, 3.2 * text);
-  grid.y = as_table ? table_axis(scan.lengths(), "elastic constant L")
-                    : distance_axis(scan.lengths(), "elastic constant L", inner_height, 3.0 * text);
+  const char *volume = "reduced volume Vᵣ", *constant = "elastic constant L";
+  HeatMapGrid grid{.x = {}, .y = {}, .as_table = contents.as_table};
+  grid.x = grid.as_table ? table_axis(scan.reduced_volumes(), volume)
+                         : distance_axis(scan.reduced_volumes(), volume, inner_width, 3.2 * text);
+  grid.y = grid.as_table ? table_axis(scan.lengths(), constant)
+                         : distance_axis(scan.lengths(), constant, inner_height, 3.0 * text);
 
   canvas.start(width, height);
   double x = left;
-  for (std::size_t i = 0; i < quantities.size(); ++i) {
+  // A panel with its lines and title; the next one stands beyond `room` and has no numbers on its axis.
+  const auto panel = [&](const std::string& title, double room, auto&& draw) {
     const Rect inside{x, below, inner_width, inner_height};
-    draw_heat_map(canvas, inside, quantities[i], colours[i], grid, text);
-    canvas.text(inside.centre_x(), inside.top() + 1.2 * text, quantities[i].title, {.size = text});
-    x += inner_width + 1.7 * text + colour_bar_margin(canvas, colours[i], false, text) + gap;
+    draw(inside);
+    draw_diagram_lines(canvas, inside, contents.lines, grid);
+    canvas.text(inside.centre_x(), inside.top() + 1.2 * text, title, {.size = text});
+    x += inner_width + room + gap;
     grid.y.axis.title.clear();
     std::ranges::fill(grid.y.axis.labels, "");
-  }
-  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  };
+  if (contents.branches)
+    panel(contents.branches->title, 0.0, [&](const Rect& inside) {
+      draw_branch_map(canvas, inside, *contents.branches, grid, text);
+    });
+  for (std::size_t i = 0; i < contents.quantities.size(); ++i)
+    panel(contents.quantities[i].title,
+          1.7 * text + colour_bar_margin(canvas, contents.colours[i], false, text),
+          [&](const Rect& inside) {
+            draw_heat_map(canvas, inside, contents.quantities[i], contents.colours[i], grid, text);
+          });
+  draw_legend(canvas, contents.legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "diagram");
 }
 

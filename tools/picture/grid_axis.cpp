@@ -48,6 +48,7 @@ GridAxis table_axis(const std::vector<double>& values, const std::string& title)
   grid.axis.low = -0.5;
   grid.axis.high = double(values.size()) - 0.5;
   grid.axis.title = title;
+  grid.values = values;
   return grid;
 }
 
@@ -62,7 +63,19 @@ GridAxis distance_axis(const std::vector<double>& values, const std::string& tit
   grid.axis = cropped(
       logarithmic ? decade_axis(low, high, title) : linear_axis(low, high, length, spacing, title),
       low, high);
+  grid.values = values;
   return grid;
+}
+
+double share_of(const GridAxis& grid, double value) {
+  const std::vector<double>&v = grid.values, &at = grid.centres;
+  double place = at[0];
+  if (v.size() > 1) {
+    const auto above = std::upper_bound(v.begin() + 1, v.end() - 1, value);
+    const auto k = std::size_t(above - v.begin());
+    place = at[k - 1] + (value - v[k - 1]) / (v[k] - v[k - 1]) * (at[k] - at[k - 1]);
+  }
+  return (place - grid.axis.low) / (grid.axis.high - grid.axis.low);
 }
 
 }  // namespace sbeh::picture

@@ -6,12 +6,18 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <functional>
+#include <limits>
+#include <set>
 
 namespace sbeh::picture {
 namespace {
 
 constexpr double hatch_distance = 9.0;  // pixels
+// Of the width: shorter pieces, at the rugged edges of regions and in corners, are only noise.
+constexpr double shortest_contour = 0.12;
 
 double to_pixels(double value, const Axis& axis, double origin, double length) {
   return origin + (value - axis.low) / (axis.high - axis.low) * length;
@@ -66,15 +72,32 @@ std::string number_text(double value, const ColourMap& colours) {
   return fmt::format("{:.{}f}", value, decimals);
 }
 
-void draw_contours(Canvas& canvas, const Rect& inside, const Quantity& quantity,
+// The values of one region alone.
+std::vector<std::vector<double>> values_in(const Quantity& quantity, int region) {
+  auto values = quantity.values;
+  for (std::size_t i = 0; i < values.size(); ++i)
+    for (std::size_t j = 0; j < values[i].size(); ++j)
+      if (quantity.regions[i][j] != region) values[i][j] = std::numeric_limits<double>::quiet_NaN();
+  return values;
+}
+
+double length_of(const Points& line) {
+  double length = 0.0;
+  for (std::size_t i = 1; i < line.size(); ++i)
+    length += std::hypot(line[i][0] - line[i - 1][0], line[i][1] - line[i - 1][1]);
+  return length;
+}
+
+void draw_contours(Canvas& canvas, const Rect& inside, const Quantity& quantity, int region,
                    const ColourMap& colours, const HeatMapGrid& grid) {
+  const auto values = values_in(quantity, region);
   for (const double level : colours.scale().ticks) {
-    for (Points line : contour_lines(grid.x.centres, grid.y.centres, quantity.values, level)) {
-      if (line.size() < 3) continue;  // touches only a corner
+    for (Points line : contour_lines(grid.x.centres, grid.y.centres, values, level)) {
       for (auto& [x, y] : line) {
         x = to_pixels(x, grid.x.axis, inside.x, inside.width);
         y = to_pixels(y, grid.y.axis, inside.y, inside.height);
       }
+      if (length_of(line) < shortest_contour * inside.width) continue;
       canvas.line(line, {.colour = ink_on(colours(level)), .width = 1.8});
     }
   }
@@ -94,8 +117,10 @@ void draw_number(Canvas& canvas, const Rect& cell, const std::string& text, Colo
 
 }  // namespace
 
-void draw_heat_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
-                   const ColourMap& colours, const HeatMapGrid& grid, double text_size) {
+namespace {
+
+std::vector<Cell> cells_of(const Rect& inside, const Quantity& quantity, const HeatMapGrid& grid,
+                           const std::function<Colour(double)>& colour) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < grid.x.centres.size(); ++i) {
     const double left = to_pixels(grid.x.edges[i], grid.x.axis, inside.x, inside.width);
@@ -106,11 +131,26 @@ void draw_heat_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
       const double value = quantity.values[i][j];
       if (quantity.marks[i][j] == Mark::absent) continue;
       cells.push_back({{left, bottom, right - left, top - bottom},
-                       std::isfinite(value) ? colours(value) : light_grey,
+                       std::isfinite(value) ? colour(value) : light_grey,
                        quantity.marks[i][j],
                        value});
     }
   }
+  return cells;
+}
+
+// Light, so that lines stand out.
+Colour branch_colour(std::size_t index) {
+  static constexpr std::array<Colour, 3> colours{
+      {{158, 202, 225}, {253, 190, 133}, {161, 217, 155}}};
+  return colours[index % colours.size()];
+}
+
+}  // namespace
+
+void draw_heat_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
+                   const ColourMap& colours, const HeatMapGrid& grid, double text_size) {
+  const auto cells = cells_of(inside, quantity, grid, [&](double v) { return colours(v); });
   draw_cells(canvas, cells);
   if (grid.as_table) {
     for (const Cell& cell : cells) {
@@ -118,12 +158,30 @@ void draw_heat_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
       draw_number(canvas, cell.rect, number_text(cell.value, colours), cell.colour, text_size);
     }
   } else {
-    draw_contours(canvas, inside, quantity, colours, grid);
+    std::set<int> regions;
+    for (const auto& row : quantity.regions) regions.insert(row.begin(), row.end());
+    regions.erase(-1);
+    for (const int region : regions) draw_contours(canvas, inside, quantity, region, colours, grid);
   }
   Chart(canvas, inside, text_size, grid.x.axis, grid.y.axis);
   draw_colour_bar(canvas,
                   {inside.right() + 0.8 * text_size, inside.y, 0.9 * text_size, inside.height},
                   colours, "", text_size);
+}
+
+void draw_branch_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
+                     const HeatMapGrid& grid, double text_size) {
+  draw_cells(canvas, cells_of(inside, quantity, grid,
+                              [](double branch) { return branch_colour(std::size_t(branch)); }));
+  Chart(canvas, inside, text_size, grid.x.axis, grid.y.axis);
+}
+
+std::vector<LegendEntry> branch_legend(const std::vector<std::string>& branches) {
+  std::vector<LegendEntry> entries;
+  for (std::size_t i = 0; i < branches.size(); ++i)
+    entries.push_back(
+        {[i](Canvas& canvas, const Rect& r) { canvas.fill(r, branch_colour(i)); }, branches[i]});
+  return entries;
 }
 
 std::vector<LegendEntry> mark_legend(const std::vector<Quantity>& quantities, bool as_table) {

@@ -17,6 +17,12 @@ struct HeatMapGrid {
 void draw_heat_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
                    const ColourMap& colours, const HeatMapGrid& grid, double text_size);
 
+/// The same for `lowest_branch`: a colour per branch, and no bar.
+void draw_branch_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
+                     const HeatMapGrid& grid, double text_size);
+/// The colours of the branches.
+std::vector<LegendEntry> branch_legend(const std::vector<std::string>& branches);
+
 /// Legend of the marks in use.
 std::vector<LegendEntry> mark_legend(const std::vector<Quantity>& quantities, bool as_table);
 

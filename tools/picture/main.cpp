@@ -1,10 +1,11 @@
-// sbeh-picture: the pictures of a scan, of one relaxation or of the classical branches, from the
-// tables they leave.
+// sbeh-picture: the pictures of a scan, of one relaxation, of the classical branches or of a mesh,
+// from the files they leave.
 #include "tools/picture/classical.h"
 #include "tools/picture/csv.h"
 #include "tools/picture/cuts.h"
 #include "tools/picture/diagram.h"
 #include "tools/picture/energy.h"
+#include "tools/picture/mesh.h"
 #include "tools/picture/relax.h"
 #include "tools/picture/virtual_display.h"
 
@@ -64,7 +65,7 @@ void add_common_options(CLI::App* command, Options& options, std::string& size,
 }
 
 int run(int count, char** arguments) {
-  CLI::App app("Pictures (PNG and SVG) of a scan, a relaxation or the classical branches",
+  CLI::App app("Pictures (PNG and SVG) of a scan, a relaxation, the classical branches or a mesh",
                "sbeh-picture");
   app.require_subcommand(1);
   Options options;
@@ -77,6 +78,10 @@ int run(int count, char** arguments) {
   CLI::App* seifert =
       app.add_subcommand("seifert", "the classical diagram from DIR/branches.csv, points.csv");
   add_common_options(seifert, options, size, {"branches"});
+  CLI::App* mesh = app.add_subcommand("mesh", "a curved mesh from FILE.vtu, into FILE.png");
+  mesh->add_option("FILE", options.directory, "Mesh with curved triangles, as sbeh mesh writes it")
+      ->required();
+  mesh->add_option("--size", size, "Width and height in pixels, e.g. 1600x1200");
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
@@ -89,6 +94,10 @@ int run(int count, char** arguments) {
   if (seifert->parsed()) {
     Canvas canvas;
     draw_classical_diagram(canvas, options);
+  }
+  if (mesh->parsed()) {
+    Canvas canvas;
+    draw_mesh(canvas, options);
   }
   return 0;
 }

@@ -25,18 +25,31 @@ Mark mark_of(const ScanPoint* point) {
   return Mark::failed;
 }
 
-using Value = std::function<std::pair<double, Mark>(std::size_t volume, std::size_t length)>;
+struct Entry {
+  double value;
+  Mark mark;
+  int region;
+};
+using Value = std::function<Entry(std::size_t volume, std::size_t length)>;
+
+// Index of the point's branch; −1 where there is no stationary state of it.
+int branch_index(const ScanTable& scan, const ScanPoint* point) {
+  if (mark_of(point) != Mark::none) return -1;
+  return int(std::ranges::find(scan.branches(), point->branch) - scan.branches().begin());
+}
 
 Quantity tabulate(const ScanTable& scan, std::string title, const Value& value) {
-  Quantity quantity{.title = std::move(title), .values = {}, .marks = {}};
+  Quantity quantity{.title = std::move(title), .values = {}, .marks = {}, .regions = {}};
   for (std::size_t volume = 0; volume < scan.reduced_volumes().size(); ++volume) {
     auto& values = quantity.values.emplace_back();
     auto& marks = quantity.marks.emplace_back();
+    auto& regions = quantity.regions.emplace_back();
     for (std::size_t length = 0; length < scan.lengths().size(); ++length) {
-      auto [number, mark] = value(volume, length);
+      auto [number, mark, region] = value(volume, length);
       if (mark == Mark::none && !std::isfinite(number)) mark = Mark::failed;
       values.push_back(mark == Mark::failed || mark == Mark::absent ? none : number);
       marks.push_back(mark);
+      regions.push_back(mark == Mark::none ? region : -1);
     }
   }
   return quantity;
@@ -46,7 +59,7 @@ Quantity of_model(const ScanTable& scan, Model model, std::string title,
                   double ScanPoint::*member) {
   return tabulate(scan, std::move(title), [&](std::size_t volume, std::size_t length) {
     const ScanPoint* point = scan.find(model, volume, length);
-    return std::pair(point ? point->*member : none, mark_of(point));
+    return Entry{point ? point->*member : none, mark_of(point), branch_index(scan, point)};
   });
 }
 
@@ -79,12 +92,23 @@ std::pair<double, double> Quantity::range() const {
   return low <= high ? std::pair(low, high) : std::pair(0.0, 1.0);
 }
 
+Quantity lowest_branch(const ScanTable& scan, Model model) {
+  return tabulate(scan, with_name("lowest branch", model),
+                  [&](std::size_t volume, std::size_t length) {
+                    const ScanPoint* point = scan.find(model, volume, length);
+                    const int branch = branch_index(scan, point);
+                    return Entry{branch < 0 ? none : double(branch), mark_of(point), branch};
+                  });
+}
+
 Quantity energy_gap(const ScanTable& scan) {
   return tabulate(scan, "energy gap U(SSH) − U(SBEH)", [&](std::size_t volume, std::size_t length) {
     const ScanPoint* ssh = scan.find(Model::SSH, volume, length);
     const ScanPoint* sbeh = scan.find(Model::SBEH, volume, length);
     const Mark mark = std::max(mark_of(ssh), mark_of(sbeh));
-    return std::pair(ssh && sbeh ? ssh->energy - sbeh->energy : none, mark);
+    const int region =
+        branch_index(scan, sbeh) * int(scan.branches().size()) + branch_index(scan, ssh);
+    return Entry{ssh && sbeh ? ssh->energy - sbeh->energy : none, mark, region};
   });
 }
 

@@ -15,12 +15,16 @@ struct Quantity {
   std::string title;
   std::vector<std::vector<double>> values;  ///< [reduced volume][L], NaN without value
   std::vector<std::vector<Mark>> marks;
+  std::vector<std::vector<int>> regions;  ///< no contour crosses from one to another, or enters −1
 
   bool has(Mark mark) const;
 
   /// Of the stationary points and of the unresolved ones that are not far away from them.
   std::pair<double, double> range() const;
 };
+
+/// Which branch is lowest: values are indices of scan.branches().
+Quantity lowest_branch(const ScanTable& scan, Model model);
 
 Quantity energy_gap(const ScanTable& scan);  ///< U(SSH) − U(SBEH)
 Quantity energy(const ScanTable& scan, Model model);

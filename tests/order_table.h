@@ -1,4 +1,4 @@
-// Tables of errors and observed orders.
+// Observed orders of convergence.
 #pragma once
 
 #include <cmath>
@@ -8,7 +8,7 @@
 #include <utility>
 #include <vector>
 
-namespace sbeh::model::test {
+namespace sbeh::test {
 
 /// Errors under refinement, printed as a table with the order observed from row to row.
 class OrderTable {
@@ -46,4 +46,4 @@ class OrderTable {
   std::vector<Row> rows_;
 };
 
-}  // namespace sbeh::model::test
+}  // namespace sbeh::test

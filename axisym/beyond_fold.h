@@ -1,0 +1,52 @@
+// What lies beyond the fold in which the smooth ordered oblate ends: the saddle back from it, and the
+// states with a sharp rim.
+//
+// All on half curves symmetric top to bottom with elements of high degree that shrink towards the rim
+// (rim_basis.h), for the one-constant approximation.
+#pragma once
+
+#include "axisym/curve.h"
+#include "model/material.h"
+
+#include <span>
+#include <vector>
+
+namespace sbeh::axisym {
+
+enum class RimKind {
+  fold,         ///< where the smooth oblate ends as L grows
+  saddle,       ///< the barrier between smooth and sharp, from the fold back to smaller L
+  second_fold,  ///< where the states with a sharp rim end as L falls
+  sharp,        ///< a minimum with a sharp rim
+  equal_energy  ///< the sharp state at the L at which the smooth one has its energy
+};
+/// "fold", "saddle", "second_fold", "sharp" or "equal_energy".
+const char* name(RimKind kind);
+
+/// A stationary state with its rim; lengths in radii of the sphere of equal area.
+struct RimRecord {
+  RimKind kind;
+  double reduced_volume, L, energy;
+  double
+      order_rim;  ///< β at the rim; 0: a kink, or so near to one (below 1e-5) that it counts as one
+  double H_rim;   ///< −∞ at a kink
+  double H_abs_max;  ///< ∞ at a kink
+  double jump;       ///< how far the tangent turns within 1e-4 of the rim, in radians, both sides
+  double
+      resolution;  ///< largest change between neighbouring nodes of the tangent's angle, or of β as a
+                   ///< share of 2/3; above 0.35 the state is not resolved
+  double pressure;          ///< P = ∂U/∂V at fixed area
+  int negative_directions;  ///< axisymmetric ones in which U falls, a kink staying one; at a fold: on its
+                            ///< stable side
+  State state;              ///< the whole curve, see rim_profile.h
+};
+
+/// The states at one reduced volume: the fold, the saddle and the sharp state at those of the L (ascending)
+/// where they exist, the second fold, and the sharp state of the smooth one's energy; by kind, then by L.
+/// Empty when the oblate has no fold below L = 2, or is lost on the way. No sharp states with a residual
+/// stiffness, which makes a kink infinitely costly. About two seconds.
+/// Throws std::invalid_argument unless 0.51 < V_r < 1.
+std::vector<RimRecord> beyond_fold(const model::Material& material, double reduced_volume,
+                                   std::span<const double> L);
+
+}  // namespace sbeh::axisym

@@ -1,0 +1,59 @@
+// A mesh as a user asks for it: a shape, how fine, how large; made, checked and reported.
+#pragma once
+
+#include "meshing/quality.h"
+#include "meshing/resolution.h"
+#include "meshing/spherical_harmonics.h"
+#include "studies/mesh_files/mesh_file.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+namespace sbeh::studies {
+
+struct SphereShape {};
+/// Either the semi-axes along x, y, z, or the spheroid about z of the request's reduced volume.
+struct EllipsoidShape {
+  std::optional<Eigen::Vector3d> semi_axes;
+  bool prolate = false;
+};
+struct HarmonicShape {
+  std::vector<meshing::Harmonic> modes;
+};
+/// A profile as `write_profile` leaves it, revolved; its order becomes the field "order".
+struct ProfileShape {
+  std::filesystem::path file;
+};
+/// A user's mesh. Plain triangles are curved; without `triangles` they stay as they are.
+struct FileShape {
+  std::filesystem::path file;
+  bool repair = false;
+};
+
+struct MeshRequest {
+  std::variant<SphereShape, EllipsoidShape, HarmonicShape, ProfileShape, FileShape> shape;
+  std::optional<int> triangles = {};  ///< about so many
+  std::optional<int> order = {};      ///< 3
+  double grading = 0;                 ///< meshing::Resolution
+  std::optional<double> area = {};    ///< else the shape's own; 4π for the spheroid of given V_r
+  std::optional<double> reduced_volume = {};  ///< else the shape's own
+};
+
+struct MadeMesh {
+  meshing::CurvedMesh mesh;
+  NodeFields fields;  ///< "mean_curvature" for order > 1; "order" of a profile; those of the file
+  meshing::Quality quality;
+  std::vector<std::string> notes;  ///< what the user should know, such as what was repaired
+};
+
+/// The mesh, which is closed, outward, of sphere topology and free of folds and self-intersections.
+/// Throws InputError: what is wrong with the request, or which triangle or point of the file.
+MadeMesh make_mesh(const MeshRequest& request);
+
+/// `name: value` lines.
+std::string report(const meshing::Quality& quality);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,25 @@
+// A surface in space, rendered into an image.
+#pragma once
+
+#include "meshing/curved_mesh.h"
+#include "tools/picture/colours.h"
+
+#include <vtkSmartPointer.h>
+
+class vtkImageData;
+
+namespace sbeh::picture {
+
+/// Where the eye is, seen from the middle of the surface, and what is up.
+struct View {
+  Eigen::Vector3d from;
+  Eigen::Vector3d up;
+};
+
+/// Square image of `pixels` per side. The surface is coloured by `values`, one per node, and shows
+/// the edges of its triangles; `half_width` is the length from the middle of the image to its side.
+vtkSmartPointer<vtkImageData> render(const meshing::CurvedMesh& mesh, const Eigen::VectorXd& values,
+                                     const ColourMap& colours, const View& view, double half_width,
+                                     int pixels);
+
+}  // namespace sbeh::picture
