@@ -210,7 +210,7 @@ PointOutcome sphere_point(const ScanInput& input, const PointKey& key) {
   const Clock clock;
   const model::Material material = input.material.with_L(key.L);
   const std::optional<double> order =
-      key.model == Model::SSH ? model::full_order : model::sphere_rest_order(material);
+      has_free_order(key.model) ? model::sphere_rest_order(material) : model::full_order;
   if (!order) return failed_point(key, "no ordered state at rest on the sphere at this L");
   const int elements = input.numerics.elements;
   const State state{axisym::spheroid(1., 1., elements, 0),

@@ -70,8 +70,10 @@ class TomlText {
 
 enum class Elasticity { with_L, without_L };
 
-/// The binding names every member, so that a new one is not forgotten here.
-void write_material(TomlText& toml, const model::Material& material, Elasticity elasticity) {
+/// Without what the model says itself. The binding names every member, so that a new one is not
+/// forgotten here.
+void write_material(TomlText& toml, const model::Material& material, Elasticity elasticity,
+                    model::Model model = model::Model::SBEH) {
   const auto& [L1, L2, L3, potential, viscosity, immobility, friction_tangential, friction_normal,
                order_viscosity, residual_stiffness, spontaneous_curvature] = material;
   toml.table("material");
@@ -81,10 +83,12 @@ void write_material(TomlText& toml, const model::Material& material, Elasticity 
     toml.value("L3", L3);
   }
   toml.value("potential", potential.coefficients());
-  toml.value("viscosity", viscosity);
+  if (!has_own_drag(model)) toml.value("viscosity", viscosity);
   toml.value("immobility", immobility);
-  toml.value("friction_tangential", friction_tangential);
-  toml.value("friction_normal", friction_normal);
+  if (!has_own_drag(model)) {
+    toml.value("friction_tangential", friction_tangential);
+    toml.value("friction_normal", friction_normal);
+  }
   toml.value("order_viscosity", order_viscosity);
   toml.value("residual_stiffness", residual_stiffness);
   toml.value("spontaneous_curvature", spontaneous_curvature);
@@ -163,8 +167,7 @@ void write_surface(TomlText& toml, const RunInput& input) {
   const bool own_mesh = std::holds_alternative<MeshFileStart>(input.start),
              own_state = std::holds_alternative<FrameStart>(input.start);
   if (!own_mesh && !own_state) toml.value("triangles", input.triangles);
-  if (!own_state && !std::holds_alternative<ScanRow>(input.start)
-      && input.model == model::Model::SBEH)
+  if (!own_state && !std::holds_alternative<ScanRow>(input.start) && has_free_order(input.model))
     toml.value("order", input.initial_order);
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
 }
@@ -172,7 +175,7 @@ void write_surface(TomlText& toml, const RunInput& input) {
 void write_start(TomlText& toml, const RelaxInput& input) {
   toml.table("start");
   std::visit([&toml](const auto& shape) { write_shape(toml, shape); }, input.start);
-  if (std::holds_alternative<Ellipsoid>(input.start) && input.model == model::Model::SBEH)
+  if (std::holds_alternative<Ellipsoid>(input.start) && has_free_order(input.model))
     toml.value("order", input.initial_order);
 }
 
@@ -217,7 +220,7 @@ std::string describe(const RelaxInput& input, std::string_view version) {
   TomlText toml(version);
   toml.value("model", input.model);
   write_start(toml, input);
-  write_material(toml, input.material, Elasticity::with_L);
+  write_material(toml, input.material, Elasticity::with_L, input.model);
   write_numerics(toml, input.numerics);
   write_time(toml, input);
   return toml.text();
@@ -227,7 +230,7 @@ std::string describe(const RunInput& input, std::string_view version) {
   TomlText toml(version);
   toml.value("model", input.model);
   write_surface(toml, input);
-  write_material(toml, input.material, Elasticity::with_L);
+  write_material(toml, input.material, Elasticity::with_L, input.model);
   toml.table("numerics");
   write_time_control(toml, input.numerics);
   toml.value("scheme", std::string(name(input.numerics.scheme)));

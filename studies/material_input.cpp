@@ -1,5 +1,10 @@
 #include "studies/material_input.h"
 
+#include "studies/spelling.h"
+
+#include <algorithm>
+#include <iterator>
+
 namespace sbeh::studies {
 
 namespace {
@@ -77,7 +82,11 @@ model::Material read_rest(const TomlTable& table, model::Material material) {
 
 }  // namespace
 
-model::Material read_material(const TomlTable& table, model::Material absent) {
+model::Material read_material(const TomlTable& table, model::Model model, model::Material absent) {
+  if (has_own_drag(model))
+    for (const char* key : {"viscosity", "friction", "friction_tangential", "friction_normal"})
+      table.refuse(key, "must not be given for model = " + in_quotes(name(model))
+                            + ", which has no viscosity and friction 1");
   read_elastic_constants(table, absent);
   return read_rest(table, absent);
 }
@@ -138,13 +147,38 @@ surface3d::Numerics read_numerics_3d(const TomlTable& table) {
   return checked(table, numerics);
 }
 
+namespace {
+
+constexpr model::Model models[] = {model::Model::SBEH, model::Model::SSH,
+                                   model::Model::HelfrichLocal, model::Model::HelfrichGlobal};
+
+}  // namespace
+
 const std::vector<std::string>& model_words() {
+  static const std::vector<std::string> words = [] {
+    std::vector<std::string> names;
+    for (const model::Model model : models) names.emplace_back(name(model));
+    return names;
+  }();
+  return words;
+}
+
+const std::vector<std::string>& scan_model_words() {
   static const std::vector<std::string> words{name(model::Model::SBEH), name(model::Model::SSH)};
   return words;
 }
 
 model::Model model_of(const std::string& word) {
-  return word == name(model::Model::SSH) ? model::Model::SSH : model::Model::SBEH;
+  return *std::find_if(std::begin(models), std::end(models),
+                       [&](model::Model model) { return word == name(model); });
+}
+
+void refuse_order(const TomlTable& table, model::Model model,
+                  const std::vector<std::string>& keys) {
+  if (has_free_order(model)) return;
+  for (const std::string& key : keys)
+    table.refuse(key, "must not be given for model = " + in_quotes(name(model))
+                          + ", where the order is 2/3 everywhere");
 }
 
 }  // namespace sbeh::studies

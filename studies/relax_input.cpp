@@ -57,13 +57,6 @@ void refuse_keys_of_other_shapes(const TomlTable& start, const std::string& chos
     }
 }
 
-/// SSH knows no order but 2/3.
-void refuse_order_in_ssh(const TomlTable& start, model::Model model) {
-  if (model != model::Model::SSH) return;
-  for (const char* key : {"order", "order_modes"})
-    start.refuse(key, "must not be given for model = \"SSH\", where the order is 2/3 everywhere");
-}
-
 Ellipsoid read_ellipsoid(const TomlTable& start) {
   Ellipsoid ellipsoid;
   if (start.has("axes")) {
@@ -95,7 +88,7 @@ Harmonics read_harmonics(const TomlTable& start) {
 ScanRow read_scan_row(const TomlTable& start, model::Model model) {
   ScanRow row;
   row.folder = start.text("folder");
-  row.model = model_of(start.word("model", model_words(), name(model)));
+  row.model = model_of(start.word("model", scan_model_words(), name(rest_model(model))));
   row.branch = start.word("branch", known_branches(), row.branch);
   row.reduced_volume = start.number("reduced_volume", reduced_volumes);
   row.L = start.number("L", above(0));
@@ -105,7 +98,7 @@ ScanRow read_scan_row(const TomlTable& start, model::Model model) {
 void read_start(const TomlTable& start, RelaxInput& input) {
   const std::string shape = start.word("shape", shape_names());
   refuse_keys_of_other_shapes(start, shape);
-  refuse_order_in_ssh(start, input.model);
+  refuse_order(start, input.model, {"order", "order_modes"});
   if (shape == "ellipsoid") {
     input.start = read_ellipsoid(start);
     input.initial_order = start.number("order", orders, input.initial_order);
@@ -154,7 +147,7 @@ RelaxInput read_relax(const std::filesystem::path& path) {
   read_start(start, input);
   if (const auto* row = std::get_if<ScanRow>(&input.start))
     input.material = input.material.with_L(row->L);
-  input.material = read_material(material, input.material);
+  input.material = read_material(material, input.model, input.material);
   input.numerics = read_numerics(numerics);
   read_time(time, input);
   return input;

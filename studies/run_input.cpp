@@ -63,7 +63,7 @@ Ellipsoid3d read_ellipsoid(const TomlTable& surface) {
 ScanRow read_scan_row(const TomlTable& surface, model::Model model) {
   ScanRow row;
   row.folder = surface.text("folder");
-  row.model = model_of(surface.word("model", model_words(), name(model)));
+  row.model = model_of(surface.word("model", scan_model_words(), name(rest_model(model))));
   row.branch = surface.word("branch", known_branches(), row.branch);
   row.reduced_volume = surface.number("reduced_volume", reduced_volumes);
   row.L = surface.number("L", above(0));
@@ -75,9 +75,7 @@ void read_surface(const TomlTable& surface, RunInput& input) {
   for (const Shape& shape : shapes()) names.push_back(shape.name);
   const std::string shape = surface.word("shape", names);
   refuse_keys_of_other_shapes(surface, shape);
-  if (input.model == model::Model::SSH)
-    surface.refuse("order",
-                   "must not be given for model = \"SSH\", where the order is 2/3 everywhere");
+  refuse_order(surface, input.model, {"order"});
   if (shape == "ellipsoid") input.start = read_ellipsoid(surface);
   if (shape == "harmonics")
     input.start = HarmonicSphere{surface.harmonics("modes", largest_degree)};
@@ -113,7 +111,7 @@ RunInput read_run(const std::filesystem::path& path) {
   read_surface(surface, input);
   if (const auto* row = std::get_if<ScanRow>(&input.start))
     input.material = input.material.with_L(row->L);
-  input.material = read_material(material, input.material);
+  input.material = read_material(material, input.model, input.material);
   input.numerics = read_numerics_3d(numerics);
   read_time(time, input);
   return input;

@@ -101,10 +101,10 @@ RunStart start_of(const RunInput& input) {
     meshing::scale_to_area(start.mesh, unit_area);
   const surface3d::Triangulation triangulation(start.mesh);
   RunStart result{.mesh = std::move(start.mesh), .beta = std::move(start.beta), .target = {}};
-  if (input.model == model::Model::SSH || result.beta.size() == 0)
-    result.beta.setConstant(result.mesh.node_count(), input.model == model::Model::SSH
-                                                          ? model::full_order
-                                                          : input.initial_order);
+  const bool free_order = model::has_free_order(input.model);
+  if (!free_order || result.beta.size() == 0)
+    result.beta.setConstant(result.mesh.node_count(),
+                            free_order ? input.initial_order : model::full_order);
   result.target = {surface3d::area(triangulation, result.mesh.nodes),
                    surface3d::volume(triangulation, result.mesh.nodes)};
   if (!(result.target.volume > 0))

@@ -39,7 +39,10 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
   input.reduced_volume = table.grid("reduced_volume", {.low = 0, .high = 1, .low_open = true});
   input.L = table.grid("L", above(0));
   input.models.clear();
-  for (const std::string& word : table.words("models", model_words(), model_words()))
+  for (const model::Model flow : {model::Model::HelfrichLocal, model::Model::HelfrichGlobal})
+    table.refuse_word("models", name(flow),
+                      "must not be scanned: its states of rest are those of SSH");
+  for (const std::string& word : table.words("models", scan_model_words(), scan_model_words()))
     input.models.push_back(model_of(word));
   input.branches = table.words("branches", known_branches(), input.branches);
   const std::string newton = name(Method::newton), flow = name(Method::flow);

@@ -337,6 +337,14 @@ void TomlTable::refuse(std::string_view key, std::string_view reason) const {
   if (state_->table && state_->table->get(key)) fail(key, reason);
 }
 
+void TomlTable::refuse_word(std::string_view key, std::string_view word,
+                            std::string_view reason) const {
+  const toml::node* value = state_->table ? state_->table->get(key) : nullptr;
+  if (!value || !value->is_array()) return;
+  for (const toml::node& element : *value->as_array())
+    if (element.value<std::string_view>() == word) fail_at(*state_, key, element, reason);
+}
+
 void TomlTable::reject_unknown_keys() const {
   if (!state_->table) return;
   const toml::key* first = nullptr;  // of the file; the table is in alphabetical order

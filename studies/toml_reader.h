@@ -63,6 +63,8 @@ class TomlTable {
 
   /// For keys which have no place here: throws if the key is there, for this reason.
   void refuse(std::string_view key, std::string_view reason) const;
+  /// The same for a word that has no place in the list.
+  void refuse_word(std::string_view key, std::string_view word, std::string_view reason) const;
   /// Throws for the first key that nobody asked for; names the nearest known one and lists all.
   void reject_unknown_keys() const;
 

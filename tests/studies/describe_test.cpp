@@ -62,6 +62,8 @@ TEST(Description, of_an_evolution_reads_back_as_the_same_evolution) {
   const std::vector<std::string> texts{
       small_relax,
       ssh + ellipsoid + "reduced_volume = 0.7\nkind = 'prolate'\n" + end,
+      "model = 'Helfrich-global'\n" + ellipsoid + "reduced_volume = 0.8\n" + end,
+      "model = 'Helfrich-local'\n" + row + "folder = 'a'\n[time]\nend = 2\n",
       sbeh + ellipsoid + "axes = [1, 0.1]\norder = 0.1\n" + end,
       sbeh + harmonics + "modes = [[32, 0.1], [1, -1e-9]]\norder = 0.65\n" + end,
       sbeh + harmonics + "order_modes = [[4, 1e-3]]\n" + end,

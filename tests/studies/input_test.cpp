@@ -54,6 +54,12 @@ TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
       {"models = 'SSH'",
        ":4: [scan] models = 'SSH': must be a list of words out of ['SBEH', 'SSH']"},
       {"models = ['ssh']", ":4: [scan] models = 'ssh': must be one of 'SBEH', 'SSH'"},
+      {"models = ['SSH', 'Helfrich-local']",
+       ":4: [scan] models = 'Helfrich-local': must not be scanned: its states of rest are those of "
+       "SSH"},
+      {"models = ['Helfrich-global']",
+       ":4: [scan] models = 'Helfrich-global': must not be scanned: its states of rest are those "
+       "of SSH"},
       {"models = [3]", ":4: [scan] models = 3: must be one of 'SBEH', 'SSH'"},
       {"models = []", ":4: [scan] models = []: must not be empty"},
       {"models = ['SSH', 'SSH']", ":4: [scan] models = 'SSH': must not be there twice"},
@@ -227,6 +233,35 @@ TEST(RelaxInput, with_a_wrong_start_is_refused_with_line_key_and_value) {
   expect_messages(read_relax, "model = \"SSH\"\n[start]\nshape = ", starts_in_ssh);
 }
 
+TEST(RelaxInput, of_a_Helfrich_flow_has_no_order_no_viscosity_and_its_own_friction) {
+  const std::string start =
+      "model = \"Helfrich-global\"\ntime.end = 1\nstart = { shape = \"ellipsoid\", ";
+  const RelaxInput input = relax_of(start + "reduced_volume = 0.7 }\n[material]\nL = 0.03\n");
+  EXPECT_EQ(input.model, Model::HelfrichGlobal);
+  EXPECT_EQ(input.material.L1, 0.03);
+  EXPECT_EQ(relax_of("model = \"Helfrich-local\"\ntime.end = 1\n[start]\nshape = \"ellipsoid\"\n"
+                     "reduced_volume = 0.7\n")
+                .model,
+            Model::HelfrichLocal);
+  const std::string own =
+      ": must not be given for model = 'Helfrich-global', which has no viscosity and friction 1";
+  const std::vector<Case> given{
+      {"reduced_volume = 0.7, order = 0.5 }",
+       ":3: start.order = 0.5: must not be given for model = 'Helfrich-global', where the order is "
+       "2/3 everywhere"},
+      {"reduced_volume = 0.7 }\n[material]\nviscosity = 2", ":5: [material] viscosity = 2" + own},
+      {"reduced_volume = 0.7 }\n[material]\nfriction = 1", ":5: [material] friction = 1" + own},
+      {"reduced_volume = 0.7 }\n[material]\nfriction_normal = 1",
+       ":5: [material] friction_normal = 1" + own},
+  };
+  expect_messages(read_relax, start, given);
+  // A scan has no states of this flow, but SSH's.
+  const RelaxInput row = relax_of(
+      "model = \"Helfrich-local\"\ntime.end = 1\n[start]\nshape = \"scan\"\nfolder = \"out\"\n"
+      "reduced_volume = 0.7\nL = 0.03\n");
+  EXPECT_EQ(std::get<ScanRow>(row.start).model, Model::SSH);
+}
+
 TEST(RelaxInput, with_a_wrong_time_or_model_is_refused_with_line_key_and_value) {
   const std::string start = "start = { shape = \"ellipsoid\", reduced_volume = 0.7 }\n";
   const std::vector<Case> times{
@@ -248,9 +283,10 @@ TEST(RelaxInput, with_a_wrong_time_or_model_is_refused_with_line_key_and_value) 
        "numerics"},
   };
   expect_messages(read_relax, "model = \"SBEH\"\n" + start, times);
+  const std::string models_known = "'SBEH', 'SSH', 'Helfrich-local', 'Helfrich-global'";
   const std::vector<Case> models{
-      {start, ": model: missing at the top of the file; must be one of 'SBEH', 'SSH'"},
-      {"model = 'sbeh'", ":1: model = 'sbeh': must be one of 'SBEH', 'SSH'"},
+      {start, ": model: missing at the top of the file; must be one of " + models_known},
+      {"model = 'sbeh'", ":1: model = 'sbeh': must be one of " + models_known},
       {"model = 'SSH'\nstart = { shap = 'scan' }",
        ":2: start.shap: unknown key; did you mean 'shape'?"},
   };

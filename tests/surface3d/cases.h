@@ -68,7 +68,7 @@ inline FlowResult run_of_equal_steps(const Surface& start, const Material& mater
   numerics.first_step = numerics.largest_step = duration / steps;
   numerics.extrapolate = extrapolate;
   const FlowResult run =
-      run_flow(start.mesh, material, model, start.state, start.target(), numerics,
+      run_flow(start.mesh, material, model, {.state = start.state}, start.target(), numerics,
                {.end_time = duration, .output_times = {}, .stop_at_rest = false}, observe);
   EXPECT_EQ(run.stop, FlowStop::end_time);
   EXPECT_EQ(run.steps, steps);
