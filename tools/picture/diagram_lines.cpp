@@ -14,6 +14,12 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Colour magenta{200, 0, 160};
+
+Colour fold_colour(const std::string& branch) {
+  if (branch == "prolate") return {205, 95, 0};
+  return branch == "stomatocyte" ? Colour{0, 120, 70} : red;
+}
+
 constexpr double line_width = 2.6, border = 2.0;
 
 std::optional<CsvTable> table_if_there(const fs::path& file) {
@@ -29,9 +35,8 @@ void add_folds(const CsvTable& table, const std::string& branch, std::vector<Dia
     by_branch[table.text(row, names)].push_back({volumes[row], L[row]});
   for (const auto& [name, points] : by_branch)
     if (branch.empty() || branch == name)
-      lines.push_back({"fold, " + name,
-                       {.colour = red, .width = line_width, .dashed = name != "oblate"},
-                       points});
+      lines.push_back(
+          {"fold, " + name, {.colour = fold_colour(name), .width = line_width}, points});
 }
 
 // At one L two branches may meet more than once: the k-th meetings make the k-th line.
