@@ -28,7 +28,7 @@ std::vector<Quantity> quantities_of(const ScanTable& scan) {
 
 // What the picture shows: the map of branches where there are several, then the quantities.
 struct Contents {
-  std::optional<Quantity> branches;
+  std::optional<BranchMap> branches;
   std::vector<Quantity> quantities;
   std::vector<ColourMap> colours;  // of the quantities
   std::vector<DiagramLine> lines;
@@ -58,18 +58,16 @@ Contents contents_of(const ScanTable& scan, const Options& options) {
     c.colours.emplace_back(Palette::viridis, low, high);
   }
   const bool ordered = scan.has(Model::SBEH);
-  const bool several = scan.branches().size() > 1 && options.branch.empty();
+  if (options.branch.empty())
+    c.branches = lowest_branches(scan, options.directory, ordered ? Model::SBEH : Model::SSH);
   // A table's cells are full of numbers: there only the map of branches has lines.
-  if (ordered && (several || !c.as_table))
+  if (ordered && (c.branches || !c.as_table))
     c.lines = diagram_lines(options.directory, options.branch);
   std::erase_if(c.lines, [&](const DiagramLine& line) { return !is_within(line, scan); });
   const auto add = [&](std::vector<LegendEntry> entries) {
     c.legend.insert(c.legend.end(), entries.begin(), entries.end());
   };
-  if (several) {
-    c.branches = lowest_branch(scan, ordered ? Model::SBEH : Model::SSH);
-    add(branch_legend(scan.branches()));
-  }
+  if (c.branches) add(branch_legend(c.branches->names));
   add(legend_of(c.lines));
   add(mark_legend(c.quantities, c.as_table));
   return c;
@@ -111,8 +109,8 @@ void draw_heat_maps(Canvas& canvas, const ScanTable& scan, const Options& option
     std::ranges::fill(grid.y.axis.labels, "");
   };
   if (contents.branches)
-    panel(contents.branches->title, 0.0, false, [&](const Rect& inside) {
-      draw_branch_map(canvas, inside, *contents.branches, grid, text);
+    panel(contents.branches->quantity.title, 0.0, false, [&](const Rect& inside) {
+      draw_branch_map(canvas, inside, contents.branches->quantity, grid, text);
     });
   for (std::size_t i = 0; i < contents.quantities.size(); ++i)
     panel(contents.quantities[i].title,
