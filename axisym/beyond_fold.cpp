@@ -92,6 +92,12 @@ Leg follow(const RimProblem& problem, RimPathState here,
     if (next->slope() * here.slope() < 0) {
       leg.fold = locate_fold(problem, here, *next, ds);
       leg.beyond = next;
+      // Closer to the fold, so that little of the leg is missing.
+      const double left = ds * here.slope() / (here.slope() - next->slope());
+      for (const double share : {0.5, 0.75, 0.9})
+        if (const auto close = arc_step(problem, here, share * left);
+            close && close->slope() * here.slope() > 0)
+          leg.states.push_back(*close);
       return leg;
     }
     here = *next;
@@ -184,6 +190,8 @@ class SharpStates {
 
   const std::optional<RimPathState>& fold() const { return leg_.fold; }
   const RimState& before_fold() const { return leg_.before_fold(); }
+  /// Below this L there are none, or so near their fold that they are not followed.
+  double lowest() const { return leg_.fold ? leg_.states.back().s.L : 0; }
 
   std::optional<RimRecord> at(double L, RimKind kind = RimKind::sharp) const {
     if (!exist_) return {};
@@ -258,15 +266,16 @@ std::optional<RimRecord> meeting(const RimProblem& problem, const Leg& smooth,
   constexpr int samples = 12;
   const double top = smooth.states.back().s.L;
   std::optional<double> above = gap(top);
-  for (int k = 1; k < samples && above; ++k) {
-    const double high = top * (samples - k + 1.) / samples,
-                 low = top * double(samples - k) / samples;
+  double high = top;
+  for (int k = 1; k < samples && above && high > sharp.lowest(); ++k) {
+    const double low = std::max(top * double(samples - k) / samples, sharp.lowest());
     const auto below = gap(low);
     if (below && *above * *below < 0) {
       const auto L = equal_energy(gap, low, high);
       return L ? sharp.at(*L, RimKind::equal_energy) : std::nullopt;
     }
     above = below;
+    high = low;
   }
   return {};
 }

@@ -27,18 +27,18 @@ const char* name(RimKind kind);
 struct RimRecord {
   RimKind kind;
   double reduced_volume, L, energy;
-  double
-      order_rim;  ///< β at the rim; 0: a kink, or so near to one (below 1e-5) that it counts as one
-  double H_rim;   ///< −∞ at a kink
-  double H_abs_max;  ///< ∞ at a kink
-  double jump;       ///< how far the tangent turns within 1e-4 of the rim, in radians, both sides
-  double
-      resolution;  ///< largest change between neighbouring nodes of the tangent's angle, or of β as a
-                   ///< share of 2/3; above 0.35 the state is not resolved
-  double pressure;          ///< P = ∂U/∂V at fixed area
-  int negative_directions;  ///< axisymmetric ones in which U falls, a kink staying one; at a fold: on its
-                            ///< stable side
-  State state;              ///< the whole curve, see rim_profile.h
+  /// β at the rim; 0: a kink, or below 1e-5, which counts as one.
+  double order_rim;
+  double H_rim, H_abs_max;  ///< −∞ and ∞ at a kink
+  /// Turn of the tangent within 1e-4 of the rim, both sides, in radians.
+  double jump;
+  /// Largest change between neighbouring nodes of the tangent's angle in radians, or of β as a share of
+  /// 2/3; above 0.35 the state is not resolved.
+  double resolution;
+  double pressure;  ///< P = ∂U/∂V at fixed area
+  /// Axisymmetric ones in which U falls, a kink staying one; at a fold: on its stable side.
+  int negative_directions;
+  State state;  ///< the whole curve, see rim_profile.h
 };
 
 /// The states at one reduced volume: the fold, the saddle and the sharp state at those of the L (ascending)

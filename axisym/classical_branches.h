@@ -11,7 +11,8 @@
 namespace sbeh::axisym {
 
 /// The branches, each entered once: oblates and prolates from spheroids with V_r = 0.95, stomatocytes from
-/// the pitchfork of the oblates over their fold. All functions throw std::domain_error where a branch is lost.
+/// the pitchfork of the oblates over their fold. All functions throw std::domain_error where a branch is
+/// lost.
 class ElementBranches {
  public:
   explicit ElementBranches(const Numerics& numerics) : numerics_(numerics) {}

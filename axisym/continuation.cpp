@@ -16,7 +16,6 @@ Target target_of(double reduced_volume) {
 
 namespace {
 
-constexpr double stale = 0.1;         // displacement after which nodes are redistributed
 constexpr int direct_iterations = 6;  // more than these: the prediction was not on the branch
 
 std::optional<NewtonResult> solve_near(const Line& line, double mu, const StationaryState& guess,
@@ -57,6 +56,8 @@ FollowResult follow(const model::Material& material, model::Model model, const B
   }
 
   double ds = std::min(whole / 2, 0.1), moved = 0;
+  // The displacement after which nodes are redistributed: along L, where necks grow sharp, at once.
+  const double stale = to.L == from.at.L ? 0.1 : 0;
   for (int step = 0; step < 200 && ds > 1e-7; ++step) {
     const auto next = arc_step(line, *here, ds);
     if (!next) {

@@ -4,8 +4,8 @@
 // one-constant energy per length is (3L/4)|∂_s w|² with w = β exp(i√3ψ): the straight way from above to
 // below leads past w = 0 where the tangent turns by less than π/√3, and through it otherwise. In the
 // first case β and ψ are smooth at a scale β_rim that may be tiny. In the second β vanishes at the rim
-// and ψ jumps; under the pressure P it creeps inwards as (P r cos ψ/12) log s, which the shrinking
-// elements follow over many decades of the distance s.
+// and ψ jumps; under the pressure it creeps with the logarithm of the distance ("Sharp rims" in
+// model/equations.md), which the shrinking elements follow over many decades.
 #pragma once
 
 #include "axisym/spectral_curve.h"

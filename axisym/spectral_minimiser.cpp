@@ -101,9 +101,8 @@ std::optional<Ordered> ordered_from(const model::Material& material, double redu
   constexpr int first = 60, most = 210;
   const Grading grading{.a = branch == Branch::oblate ? 0.8 : 0};  // finer at the rim
   for (int cutoff = first; cutoff <= most; cutoff = cutoff * 3 / 2) {
-    const auto modes = branch == Branch::stomatocyte
-                         ? basis_for(branch, reduced_volume, cutoff)
-                         : basis(Symmetry::top_bottom, cutoff, grading);
+    const auto modes = branch == Branch::stomatocyte ? basis_for(branch, reduced_volume, cutoff)
+                                                     : basis(Symmetry::top_bottom, cutoff, grading);
     const Problem problem{material, modes, true};
     VectorXd longer = VectorXd::Zero(problem.basis->modes() + 1);
     longer.head(std::min(c.size(), longer.size())) = c.head(std::min(c.size(), longer.size()));

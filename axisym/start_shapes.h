@@ -23,7 +23,8 @@ Nodes nodes_on(const std::function<Eigen::Vector2d(double)>& curve, int elements
 Nodes spheroid(double equatorial, double polar, int elements, double grading);
 
 /// Oblate (or prolate) spheroid of area 4π and this reduced volume, 0 < V_r <= 1, met by the curve of
-/// elements itself. Throws std::invalid_argument outside, and where it is too flat or thin for the elements.
+/// elements itself. Throws std::invalid_argument outside, and where it is too flat or thin for the
+/// elements.
 Nodes spheroid(double reduced_volume, bool prolate, int elements, double grading);
 
 /// r(θ) = 1 + Σ u_l Y_l(θ), scaled. Throws std::invalid_argument where r <= 0 or for l < 0.

@@ -153,6 +153,27 @@ TEST(Kink, has_an_energy_that_does_not_depend_on_the_mesh) {
   }
 }
 
+// s ∂_s ψ = −(P r/12E) cos ψ with E = Σ + u(0) − (P r/2) sin ψ, see "Sharp rims" in model/equations.md. It
+// holds where the distance s is small against the width √L of the layer.
+TEST(Kink, creeps_with_the_logarithm_of_the_distance_as_pressure_and_tension_say) {
+  const spectral::RimProblem problem({}, 0.6, spectral::Rim::sharp,
+                                     {.elements = 10, .degree = 14, .ratio = 0.2});
+  const spectral::RimState kink = kink_at(problem, 0.07);
+  const VectorXd psi = problem.angles_at_nodes(kink.y),
+                 s = kink.y[0] * (0.5 - spectral::rim_nodes(problem.mesh).array());
+  const double r = spectral::profile_of(problem, kink.y).X.row(0).maxCoeff();
+  const double P = -kink.multipliers[1], tension = kink.multipliers[0];
+  // Over the three elements next to the last, the joints being exact nodes of the solution.
+  const Eigen::Index joint = 14 * 9, far = 14 * 6;
+  const double slope = (psi[joint] - psi[far]) / std::log(s[joint] / s[far]);
+  const double middle = (psi[joint] + psi[far]) / 2;
+  const double E = tension - P * r / 2 * std::sin(middle);
+  const double predicted = -P * r / (12 * E) * std::cos(middle);
+  std::printf("  s from %.0e to %.0e: slope %.6f, predicted %.6f\n", s[far], s[joint], slope,
+              predicted);
+  EXPECT_NEAR(slope / predicted, 1, 0.02);
+}
+
 TEST(Kink, obeys_the_derivative_of_the_energy_by_L) {
   const spectral::RimProblem problem({}, 0.6, spectral::Rim::sharp, {});
   const double L = 0.05;

@@ -28,13 +28,23 @@ std::vector<Quantity> quantities_of(const ScanTable& scan) {
 
 // What the picture shows: the map of branches where there are several, then the quantities.
 struct Contents {
-  std::optional<Quantity> branches;
+  std::optional<BranchMap> branches;
   std::vector<Quantity> quantities;
   std::vector<ColourMap> colours;  // of the quantities
   std::vector<DiagramLine> lines;
   std::vector<LegendEntry> legend;
   bool as_table;
 };
+
+// Whether any of its points is among the scan's.
+bool is_within(const DiagramLine& line, const ScanTable& scan) {
+  const auto between = [](double value, const std::vector<double>& values) {
+    return value >= values.front() && value <= values.back();
+  };
+  return std::ranges::any_of(line.points, [&](const auto& point) {
+    return between(point[0], scan.reduced_volumes()) && between(point[1], scan.lengths());
+  });
+}
 
 Contents contents_of(const ScanTable& scan, const Options& options) {
   Contents c{.branches = {},
@@ -48,14 +58,16 @@ Contents contents_of(const ScanTable& scan, const Options& options) {
     c.colours.emplace_back(Palette::viridis, low, high);
   }
   const bool ordered = scan.has(Model::SBEH);
-  if (ordered) c.lines = diagram_lines(options.directory, options.branch);
+  if (options.branch.empty())
+    c.branches = lowest_branches(scan, options.directory, ordered ? Model::SBEH : Model::SSH);
+  // A table's cells are full of numbers: there only the map of branches has lines.
+  if (ordered && (c.branches || !c.as_table))
+    c.lines = diagram_lines(options.directory, options.branch);
+  std::erase_if(c.lines, [&](const DiagramLine& line) { return !is_within(line, scan); });
   const auto add = [&](std::vector<LegendEntry> entries) {
     c.legend.insert(c.legend.end(), entries.begin(), entries.end());
   };
-  if (scan.branches().size() > 1 && options.branch.empty()) {
-    c.branches = lowest_branch(scan, ordered ? Model::SBEH : Model::SSH);
-    add(branch_legend(scan.branches()));
-  }
+  if (c.branches) add(branch_legend(c.branches->names));
   add(legend_of(c.lines));
   add(mark_legend(c.quantities, c.as_table));
   return c;
@@ -87,22 +99,22 @@ void draw_heat_maps(Canvas& canvas, const ScanTable& scan, const Options& option
   canvas.start(width, height);
   double x = left;
   // A panel with its lines and title; the next one stands beyond `room` and has no numbers on its axis.
-  const auto panel = [&](const std::string& title, double room, auto&& draw) {
+  const auto panel = [&](const std::string& title, double room, bool numbers, auto&& draw) {
     const Rect inside{x, below, inner_width, inner_height};
     draw(inside);
-    draw_diagram_lines(canvas, inside, contents.lines, grid);
+    if (!numbers) draw_diagram_lines(canvas, inside, contents.lines, grid);
     canvas.text(inside.centre_x(), inside.top() + 1.2 * text, title, {.size = text});
     x += inner_width + room + gap;
     grid.y.axis.title.clear();
     std::ranges::fill(grid.y.axis.labels, "");
   };
   if (contents.branches)
-    panel(contents.branches->title, 0.0, [&](const Rect& inside) {
-      draw_branch_map(canvas, inside, *contents.branches, grid, text);
+    panel(contents.branches->quantity.title, 0.0, false, [&](const Rect& inside) {
+      draw_branch_map(canvas, inside, contents.branches->quantity, grid, text);
     });
   for (std::size_t i = 0; i < contents.quantities.size(); ++i)
     panel(contents.quantities[i].title,
-          1.7 * text + colour_bar_margin(canvas, contents.colours[i], false, text),
+          1.7 * text + colour_bar_margin(canvas, contents.colours[i], false, text), grid.as_table,
           [&](const Rect& inside) {
             draw_heat_map(canvas, inside, contents.quantities[i], contents.colours[i], grid, text);
           });

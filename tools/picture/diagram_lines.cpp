@@ -14,7 +14,14 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr Colour magenta{200, 0, 160};
+
+Colour fold_colour(const std::string& branch) {
+  if (branch == "prolate") return {205, 95, 0};
+  return branch == "stomatocyte" ? Colour{0, 120, 70} : red;
+}
+
 constexpr double line_width = 2.6, border = 2.0;
+constexpr double farthest = 2.0;  // ratio of L between neighbours on one line of folds
 
 std::optional<CsvTable> table_if_there(const fs::path& file) {
   if (!fs::exists(file)) return {};
@@ -24,14 +31,19 @@ std::optional<CsvTable> table_if_there(const fs::path& file) {
 void add_folds(const CsvTable& table, const std::string& branch, std::vector<DiagramLine>& lines) {
   const std::size_t names = table.column("branch");
   const auto volumes = table.numbers("reduced_volume"), L = table.numbers("L");
-  std::map<std::string, Points> by_branch;
-  for (std::size_t row = 0; row < table.rows(); ++row)
-    by_branch[table.text(row, names)].push_back({volumes[row], L[row]});
-  for (const auto& [name, points] : by_branch)
+  std::map<std::string, std::vector<Points>> by_branch;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    auto& pieces = by_branch[table.text(row, names)];
+    // Another fold, such as where the order melts at large L, is no continuation.
+    const double before = pieces.empty() ? 0.0 : pieces.back().back()[1];
+    if (L[row] > farthest * before || before > farthest * L[row]) pieces.emplace_back();
+    pieces.back().push_back({volumes[row], L[row]});
+  }
+  for (const auto& [name, pieces] : by_branch)
     if (branch.empty() || branch == name)
-      lines.push_back({"fold, " + name,
-                       {.colour = red, .width = line_width, .dashed = name != "oblate"},
-                       points});
+      for (const Points& points : pieces)
+        lines.push_back(
+            {"fold, " + name, {.colour = fold_colour(name), .width = line_width}, points});
 }
 
 // At one L two branches may meet more than once: the k-th meetings make the k-th line.

@@ -141,8 +141,8 @@ std::vector<Cell> cells_of(const Rect& inside, const Quantity& quantity, const H
 
 // Light, so that lines stand out.
 Colour branch_colour(std::size_t index) {
-  static constexpr std::array<Colour, 3> colours{
-      {{158, 202, 225}, {253, 190, 133}, {161, 217, 155}}};
+  static constexpr std::array<Colour, 4> colours{
+      {{158, 202, 225}, {253, 190, 133}, {161, 217, 155}, {222, 190, 230}}};
   return colours[index % colours.size()];
 }
 
@@ -179,8 +179,8 @@ void draw_branch_map(Canvas& canvas, const Rect& inside, const Quantity& quantit
 std::vector<LegendEntry> branch_legend(const std::vector<std::string>& branches) {
   std::vector<LegendEntry> entries;
   for (std::size_t i = 0; i < branches.size(); ++i)
-    entries.push_back(
-        {[i](Canvas& canvas, const Rect& r) { canvas.fill(r, branch_colour(i)); }, branches[i]});
+    entries.push_back({[i](Canvas& canvas, const Rect& r) { canvas.fill(r, branch_colour(i)); },
+                       branches[i] == "sharp_oblate" ? "oblate, sharp rim" : branches[i]});
   return entries;
 }
 

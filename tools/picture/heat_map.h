@@ -17,7 +17,7 @@ struct HeatMapGrid {
 void draw_heat_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
                    const ColourMap& colours, const HeatMapGrid& grid, double text_size);
 
-/// The same for `lowest_branch`: a colour per branch, and no bar.
+/// The same for the quantity of a BranchMap: a colour per branch, and no bar.
 void draw_branch_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
                      const HeatMapGrid& grid, double text_size);
 /// The colours of the branches.

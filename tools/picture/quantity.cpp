@@ -1,9 +1,12 @@
 #include "tools/picture/quantity.h"
 
+#include "tools/picture/csv.h"
+
 #include <algorithm>
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
 #include <utility>
 
 namespace sbeh::picture {
@@ -92,13 +95,32 @@ std::pair<double, double> Quantity::range() const {
   return low <= high ? std::pair(low, high) : std::pair(0.0, 1.0);
 }
 
-Quantity lowest_branch(const ScanTable& scan, Model model) {
-  return tabulate(scan, with_name("lowest branch", model),
-                  [&](std::size_t volume, std::size_t length) {
-                    const ScanPoint* point = scan.find(model, volume, length);
-                    const int branch = branch_index(scan, point);
-                    return Entry{branch < 0 ? none : double(branch), mark_of(point), branch};
-                  });
+std::optional<BranchMap> lowest_branches(const ScanTable& scan,
+                                         const std::filesystem::path& directory, Model model) {
+  const std::filesystem::path file = directory / "lowest.csv";
+  if (!std::filesystem::exists(file)) return {};
+  const CsvTable table(file);
+  const std::size_t models = table.column("model"), branches = table.column("branch");
+  const auto volumes = table.numbers("reduced_volume"), lengths = table.numbers("L");
+  BranchMap map{.quantity = {}, .names = scan.branches()};
+  std::map<std::pair<long long, long long>, int> lowest;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.text(row, models) != (model == Model::SBEH ? "SBEH" : "SSH")) continue;
+    const std::string& name = table.text(row, branches);
+    const auto place = std::ranges::find(map.names, name);
+    lowest[{parameter_key(volumes[row]), parameter_key(lengths[row])}] =
+        int(place - map.names.begin());
+    if (place == map.names.end()) map.names.push_back(name);
+  }
+  if (map.names.size() < 2) return {};
+  map.quantity = tabulate(
+      scan, with_name("lowest branch", model), [&](std::size_t volume, std::size_t length) {
+        const auto found = lowest.find(
+            {parameter_key(scan.reduced_volumes()[volume]), parameter_key(scan.lengths()[length])});
+        if (found != lowest.end()) return Entry{double(found->second), Mark::none, found->second};
+        return Entry{none, mark_of(scan.find(model, volume, length)), -1};
+      });
+  return map;
 }
 
 Quantity energy_gap(const ScanTable& scan) {

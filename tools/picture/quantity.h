@@ -3,6 +3,8 @@
 
 #include "tools/picture/scan_table.h"
 
+#include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -23,8 +25,14 @@ struct Quantity {
   std::pair<double, double> range() const;
 };
 
-/// Which branch is lowest: values are indices of scan.branches().
-Quantity lowest_branch(const ScanTable& scan, Model model);
+/// Which branch is lowest: values are indices of `names`.
+struct BranchMap {
+  Quantity quantity;
+  std::vector<std::string> names;
+};
+/// From lowest.csv of the scan's folder; empty without it, and where it has one branch alone. Throws InputError.
+std::optional<BranchMap> lowest_branches(const ScanTable& scan,
+                                         const std::filesystem::path& directory, Model model);
 
 Quantity energy_gap(const ScanTable& scan);  ///< U(SSH) − U(SBEH)
 Quantity energy(const ScanTable& scan, Model model);

@@ -13,9 +13,6 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// The same parameter may be written with other digits in another row.
-long long key_of(double parameter) { return std::llround(parameter * 1e9); }
-
 Model model_of(const std::string& text, const fs::path& file) {
   if (text == "SBEH") return Model::SBEH;
   if (text == "SSH") return Model::SSH;
@@ -70,9 +67,10 @@ ScanTable::ScanTable(const fs::path& directory, const std::string& branch) {
                           .H_abs_max = table.number(row, curvatures),
                           .profile = directory / "points" / (stem + ".csv"),
                           .series = directory / "points" / (stem + ".series.csv")};
-    volume_values.emplace(key_of(volume), volume);
-    length_values.emplace(key_of(length), length);
-    const Key key{model_of(table.text(row, models), file), key_of(volume), key_of(length)};
+    volume_values.emplace(parameter_key(volume), volume);
+    length_values.emplace(parameter_key(length), length);
+    const Key key{model_of(table.text(row, models), file), parameter_key(volume),
+                  parameter_key(length)};
     const auto [place, is_new] = points_.try_emplace(key, point);
     if (!is_new && preferred(point, place->second)) place->second = point;
   }
@@ -93,10 +91,12 @@ bool ScanTable::has(Model model) const {
 
 const ScanPoint* ScanTable::find(Model model, std::size_t reduced_volume,
                                  std::size_t length) const {
-  const auto found =
-      points_.find({model, key_of(reduced_volumes_[reduced_volume]), key_of(lengths_[length])});
+  const auto found = points_.find(
+      {model, parameter_key(reduced_volumes_[reduced_volume]), parameter_key(lengths_[length])});
   return found == points_.end() ? nullptr : &found->second;
 }
+
+long long parameter_key(double parameter) { return std::llround(parameter * 1e9); }
 
 std::string short_number(double value) { return fmt::format("{:.4g}", value); }
 

@@ -47,6 +47,9 @@ class ScanTable {
   std::map<Key, ScanPoint> points_;
 };
 
+/// The same for a parameter that is written with other digits in another row.
+long long parameter_key(double parameter);
+
 /// A parameter as it is written in a picture: at most four digits.
 std::string short_number(double value);
 
