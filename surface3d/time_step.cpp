@@ -1,5 +1,6 @@
 #include "surface3d/time_step.h"
 
+#include "surface3d/diagnostics.h"
 #include "surface3d/direct_solver.h"
 #include "surface3d/order_step.h"
 
@@ -95,6 +96,7 @@ StepResult TimeStepper::step(const State& old, const Target& target, double tau)
   if (!work_->solve_coupled(old, *curvature, target, tau, result.fields)) return result;
   const StepFields& fields = result.fields;
   result.state = {old.X + fields.Y, old.beta};
+  if (!(mesh_quality(mesh, result.state.X) > 0)) return result;  // a triangle is turned over
   if (work_->model == model::Model::SBEH)
     result.state.beta =
         order_step(mesh, work_->material, old, *curvature, fields.V - fields.Y / tau, tau);
