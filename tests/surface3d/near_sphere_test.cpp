@@ -13,7 +13,7 @@ using model::test::Amplitudes;
 using model::test::two_mode_ratios;
 using model::test::TwoModes;
 
-constexpr int triangles = 180, steps = 4;
+constexpr int triangles = 320;
 constexpr double u2_start = 1, u3_start = 0.8, b2_start = 0.3, b3_start = -0.4;  // times ε
 
 // Which of the modes of l = 2 and l = 3.
@@ -78,9 +78,9 @@ double flow(const Material& material, const TwoModes& modes, const Pair& pair, c
 double miss(const Material& material, const TwoModes& modes, const Pair& pair, double eps,
             double sign) {
   const Start s = start(modes, pair, eps, sign);
+  const int steps = modes.model() == Model::SSH ? 4 : 6;  // τ below 0.1 for SBEH
   const double coarse = flow(material, modes, pair, s.surface, steps),
                fine = flow(material, modes, pair, s.surface, 2 * steps);
-  std::printf("   [%g %g: %.6f %.6f]\n", eps, sign, coarse, fine);
   return (4 * fine - coarse) / 3 / two_mode_ratios(modes, s.amplitudes, 1)[0] - 1;
 }
 
@@ -93,14 +93,14 @@ void expect_theory(Model model, const Pair& pair) {
   EXPECT_GT(std::abs(std::log(ratio * u3_start / u2_start)), 0.2);
 
   OrderTable odd("  half the difference of both signs", "epsilon"), mean("  their mean", "epsilon");
-  for (const double eps : {0.08, 0.04, 0.02}) {
+  for (const double eps : {0.08, 0.04}) {
     const double plus = miss(material, modes, pair, eps, 1),
                  minus = miss(material, modes, pair, eps, -1);
     odd.add(eps, (plus - minus) / 2);
     mean.add(eps, (plus + minus) / 2);
   }
   EXPECT_NEAR(odd.print(), 1, 0.1);
-  EXPECT_NEAR(mean.print(), 2, 0.2);
+  EXPECT_NEAR(mean.print(), 2, 0.3);  // the error of the mesh is 1e-4
 }
 
 TEST(NearSphere, axisymmetric_modes_of_SSH_follow_the_theory) { expect_theory(Model::SSH, {0, 0}); }
