@@ -172,6 +172,7 @@ StepResult TimeStepper::step(const State& old, const Target& target, double tau)
   if (!work_->solve_coupled(old, *curvature, target, tau, result.fields)) return result;
   const StepFields& fields = result.fields;
   result.state = {old.X + fields.Y, old.beta};
+  if (!(mesh_quality(mesh, result.state.X) > 0)) return result;  // a triangle is turned over
   if (has_free_order(work_->model))
     result.state.beta =
         order_step(mesh, work_->material, old, *curvature, fields.V - fields.Y / tau, tau);

@@ -13,13 +13,20 @@ using model::test::Amplitudes;
 using model::test::two_mode_ratios;
 using model::test::TwoModes;
 
-constexpr int triangles = 180, steps = 4;
+constexpr int steps = 4;  // and twice as many
 constexpr double u2_start = 1, u3_start = 0.8, b2_start = 0.3, b3_start = -0.4;  // times ε
 
 // Which of the modes of l = 2 and l = 3.
 struct Pair {
   int m2, m3;
+  int triangles;
 };
+
+// Half the time over which the ratio changes by about two.
+double end_time(const TwoModes& modes) { return modes.end_time() / 2; }
+double theory(const TwoModes& modes, const Amplitudes& x) {
+  return two_mode_ratios(modes, x, 2)[0];
+}
 
 // ∫ ρ Y_lm over the sphere of directions, ρ the distance from the centre.
 double amplitude(const Surface& s, int l, int m, const Eigen::Vector3d& centre) {
@@ -57,7 +64,8 @@ Start start(const TwoModes& modes, const Pair& pair, double eps, double sign) {
   using meshing::Harmonic;
   const std::vector<Harmonic> u{{2, pair.m2, sign * eps * u2_start}, {3, pair.m3, eps * u3_start}};
   const std::vector<Harmonic> b{{2, pair.m2, sign * eps * b2_start}, {3, pair.m3, eps * b3_start}};
-  Surface s = surface_of(meshing::harmonic_sphere(u, {.triangles = triangles}), modes.rest_order());
+  Surface s =
+      surface_of(meshing::harmonic_sphere(u, {.triangles = pair.triangles}), modes.rest_order());
   if (modes.model() == Model::SBEH)
     for (Eigen::Index i = 0; i < s.state.beta.size(); ++i)
       s.state.beta[i] += meshing::harmonic_sum(b, s.state.X.col(i).normalized());
@@ -69,7 +77,7 @@ Start start(const TwoModes& modes, const Pair& pair, double eps, double sign) {
 double flow(const Material& material, const TwoModes& modes, const Pair& pair, const Surface& s,
             int count) {
   const FlowResult run =
-      run_of_equal_steps(s, material, modes.model(), modes.end_time(), count, true);
+      run_of_equal_steps(s, material, modes.model(), end_time(modes), count, true);
   const Eigen::Array2d u = two_amplitudes({s.mesh, run.state}, pair);
   return u[0] / u[1];
 }
@@ -80,38 +88,42 @@ double miss(const Material& material, const TwoModes& modes, const Pair& pair, d
   const Start s = start(modes, pair, eps, sign);
   const double coarse = flow(material, modes, pair, s.surface, steps),
                fine = flow(material, modes, pair, s.surface, 2 * steps);
-  std::printf("   [%g %g: %.6f %.6f]\n", eps, sign, coarse, fine);
-  return (4 * fine - coarse) / 3 / two_mode_ratios(modes, s.amplitudes, 1)[0] - 1;
+  return (4 * fine - coarse) / 3 / theory(modes, s.amplitudes) - 1;
 }
 
 void expect_theory(Model model, const Pair& pair) {
   const Material material = paper_material(0.05);
   const TwoModes modes(material, model);
-  const double ratio = two_mode_ratios(modes, {u2_start, u3_start, b2_start, b3_start}, 1)[0];
+  const double ratio = theory(modes, {u2_start, u3_start, b2_start, b3_start});
   std::printf("%s, modes (2, %d) and (3, %d): u_2/u_3 from %.2f to %.3f at t = %.4f\n", name(model),
-              pair.m2, pair.m3, u2_start / u3_start, ratio, modes.end_time());
+              pair.m2, pair.m3, u2_start / u3_start, ratio, end_time(modes));
   EXPECT_GT(std::abs(std::log(ratio * u3_start / u2_start)), 0.2);
 
   OrderTable odd("  half the difference of both signs", "epsilon"), mean("  their mean", "epsilon");
-  for (const double eps : {0.08, 0.04, 0.02}) {
+  for (const double eps : {0.12, 0.06}) {
     const double plus = miss(material, modes, pair, eps, 1),
                  minus = miss(material, modes, pair, eps, -1);
     odd.add(eps, (plus - minus) / 2);
     mean.add(eps, (plus + minus) / 2);
   }
   EXPECT_NEAR(odd.print(), 1, 0.1);
-  EXPECT_NEAR(mean.print(), 2, 0.2);
+  EXPECT_NEAR(mean.print(), 2,
+              0.3);  // the error of mesh and time step is 1e-4 or, on the coarser mesh, 5e-4
 }
 
-TEST(NearSphere, axisymmetric_modes_of_SSH_follow_the_theory) { expect_theory(Model::SSH, {0, 0}); }
+TEST(NearSphere, axisymmetric_modes_of_SSH_follow_the_theory) {
+  expect_theory(Model::SSH, {0, 0, 320});
+}
 
-TEST(NearSphere, other_modes_of_SSH_follow_the_theory) { expect_theory(Model::SSH, {2, -1}); }
+TEST(NearSphere, other_modes_of_SSH_follow_the_theory) { expect_theory(Model::SSH, {2, -1, 180}); }
 
 TEST(NearSphere, axisymmetric_modes_of_SBEH_follow_the_theory) {
-  expect_theory(Model::SBEH, {0, 0});
+  expect_theory(Model::SBEH, {0, 0, 320});
 }
 
-TEST(NearSphere, other_modes_of_SBEH_follow_the_theory) { expect_theory(Model::SBEH, {2, -1}); }
+TEST(NearSphere, other_modes_of_SBEH_follow_the_theory) {
+  expect_theory(Model::SBEH, {2, -1, 180});
+}
 
 // One run: the theory errs by about ε/4 (see tests/axisym/near_sphere_test.cpp), ten times less than one
 // flow of the Helfrich energy is from the other.

@@ -6,6 +6,7 @@
 #include "tools/picture/csv.h"
 #include "tools/picture/frames.h"
 #include "tools/picture/image.h"
+#include "tools/picture/scan_table.h"
 #include "tools/picture/scene.h"
 
 #include <fmt/format.h>

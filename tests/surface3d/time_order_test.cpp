@@ -1,0 +1,65 @@
+// How the result converges with the time step: second order with extrapolation, first without.
+#include "tests/surface3d/cases.h"
+
+#include <string>
+#include <vector>
+
+namespace sbeh::surface3d {
+namespace {
+
+using namespace test;
+
+// Two modes on a sphere exchange their excess area, slowly, on a mesh that has settled. (Where the mesh
+// must settle while a run goes on, as on the oblates, its error depends on the number of steps: by the
+// step and not by the time it settles.)
+Surface two_modes(const Material& material) {
+  const std::vector<meshing::Harmonic> modes{{2, 2, 0.15}, {3, -1, 0.12}};
+  Surface s = surface_of(meshing::harmonic_sphere(modes, {.triangles = 80}), 0.655);
+  settle_mesh(s, material, 30);
+  return s;
+}
+
+// ∫ x² − y² dS, of the mode (2, 2); ∫ y (5z² − 1) dS, of the mode (3, −1).
+Eigen::Array2d moments(const Surface& s, const State& state) {
+  Eigen::Array2d sum = Eigen::Array2d::Zero();
+  for_each_point(*s.mesh, state.X, diagnostic_points(),
+                 [&](int, const ShapeValues&, const SurfacePoint& p) {
+                   const double x = p.x[0], y = p.x[1], z = p.x[2];
+                   sum += p.dS * Eigen::Array2d(x * x - y * y, y * (5 * z * z - 1));
+                 });
+  return sum;
+}
+
+// The order at the end of the table. (That of the order is tested on the sphere.)
+double observed_order(Model model, bool extrapolate) {
+  const Material material = paper_material(0.05);
+  const Surface start = two_modes(material);
+  const double duration = 0.26;
+  OrderTable table(std::string(name(model)) + (extrapolate ? ", extrapolated" : ", two half steps")
+                       + ": change of both modes from twice the step",
+                   "tau");
+  const auto end = [&](int steps) {
+    return moments(start,
+                   run_of_equal_steps(start, material, model, duration, steps, extrapolate).state);
+  };
+  Eigen::Array2d before = end(4);
+  for (const int steps : {8, 16}) {
+    const Eigen::Array2d now = end(steps);
+    table.add(duration / steps, (now - before).matrix().norm());
+    before = now;
+  }
+  return table.print();
+}
+
+TEST(TimeStep, extrapolated_is_of_second_order) {
+  EXPECT_NEAR(observed_order(Model::SSH, true), 2, 0.2);
+  EXPECT_NEAR(observed_order(Model::SBEH, true), 2, 0.2);
+}
+
+TEST(TimeStep, in_two_halves_is_of_first_order) {
+  EXPECT_NEAR(observed_order(Model::SSH, false), 1, 0.1);
+  EXPECT_NEAR(observed_order(Model::SBEH, false), 1, 0.1);
+}
+
+}  // namespace
+}  // namespace sbeh::surface3d
