@@ -112,7 +112,10 @@ void make(const EllipsoidShape& shape, const MeshRequest& request, MadeMesh& mad
 }
 
 void make(const HarmonicShape& shape, const MeshRequest& request, MadeMesh& made) {
-  made.mesh = meshing::harmonic_sphere(shape.modes, resolution_of(request));
+  const meshing::Resolution resolution = resolution_of(request);
+  made.mesh = request.reduced_volume
+                ? meshing::harmonic_sphere(shape.modes, *request.reduced_volume, resolution)
+                : meshing::harmonic_sphere(shape.modes, resolution);
 }
 
 void make(const ProfileShape& shape, const MeshRequest& request, MadeMesh& made) {
@@ -151,7 +154,9 @@ void scale(const MeshRequest& request, MadeMesh& made) {
   if (request.area && !(*request.area > 0 && std::isfinite(*request.area)))
     throw InputError(fmt::format("area {}: must be > 0", *request.area));
   const double area = request.area.value_or(meshing::area(made.mesh));
-  if (!request.reduced_volume || std::holds_alternative<EllipsoidShape>(request.shape)) {
+  const bool has_it_already = std::holds_alternative<EllipsoidShape>(request.shape)
+                           || std::holds_alternative<HarmonicShape>(request.shape);
+  if (!request.reduced_volume || has_it_already) {
     if (request.area) meshing::scale_to_area(made.mesh, area);
     return;
   }

@@ -24,9 +24,10 @@ struct CurvedFile {
   NodeFields fields;
 };
 
-/// Plain triangles as the file has them, unchecked; or curved ones (VTU with triangles of order 2 or
-/// 3), which are checked to be closed, of sphere topology and conforming. Points of STL with equal
-/// coordinates are one point. Throws InputError that names the file and the line, triangle or point.
+/// Plain triangles as the file has them, unchecked; or curved ones (VTU with triangles of order 2
+/// or 3), which are checked to be closed, of sphere topology and conforming. Points of STL with
+/// equal coordinates are one point. Throws InputError that names the file and the line, triangle
+/// or point.
 using MeshFile = std::variant<meshing::TriangleMesh, CurvedFile>;
 MeshFile read_mesh(const std::filesystem::path& path);
 
