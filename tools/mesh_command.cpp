@@ -137,7 +137,7 @@ int MeshCommand::run() const {
   if (!w.output.empty()) {
     if (!w.overwrite) refuse_to_overwrite(w.output);
     studies::write_mesh(w.output, made.mesh, made.fields);
-    if (made.mesh.order > 1 && fs::path(w.output).extension() != ".vtu")
+    if (made.mesh.order > 1 && !studies::keeps_curved(w.output))
       studies::tell(
           fmt::format("sbeh: {} holds the plain triangles between the corners; .vtu would hold the "
                       "curved ones\n",

@@ -34,6 +34,9 @@ MeshFile read_mesh(const std::filesystem::path& path);
 /// Throws InputError unless the suffix is one that `write_mesh` knows.
 void require_mesh_suffix(const std::filesystem::path& path);
 
+/// Whether the suffix is that of a format which keeps curved triangles.
+bool keeps_curved(const std::filesystem::path& path);
+
 /// In the format of the suffix; `fields` only in VTU. Throws InputError for an unknown suffix and
 /// OutputError.
 void write_mesh(const std::filesystem::path& path, const meshing::CurvedMesh& mesh,
