@@ -1,5 +1,6 @@
-// Curvature of a curved mesh: B = −sym(P ∇n_h P) with the normals of the nodes as a field n_h of the
-// mesh's own order. Unlike the triangles' second derivatives it knows of the kinks between them.
+// Curvature of a curved mesh: B = −sym(P ∇n_h P) with the normals of the nodes as a field n_h of
+// the mesh's own order. Unlike the triangles' second derivatives it knows of the kinks between
+// them.
 #pragma once
 
 #include "meshing/curved_mesh.h"

@@ -130,9 +130,7 @@ Eigen::Matrix3Xd point_normals(const TriangleMesh& mesh) {
 // such as a radial one, is asked again from where it went astray.
 Vector3d over(const Vector3d& foot, const Vector3d& n, const Projection& onto_surface) {
   constexpr int corrections = 8;
-  const auto astray = [&](const Vector3d& y) {
-    return Vector3d(y - foot - (y - foot).dot(n) * n);
-  };
+  const auto astray = [&](const Vector3d& y) { return Vector3d(y - foot - (y - foot).dot(n) * n); };
   Vector3d x = foot, y = onto_surface(x), miss = astray(y);
   for (int i = 0; i < corrections; ++i) {
     const Vector3d next_x = x - miss, next = onto_surface(next_x), next_miss = astray(next);

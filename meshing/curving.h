@@ -7,11 +7,11 @@
 
 namespace sbeh::meshing {
 
-/// Numbers the nodes of a closed surface of sphere topology as CurvedMesh says and puts each onto the
-/// surface: the points as they are; the nodes of an edge, shared by both triangles, so that they
-/// divide its image on the surface into parts of equal length; the interior node in the middle.
-/// Throws std::invalid_argument for an order outside 1 … 3 and for a mesh that is not closed,
-/// oriented and of the Euler characteristic 2.
+/// Numbers the nodes of a closed surface of sphere topology as CurvedMesh says and puts each onto
+/// the surface: the points as they are; the nodes of an edge, shared by both triangles, so that
+/// they divide its image on the surface into parts of equal length; the interior node in the
+/// middle. Throws std::invalid_argument for an order outside 1 … 3 and for a mesh that is not
+/// closed, oriented and of the Euler characteristic 2.
 CurvedMesh curved(const TriangleMesh& mesh, int order, const Projection& onto_surface);
 
 /// The same where a place is known by its triangle and barycentric coordinates. On an edge it must

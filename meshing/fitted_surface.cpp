@@ -77,6 +77,16 @@ Eigen::Matrix3Xd point_normals(const TriangleMesh& mesh) {
   return normals;
 }
 
+double mean_edge(const HalfEdgeMesh& mesh, int point) {
+  double sum = 0;
+  int count = 0;
+  for (const auto h : mesh.voh_range(mesh.vertex_handle(unsigned(point)))) {
+    sum += mesh.calc_edge_length(h);
+    ++count;
+  }
+  return sum / count;
+}
+
 // No fit makes sense across a sharp edge: the icosahedron has 42 degrees between its triangles.
 void require_smooth(const HalfEdgeMesh& mesh) {
   constexpr double sharpest = 60;  // degrees between the normals
@@ -109,12 +119,12 @@ FittedSurface::FittedSurface(const TriangleMesh& mesh) : mesh_(mesh) {
   for (int i = 0; i < mesh.point_count(); ++i) {
     std::vector<int> around = rings.around(i, 2 * std::size_t(monomial_count(highest_degree)));
     std::erase_if(around, [&](int j) { return normals.col(j).dot(normals.col(i)) < same_side; });
-    graphs_.push_back(graph_at(i, around, normals.col(i)));
+    graphs_.push_back(graph_at(i, around, normals.col(i), mean_edge(half_edges, i)));
   }
 }
 
 FittedSurface::Graph FittedSurface::graph_at(int point, const std::vector<int>& around,
-                                             const Vector3d& normal) const {
+                                             const Vector3d& normal, double edge_length) const {
   Graph g;
   const Vector3d tangent = normal.unitOrthogonal();
   g.frame << tangent, normal.cross(tangent), normal;
@@ -130,8 +140,7 @@ FittedSurface::Graph FittedSurface::graph_at(int point, const std::vector<int>& 
   for (Eigen::Index k = 0; k < count; ++k)
     local.col(k) =
         g.frame.transpose() * (mesh_.points.col(around[std::size_t(k)]) - mesh_.points.col(point));
-  const Eigen::Index nearest = std::min<Eigen::Index>(count, 6);
-  g.scale = local.leftCols(nearest).colwise().norm().mean();
+  g.scale = edge_length;
   local /= g.scale;
   Eigen::MatrixXd A(count, monomial_count(g.degree));
   VectorXd b(count);

@@ -9,11 +9,11 @@
 
 namespace sbeh::meshing {
 
-/// At every point of the mesh a polynomial graph of degree 4 over the tangent plane goes through it
-/// and, by weighted least squares, near the points around (of lower degree where a coarse mesh has
-/// too few). A place on a triangle is moved onto the graphs of its corners and takes the mean of the three, weighted
-/// with its barycentric coordinates. For points on a smooth surface, at distances h, the result is
-/// within O(h⁵) of it.
+/// At every point of the mesh a polynomial graph of degree 4 over the tangent plane goes through
+/// it and, by weighted least squares, near the points around (of lower degree where a coarse mesh
+/// has too few). A place on a triangle is moved onto the graphs of its corners and takes the mean
+/// of the three, weighted with its barycentric coordinates. For points on a smooth surface, at
+/// distances h, the result is within O(h⁵) of it.
 class FittedSurface {
  public:
   /// Throws std::invalid_argument unless the mesh is closed and oriented, and where triangles meet
@@ -32,7 +32,8 @@ class FittedSurface {
     Eigen::VectorXd coefficients;  // of u, v, u², uv, v², … by degree; u, v in units of `scale`
     double scale = 1;
   };
-  Graph graph_at(int point, const std::vector<int>& around, const Eigen::Vector3d& normal) const;
+  Graph graph_at(int point, const std::vector<int>& around, const Eigen::Vector3d& normal,
+                 double edge_length) const;
   Eigen::Vector3d onto_graph(int point, const Eigen::Vector3d& x) const;
 
   TriangleMesh mesh_;

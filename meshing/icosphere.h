@@ -5,9 +5,9 @@
 
 namespace sbeh::meshing {
 
-/// Icosahedron whose edges are divided into n >= 1 parts, 20 n² triangles, points on the unit sphere.
-/// Two opposite vertices lie on the z axis, which is so a five-fold axis of the mesh: no two-fold
-/// one, which would feed the two-fold instabilities of shapes of revolution about z.
+/// Icosahedron whose edges are divided into n >= 1 parts, 20 n² triangles, points on the unit
+/// sphere. Two opposite vertices lie on the z axis, which is so a five-fold axis of the mesh: no
+/// two-fold one, which would feed the two-fold instabilities of shapes of revolution about z.
 TriangleMesh icosphere(int n);
 
 /// Every triangle divided into four by the midpoints of its edges. The old points keep their

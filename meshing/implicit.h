@@ -19,9 +19,9 @@ struct ImplicitShape {
 };
 
 /// By CGAL's surface mesher, remeshed to even size, all nodes on the zero level to rounding. The
-/// number of triangles is within a few percent of the one asked for. Throws std::invalid_argument when f >= 0 at the
-/// centre, the radius is not positive, or what is found is no closed surface of the topology of a
-/// sphere (with what it is instead).
+/// number of triangles is within a few percent of the one asked for. Throws std::invalid_argument
+/// when f >= 0 at the centre, the radius is not positive, or what is found is no closed surface of
+/// the topology of a sphere (with what it is instead).
 CurvedMesh implicit_surface(const ImplicitShape& shape, const Resolution& resolution);
 
 }  // namespace sbeh::meshing

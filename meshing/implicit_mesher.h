@@ -6,7 +6,8 @@
 
 namespace sbeh::meshing {
 
-/// Triangles no larger than `size` (radius of their circumspheres on the surface), outward; by CGAL.
+/// Triangles no larger than `size` (radius of their circumspheres on the surface), outward; by
+/// CGAL.
 TriangleMesh triangulate(const ImplicitShape& shape, double size);
 
 }  // namespace sbeh::meshing

@@ -28,9 +28,9 @@ Eigen::Matrix3Xd volume_gradient(const CurvedMesh& mesh);
 /// 3 x nodes.
 Eigen::Matrix3Xd node_normals(const CurvedMesh& mesh);
 
-/// Moves every node by the same small distance along its normal and scales about the origin, so that
-/// area and reduced volume are those asked for, to rounding. Returns false, and leaves the mesh as
-/// it was, when there is no such distance up to a tenth of √(A/4π).
+/// Moves every node by the same small distance along its normal and scales about the origin, so
+/// that area and reduced volume are those asked for, to rounding. Returns false, and leaves the
+/// mesh as it was, when there is no such distance up to a tenth of √(A/4π).
 bool correct_area_volume(CurvedMesh& mesh, double area, double reduced_volume);
 
 /// Scales about the origin to this area > 0.

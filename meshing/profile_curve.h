@@ -18,8 +18,8 @@ struct Profile {
   void validate() const;
 };
 
-/// A profile prepared for searching. Places on it are numbers t in [0, elements]: element ⌊t⌋ at its
-/// own coordinate.
+/// A profile prepared for searching. Places on it are numbers t in [0, elements]: element ⌊t⌋ at
+/// its own coordinate.
 class ProfileCurve {
  public:
   explicit ProfileCurve(const Profile& profile);

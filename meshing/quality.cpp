@@ -64,8 +64,7 @@ void measure_jacobian(const CurvedMesh& mesh, Quality& q) {
   const model::TriangleElement element(mesh.order);
   std::vector<Eigen::MatrixX2d> dphi;
   const Eigen::Matrix2Xd points = jacobian_points();
-  for (const auto x : points.colwise())
-    dphi.emplace_back(element.derivatives(x).transpose());
+  for (const auto x : points.colwise()) dphi.emplace_back(element.derivatives(x).transpose());
   q.min_jacobian = std::numeric_limits<double>::infinity();
   q.max_jacobian = -q.min_jacobian;
   for (int t = 0; t < mesh.triangle_count(); ++t) {

@@ -13,10 +13,10 @@ struct Repair {
   std::vector<std::string> done;  ///< what was done, in words with counts; empty: nothing was
 };
 
-/// Merges points of equal coordinates, removes triangles without area, repeated triangles and unused
-/// points, gives all triangles one orientation, outward, and closes holes of at most 8 edges (CGAL).
-/// Larger holes, handles and self-intersections remain: see `find_defect`. Numbers must be finite
-/// and corners in range; throws std::invalid_argument otherwise.
+/// Merges points of equal coordinates, removes triangles without area, repeated triangles and
+/// unused points, gives all triangles one orientation, outward, and closes holes of at most 8
+/// edges (CGAL). Larger holes, handles and self-intersections remain: see `find_defect`. Numbers
+/// must be finite and corners in range; throws std::invalid_argument otherwise.
 Repair repaired(const TriangleMesh& mesh);
 
 }  // namespace sbeh::meshing

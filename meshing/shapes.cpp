@@ -9,6 +9,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 namespace sbeh::meshing {
 
@@ -105,6 +106,48 @@ CurvedMesh ellipsoid(double v, bool prolate, const Resolution& resolution) {
 
 CurvedMesh harmonic_sphere(std::span<const Harmonic> modes, const Resolution& resolution) {
   return star_shaped([modes](const Vector3d& d) { return 1 + harmonic_sum(modes, d); }, resolution);
+}
+
+CurvedMesh harmonic_sphere(std::span<const Harmonic> modes, double v,
+                           const Resolution& resolution) {
+  if (!(v > 0 && v < 1))
+    throw std::invalid_argument(
+        fmt::format("harmonics: reduced volume {}: must be > 0 and < 1", v));
+  // The nodes of a mesh keep their directions while the amplitudes change.
+  const auto with_factor = [&](CurvedMesh mesh, double factor) {
+    for (auto x : mesh.nodes.colwise()) {
+      const Vector3d d = x.normalized();
+      x = (1 + factor * harmonic_sum(modes, d)) * d;
+    }
+    return mesh;
+  };
+  const auto miss = [&](const CurvedMesh& mesh) {
+    return [&](double factor) { return reduced_volume(with_factor(mesh, factor)) - v; };
+  };
+  const CurvedMesh coarse = sphere({.triangles = 1280});
+  const auto deepest = [&](double factor) {  // smallest radius
+    double r = 1;
+    for (const auto d : coarse.nodes.colwise())
+      r = std::min(r, 1 + factor * harmonic_sum(modes, d.normalized()));
+    return r;
+  };
+  double high = 1e-6;
+  for (; miss(coarse)(high) > 0; high *= 1.2)
+    if (!(deepest(1.2 * high) > 0) || high > 1e6)
+      throw std::invalid_argument(
+          fmt::format("harmonics: reduced volume {}: r reaches 0 before, at {:.4g}", v,
+                      v + miss(coarse)(high)));
+  const double guess = root(miss(coarse), 0, high);
+  std::vector<Harmonic> scaled(modes.begin(), modes.end());
+  for (Harmonic& mode : scaled) mode.amplitude *= guess;
+  const CurvedMesh mesh = harmonic_sphere(scaled, resolution);
+  constexpr double range = 1.05;  // coarse and fine mesh differ by less
+  const auto fine = miss(mesh);
+  if (!(fine(guess / range) > 0 && fine(guess * range) < 0))
+    throw std::invalid_argument(
+        fmt::format("harmonics: reduced volume {}: {} triangles of order {} are too few for it", v,
+                    mesh.triangle_count(), mesh.order));
+  return with_factor(mesh, root(fine, guess / range, guess * range));
 }
 
 }  // namespace sbeh::meshing

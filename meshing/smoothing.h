@@ -15,8 +15,8 @@ void project(TriangleMesh& mesh, const Projection& onto_surface);
 
 /// What smoothing aims at.
 struct Smoothing {
-  /// Wanted edge lengths 1/(1 + grading R|H|/2) up to a factor, R = √(A/4π): the same everywhere for
-  /// 0; for 1 twice as long where the surface is flat as where |H| = 2/R.
+  /// Wanted edge lengths 1/(1 + grading R|H|/2) up to a factor, R = √(A/4π): the same everywhere
+  /// for 0; for 1 twice as long where the surface is flat as where |H| = 2/R.
   double grading = 0;
   /// Power of the triangles' areas in their weights: 1 makes areas even at the cost of angles,
   /// 0 angles at the cost of areas.
@@ -24,8 +24,8 @@ struct Smoothing {
 };
 
 /// Sweeps over a closed mesh: every point goes along the surface to the weighted mean of the
-/// centroids of its triangles, weight = (area/size⁴)^evenness, and back onto the surface; then edges
-/// that violate Delaunay's criterion flip.
+/// centroids of its triangles, weight = (area/size⁴)^evenness, and back onto the surface; then
+/// edges that violate Delaunay's criterion flip.
 void smooth(TriangleMesh& mesh, const Projection& onto_surface, const Smoothing& aim, int sweeps);
 
 /// Smooths; then so many times divides each triangle into four, projects and smooths again.

@@ -85,6 +85,9 @@ std::shared_ptr<const meshing::FittedSurface> fitted(const std::filesystem::path
 void curve(const MeshRequest& request, const std::filesystem::path& file, const TriangleMesh& plain,
            MadeMesh& made) {
   const meshing::Resolution resolution = resolution_of(request);
+  if (request.grading > 0 && !request.triangles)
+    throw InputError(
+        "grading: the triangles of a file stay as they are unless their number is given");
   const auto surface = fitted(file, plain);
   if (request.triangles) {
     const meshing::Projection onto_surface = meshing::onto(surface);
@@ -106,13 +109,18 @@ void make(const SphereShape&, const MeshRequest& request, MadeMesh& made) {
 void make(const EllipsoidShape& shape, const MeshRequest& request, MadeMesh& made) {
   if (shape.semi_axes.has_value() == request.reduced_volume.has_value())
     throw InputError("ellipsoid: give either its semi-axes or its reduced volume");
+  if (shape.semi_axes && shape.prolate)
+    throw InputError("ellipsoid: prolate or oblate is a choice for a given reduced volume only");
   made.mesh = shape.semi_axes ? meshing::ellipsoid(*shape.semi_axes, resolution_of(request))
                               : meshing::ellipsoid(*request.reduced_volume, shape.prolate,
                                                    resolution_of(request));
 }
 
 void make(const HarmonicShape& shape, const MeshRequest& request, MadeMesh& made) {
-  made.mesh = meshing::harmonic_sphere(shape.modes, resolution_of(request));
+  const meshing::Resolution resolution = resolution_of(request);
+  made.mesh = request.reduced_volume
+                ? meshing::harmonic_sphere(shape.modes, *request.reduced_volume, resolution)
+                : meshing::harmonic_sphere(shape.modes, resolution);
 }
 
 void make(const ProfileShape& shape, const MeshRequest& request, MadeMesh& made) {
@@ -133,7 +141,8 @@ void make(const FileShape& shape, const MeshRequest& request, MadeMesh& made) {
   if (const auto* plain = std::get_if<TriangleMesh>(&file))
     return curve(request, shape.file, checked(shape, *plain, made), made);
   const CurvedFile& curved = std::get<CurvedFile>(file);
-  if (request.triangles || request.order.value_or(curved.mesh.order) != curved.mesh.order)
+  if (request.triangles || request.grading > 0
+      || request.order.value_or(curved.mesh.order) != curved.mesh.order)
     throw InputError(
         fmt::format("{}: has curved triangles of order {}, which stay as they are: their number "
                     "and order cannot be chosen",
@@ -151,7 +160,9 @@ void scale(const MeshRequest& request, MadeMesh& made) {
   if (request.area && !(*request.area > 0 && std::isfinite(*request.area)))
     throw InputError(fmt::format("area {}: must be > 0", *request.area));
   const double area = request.area.value_or(meshing::area(made.mesh));
-  if (!request.reduced_volume || std::holds_alternative<EllipsoidShape>(request.shape)) {
+  const bool has_it_already = std::holds_alternative<EllipsoidShape>(request.shape)
+                           || std::holds_alternative<HarmonicShape>(request.shape);
+  if (!request.reduced_volume || has_it_already) {
     if (request.area) meshing::scale_to_area(made.mesh, area);
     return;
   }

@@ -20,6 +20,7 @@ struct EllipsoidShape {
   std::optional<Eigen::Vector3d> semi_axes;
   bool prolate = false;
 };
+/// With a reduced volume in the request all amplitudes are multiplied by one factor.
 struct HarmonicShape {
   std::vector<meshing::Harmonic> modes;
 };

@@ -150,6 +150,14 @@ Eigen::MatrixXd normal_motion(const ElementNodes& n, int whole) {
   return T;
 }
 
+// The mesh goes to its equilibrium at a finite rate: of the residual of (H1) on the old surface, which is
+// zero along the normals, the share θ only.
+void slow_down_mesh(const ElementField& H, double tau, ElementSystem& s) {
+  const double theta = tau / (tau + mesh_relaxation_time);
+  s.rhs.tail<30>() =
+      theta * s.rhs.tail<30>() + (1 - theta) * s.matrix.block<30, 10>(local::Y, local::H) * H;
+}
+
 }  // namespace
 
 // An element's system, and the parts of it that go into the global ones.
@@ -206,7 +214,7 @@ void CoupledSystem::cut(const ElementNodes& n, double tau, bool keep_volume, Pie
     piece.flow_rhs.segment<10>(head) += along * rhs.segment<10>(Z);
   }
   piece.motion = A.bottomRightCorner<motion_size, motion_size>();
-  piece.motion_rhs = tau / (tau + mesh_relaxation_time) * rhs.tail<motion_size>();
+  piece.motion_rhs = rhs.tail<motion_size>();
 }
 
 void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
@@ -231,6 +239,7 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
                         .beta = on_element(mesh, e, old.beta),
                         .H = on_element(mesh, e, curvature.H)},
                        step, piece.whole);
+      slow_down_mesh(on_element(mesh, e, curvature.H), tau, piece.whole);
       const ElementNodes n = on_element(mesh, e, normals_);
       cut(n, tau, constraints.keep_volume, piece);
       if (along_normals()) {

@@ -5,10 +5,10 @@
 // follows. Both have the same states of rest, and differ by O(τ) in motion. Both are cut from the same
 // element matrices.
 //
-// In the split scheme the mesh does not jump to its own equilibrium within one step, but moves there at a
-// finite rate: the right-hand side of (H1) in the mesh motion is taken θ = τ/(τ + mesh_relaxation_time)
-// times. Its normal part is not touched; Y/τ has a limit for τ → 0, and errors in time are those of a
-// smooth motion.
+// The mesh does not jump to its own equilibrium within one step, but moves there at a finite rate: with
+// θ = τ/(τ + mesh_relaxation_time) the right-hand side of (H1) is −θ(∇_C X, ∇_C Z) + (1 − θ)(H ν, Z), H that
+// of the old surface. Along the normals this is nothing new; Y/τ has a limit for τ → 0, and errors in
+// time are those of a smooth motion.
 //
 // Without friction the rigid motions R cost nothing: six more multipliers make (R, V) = 0.
 //

@@ -15,8 +15,9 @@ namespace {
 constexpr Eigen::Index dense_row = 1000;
 
 // The place of each unknown in the order of elimination, counted from 1: nested dissection by METIS,
-// a function of the structure alone. The structure is symmetric but for zeros.
-std::vector<int> elimination_order(const SparseMatrix& A) {
+// a function of the structure alone.
+std::vector<int> elimination_order(const SparseMatrix& matrix) {
+  const SparseMatrix A = matrix + SparseMatrix(matrix.transpose());  // of symmetric structure
   const Eigen::Index n = A.rows();
   std::vector<int> number(std::size_t(n), -1);  // in the graph
   idx_t vertices = 0;
@@ -62,9 +63,9 @@ struct DirectSolver::Mumps {
     id.comm_fortran = -987654;  // MPI_COMM_WORLD of the sequential library
     run(-1);
     for (const int stream : {1, 2, 3}) control(stream) = -1;
-    control(4) = 0;  // silent
-    control(6) = 0;  // no permutation by values: the analysis sees the structure alone
-    control(7) = 1;  // our ordering
+    control(4) = 0;    // silent
+    control(6) = 0;    // no permutation by values: the analysis sees the structure alone
+    control(7) = 1;    // our ordering
     control(14) = 60;  // per cent of memory more than estimated, for pivoting
   }
   ~Mumps() { run(-2); }

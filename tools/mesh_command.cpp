@@ -82,8 +82,9 @@ MeshCommand::MeshCommand(CLI::App& app) : words_(std::make_shared<Words>()) {
     shape->add_option("--order", w.order, "of the curved triangles, 1 ... 3 (3)");
     shape->add_option("--grading", w.grading, "smaller triangles where |H| is large, 0 ... 10 (0)");
     shape->add_option("--area", w.area, "scale to this area, a number or 4pi");
-    shape->add_option("--reduced-volume", w.reduced_volume,
-                      "move the surface, or choose the ellipsoid, to have exactly this one");
+    shape->add_option(
+        "--reduced-volume", w.reduced_volume,
+        "exactly this one: chooses the ellipsoid, scales harmonics, moves other surfaces a little");
     return shape;
   };
   w.sphere = add("sphere", "the unit sphere");
@@ -136,7 +137,7 @@ int MeshCommand::run() const {
   if (!w.output.empty()) {
     if (!w.overwrite) refuse_to_overwrite(w.output);
     studies::write_mesh(w.output, made.mesh, made.fields);
-    if (made.mesh.order > 1 && fs::path(w.output).extension() != ".vtu")
+    if (made.mesh.order > 1 && !studies::keeps_curved(w.output))
       studies::tell(
           fmt::format("sbeh: {} holds the plain triangles between the corners; .vtu would hold the "
                       "curved ones\n",

@@ -92,10 +92,12 @@ void require_mesh_suffix(const fs::path& path) {
       path.string(), suffix));
 }
 
+bool keeps_curved(const fs::path& path) { return suffix_of(path) == ".vtu"; }
+
 void write_mesh(const fs::path& path, const meshing::CurvedMesh& mesh, const NodeFields& fields) {
   require_mesh_suffix(path);
   const std::string suffix = suffix_of(path);
-  if (suffix == ".vtu") return write_file(path, vtu_text(mesh, fields));
+  if (keeps_curved(path)) return write_file(path, vtu_text(mesh, fields));
   const meshing::TriangleMesh plain = meshing::corners(mesh);
   if (suffix == ".obj") write_file(path, obj_text(plain));
   if (suffix == ".off") write_file(path, off_text(plain));

@@ -28,14 +28,18 @@ struct CurvedFile {
   Globals globals;
 };
 
-/// Plain triangles as the file has them, unchecked; or curved ones (VTU with triangles of order 2 or
-/// 3), which are checked to be closed, of sphere topology and conforming. Points of STL with equal
-/// coordinates are one point. Throws InputError that names the file and the line, triangle or point.
+/// Plain triangles as the file has them, unchecked; or curved ones (VTU with triangles of order 2
+/// or 3), which are checked to be closed, of sphere topology and conforming. Points of STL with
+/// equal coordinates are one point. Throws InputError that names the file and the line, triangle
+/// or point.
 using MeshFile = std::variant<meshing::TriangleMesh, CurvedFile>;
 MeshFile read_mesh(const std::filesystem::path& path);
 
 /// Throws InputError unless the suffix is one that `write_mesh` knows.
 void require_mesh_suffix(const std::filesystem::path& path);
+
+/// Whether the suffix is that of a format which keeps curved triangles.
+bool keeps_curved(const std::filesystem::path& path);
 
 /// In the format of the suffix; `fields` only in VTU. Throws InputError for an unknown suffix and
 /// OutputError.

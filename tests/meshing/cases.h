@@ -1,8 +1,8 @@
 // Shapes and their exact integrals which the tests of meshing share.
 //
-// The exact integrals are taken over the unit sphere, of which every shape here is a polynomial image
-// or a star-shaped one, by Gauss–Legendre in cos θ and the trapezoidal rule in φ, with all derivatives
-// by automatic differentiation: nothing of meshing/ is used.
+// The exact integrals are taken over the unit sphere, of which every shape here is a polynomial
+// image or a star-shaped one, by Gauss–Legendre in cos θ and the trapezoidal rule in φ, with all
+// derivatives by automatic differentiation: nothing of meshing/ is used.
 #pragma once
 
 #include "meshing/curvature.h"

@@ -105,7 +105,8 @@ TEST(Quality, sees_triangles_that_fold_over_and_pass_through_each_other) {
 }
 
 TEST(Meshing, takes_less_time_than_it_may) {
-  // Allowed are 1 s and 5 s on this machine's like, report included; only optimised code is measured.
+  // Allowed are 1 s and 5 s on this machine's like, report included; only optimised code is
+  // measured.
 #ifdef NDEBUG
   for (const auto& [count, seconds] : {std::pair(5120, 1.), std::pair(20480, 5.)}) {
     const auto start = std::chrono::steady_clock::now();

@@ -79,6 +79,21 @@ TEST(EllipsoidMesh, has_the_area_and_reduced_volume_asked_for) {
       }
 }
 
+TEST(HarmonicSphere, has_the_reduced_volume_asked_for_and_its_nodes_on_the_shape) {
+  const std::vector<Harmonic> modes{{2, 0, 0.3}, {3, -2, 0.1}};
+  for (const double v : {0.8, 0.9, 0.99}) {
+    const CurvedMesh mesh = harmonic_sphere(modes, v, {.triangles = 1280});
+    EXPECT_NEAR(reduced_volume(mesh) / v, 1, rounding);
+    // One factor for all nodes.
+    const Vector3d first = mesh.nodes.col(0);
+    const double factor = (first.norm() - 1) / harmonic_sum(modes, first.normalized());
+    for (const auto x : mesh.nodes.colwise())
+      EXPECT_NEAR(x.norm(), 1 + factor * harmonic_sum(modes, x.normalized()), 1e-14);
+  }
+  EXPECT_THROW(harmonic_sphere(modes, 0.05, {}), std::invalid_argument);
+  EXPECT_THROW(harmonic_sphere(modes, 1, {}), std::invalid_argument);
+}
+
 TEST(EllipsoidMesh, of_reduced_volume_1_is_the_sphere) {
   const CurvedMesh mesh = ellipsoid(1, false, {.triangles = 1280});
   const Eigen::ArrayXd radius = mesh.nodes.colwise().norm();

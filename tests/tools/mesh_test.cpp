@@ -109,6 +109,10 @@ TEST_F(MeshTest, refuses_wrong_shapes_with_a_sentence_and_writes_nothing) {
       {{"ellipsoid", "--report", "--axes", "1,2,0"}, "ellipsoid: semi-axes 1, 2, 0: must be > 0"},
       {{"ellipsoid", "--report", "--reduced-volume", "1.1"},
        "ellipsoid: reduced volume 1.1: must be > 0 and <= 1"},
+      {{"ellipsoid", "--report", "--axes", "1,1,2", "--prolate"},
+       "ellipsoid: prolate or oblate is a choice for a given reduced volume only"},
+      {{"harmonic", "--report", "--mode", "2,0,1", "--reduced-volume", "0.1"},
+       "harmonics: reduced volume 0.1: r reaches 0 before"},
       {{"harmonic", "--report", "--mode", "5,3"}, "--mode 5,3: must be degree, order, amplitude"},
       {{"harmonic", "--report", "--mode", "2,3,0.1"}, "--mode 2,3,0.1: degree and order must be"},
       {{"harmonic", "--report", "--mode", "2,0,-3"}, "r = -0.892 at theta = 0"},
@@ -144,6 +148,7 @@ TEST_F(MeshTest, names_the_defect_of_a_file_and_repairs_it_when_told_to) {
     EXPECT_TRUE(ended.err.starts_with("sbeh: repaired: ")) << ended.err;
     EXPECT_NEAR(report({"file", file, "--repair"}).at("volume"), volume, 1e-12);
   }
+  must_refuse({"mesh", "file", "s.obj", "--report", "--grading", "1"}, "grading: the triangles of");
   write("nan.obj", "v nan 0 0\n" + read("s.obj"));
   must_refuse({"mesh", "file", "nan.obj", "--repair", "--report"}, "nan.obj: point 0 (nan, 0, 0)");
 }
