@@ -76,19 +76,6 @@ inline FlowResult run_of_equal_steps(const Surface& start, const Material& mater
   return run;
 }
 
-/// Lets the mesh settle: steps in which the membrane has no time to move. Nodes placed by a formula are
-/// not at rest on their surface, and come to rest in so many steps, however short these are.
-inline void settle_mesh(Surface& s, const Material& material, int steps) {
-  const Target target = s.target();
-  TimeStepper stepper(s.mesh, material, Model::SSH, Scheme::monolithic);
-  for (int k = 0; k < steps; ++k) {
-    StepResult r = stepper.step(s.state, target, 1e-9);
-    ASSERT_TRUE(r.ok);
-    s.state.X = r.state.X;
-    ASSERT_TRUE(correct_area_volume(*s.mesh, s.state.X, target.area, target.volume));
-  }
-}
-
 /// A mildly relaxed oblate of V_r = 0.8: the violent first moments are over, it still moves.
 inline Surface relaxed_oblate(const Material& material, Model model, int triangles) {
   Surface s = ordered_spheroid(0.8, triangles);

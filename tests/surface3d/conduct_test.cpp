@@ -9,14 +9,15 @@ namespace {
 
 using namespace test;
 
+constexpr auto every_step = Factorisation::every_step;  // equal bits need equal factors
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
 TEST(Step, of_a_state_with_a_number_that_is_none_is_not_ok_and_leaves_no_trace) {
   const Surface s = ordered_spheroid(0.8, 80);
   const Material material = paper_material(0.05);
   for (const Scheme scheme : {Scheme::split, Scheme::monolithic}) {
-    TimeStepper stepper(s.mesh, material, Model::SBEH, scheme),
-        fresh(s.mesh, material, Model::SBEH, scheme);
+    TimeStepper stepper(s.mesh, material, Model::SBEH, scheme, every_step),
+        fresh(s.mesh, material, Model::SBEH, scheme, every_step);
     State lost = s.state, disordered = s.state;
     lost.X(2, 17) = nan;
     disordered.beta[5] = nan;
@@ -42,8 +43,8 @@ TEST(Step, of_a_collapsed_surface_is_not_ok) {
 TEST(Step, that_turns_triangles_over_is_not_ok) {
   const Surface s = ordered_spheroid(0.8, 80);
   for (const Model model : {Model::SSH, Model::SBEH}) {
-    TimeStepper stepper(s.mesh, paper_material(0.05), model),
-        fresh(s.mesh, paper_material(0.05), model);
+    TimeStepper stepper(s.mesh, paper_material(0.05), model, Scheme::split, every_step),
+        fresh(s.mesh, paper_material(0.05), model, Scheme::split, every_step);
     const StepResult large = stepper.step(s.state, s.target(), 1);
     ASSERT_TRUE(large.ok);
     EXPECT_GT(mesh_quality(*s.mesh, large.state.X), degenerate_quality);
@@ -63,9 +64,11 @@ TEST(Flow, forgets_rejected_steps) {
     Numerics numerics;
     numerics.tolerance = 1e-3;
     numerics.first_step = tried;
-    return run_flow(s.mesh, material, Model::SBEH, s.state, s.target(), numerics,
-                    {.end_time = 1, .output_times = {}},
-                    [](const FlowRecord& r, const State&, bool) { return r.time == 0; });
+    numerics.factorisation = every_step;
+    return run_flow(
+        s.mesh, material, Model::SBEH, {s.state}, s.target(), numerics,
+        {.end_time = 1, .output_times = {}},
+        [](const FlowRecord& r, const State&, const StepView&, bool) { return r.time == 0; });
   };
   const FlowResult rejecting = first_step(0.05);
   EXPECT_EQ(rejecting.stop, FlowStop::interrupted);
@@ -84,7 +87,7 @@ TEST(Flow, keeps_area_and_volume_to_rounding_while_the_energy_falls) {
   numerics.tolerance = 1e-3;
   const FlowResult run = run_flow(s.mesh, paper_material(0.05), Model::SBEH, s.state, target,
                                   numerics, {.end_time = 0.02, .output_times = {}},
-                                  [&](const FlowRecord& r, const State& x, bool) {
+                                  [&](const FlowRecord& r, const State& x, const StepView&, bool) {
                                     EXPECT_NEAR(area(*s.mesh, x.X) / target.area, 1, 1e-12);
                                     EXPECT_NEAR(volume(*s.mesh, x.X) / target.volume, 1, 1e-12);
                                     EXPECT_LT(r.energy.total(), before);
@@ -100,7 +103,7 @@ TEST(Flow, stops_when_the_step_it_may_take_is_too_large_for_the_tolerance) {
   Numerics numerics;
   numerics.tolerance = 1e-12;
   numerics.first_step = numerics.smallest_step = numerics.largest_step = 1e-2;
-  const FlowResult run = run_flow(s.mesh, paper_material(0.05), Model::SSH, s.state, s.target(),
+  const FlowResult run = run_flow(s.mesh, paper_material(0.05), Model::SSH, {s.state}, s.target(),
                                   numerics, {.end_time = 1, .output_times = {}});
   EXPECT_EQ(run.stop, FlowStop::step_too_small);
   EXPECT_EQ(run.steps, 0);

@@ -91,6 +91,11 @@ Dense dense_system(const Surface& s, const Material& material, int multipliers) 
       }
   }
   d.rhs[d.border()] = pulled.volume_rate;
+  // The mesh settles at a finite rate: of the residual of (H1) on the old surface the share θ only.
+  const double theta = tau / (tau + mesh_relaxation_time);
+  const auto H1 = d.matrix.block(d.Y(), d.H(), 3 * d.nodes, d.nodes);
+  auto rhs = d.rhs.segment(d.Y(), 3 * d.nodes);
+  rhs = (theta * rhs + (1 - theta) * (H1 * curvature->H)).eval();
   return d;
 }
 

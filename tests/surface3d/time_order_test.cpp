@@ -9,14 +9,10 @@ namespace {
 
 using namespace test;
 
-// Two modes on a sphere exchange their excess area, slowly, on a mesh that has settled. (Where the mesh
-// must settle while a run goes on, as on the oblates, its error depends on the number of steps: by the
-// step and not by the time it settles.)
-Surface two_modes(const Material& material) {
+// Two modes on a sphere exchange their excess area.
+Surface two_modes() {
   const std::vector<meshing::Harmonic> modes{{2, 2, 0.15}, {3, -1, 0.12}};
-  Surface s = surface_of(meshing::harmonic_sphere(modes, {.triangles = 80}), 0.655);
-  settle_mesh(s, material, 30);
-  return s;
+  return surface_of(meshing::harmonic_sphere(modes, {.triangles = 80}), 0.655);
 }
 
 // ∫ x² − y² dS, of the mode (2, 2); ∫ y (5z² − 1) dS, of the mode (3, −1).
@@ -33,7 +29,7 @@ Eigen::Array2d moments(const Surface& s, const State& state) {
 // The order at the end of the table. (That of the order is tested on the sphere.)
 double observed_order(Model model, bool extrapolate) {
   const Material material = paper_material(0.05);
-  const Surface start = two_modes(material);
+  const Surface start = two_modes();
   const double duration = 0.26;
   OrderTable table(std::string(name(model)) + (extrapolate ? ", extrapolated" : ", two half steps")
                        + ": change of both modes from twice the step",
