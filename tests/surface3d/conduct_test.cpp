@@ -85,7 +85,7 @@ TEST(Flow, keeps_area_and_volume_to_rounding_while_the_energy_falls) {
   double before = std::numeric_limits<double>::infinity();
   Numerics numerics;
   numerics.tolerance = 1e-3;
-  const FlowResult run = run_flow(s.mesh, paper_material(0.05), Model::SBEH, s.state, target,
+  const FlowResult run = run_flow(s.mesh, paper_material(0.05), Model::SBEH, {s.state}, target,
                                   numerics, {.end_time = 0.02, .output_times = {}},
                                   [&](const FlowRecord& r, const State& x, const StepView&, bool) {
                                     EXPECT_NEAR(area(*s.mesh, x.X) / target.area, 1, 1e-12);
