@@ -134,6 +134,15 @@ int run_3d(const Arguments& a) {
     complain("interrupted; the same command with --resume goes on from here");
     return exit_code_of_interrupt();
   }
+  if (s.run.stop == model::FlowStop::step_too_small)
+    complain(
+        "no time step is small enough: the mesh may be too coarse for this shape (more triangles), "
+        "or "
+        "the tolerance too small for the mesh; the last good state is the last frame");
+  if (s.run.stop == model::FlowStop::unresolved)
+    complain(
+        "the triangles degenerate; the last frame is the last state: try more triangles, or a "
+        "residual_stiffness where the order vanishes");
   draw_results(a, "run", folder);
   const bool wrong =
       s.run.stop == model::FlowStop::step_too_small || s.run.stop == model::FlowStop::unresolved;

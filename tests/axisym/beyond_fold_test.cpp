@@ -94,7 +94,9 @@ TEST(BeyondFold, has_the_folds_that_the_finite_elements_find_from_either_side) {
   const RimRecord *fold = find(rows, RimKind::fold), *second = find(rows, RimKind::second_fold),
                   *sharp = find(rows, RimKind::sharp, 0.15);
   ASSERT_TRUE(fold && second && sharp);
-  const Numerics numerics{.elements = 96, .grading = 2};
+  Numerics numerics;
+  numerics.elements = 96;
+  numerics.grading = 2;
   const FollowResult up = follow(paper_material(0.05), Model::SBEH,
                                  oblate(Model::SBEH, {0.8, 0.1}, 96), {0.8, 0.3}, numerics);
   ASSERT_EQ(up.arrival, Arrival::fold);
@@ -218,7 +220,10 @@ TEST(SharpRim, is_what_an_evolution_beyond_the_fold_comes_to_rest_at) {
   const auto rows = beyond(0.8, {0.15});
   const RimRecord* sharp = find(rows, RimKind::sharp, 0.15);
   ASSERT_TRUE(sharp);
-  const Numerics numerics{.elements = 40, .grading = 2, .tolerance = 1e-3};
+  Numerics numerics;
+  numerics.elements = 40;
+  numerics.grading = 2;
+  numerics.tolerance = 1e-3;
   const FlowResult run = run_flow(paper_material(0.15), Model::SBEH, ordered_spheroid(0.8, 40),
                                   target_of(0.8), numerics, {.end_time = 10, .output_times = {}});
   const double U = energy_of(paper_material(0.15), run.state).total();

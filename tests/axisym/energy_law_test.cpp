@@ -16,8 +16,7 @@ State relaxed(const Material& material, Model model, double time) {
 TEST(EnergyLaw, holds_per_step_to_first_order_in_tau) {
   const Material material = paper_material(0.05);
   const Target target = target_of(0.8);
-  for (const Model model :
-       {Model::SBEH, Model::SSH, Model::HelfrichLocal, Model::HelfrichGlobal}) {
+  for (const Model model : {Model::SBEH, Model::SSH, Model::HelfrichLocal, Model::HelfrichGlobal}) {
     const State start = relaxed(material, model, 0.02);
     TimeStepper stepper(material, model, element_count(start.X));
     OrderTable first(std::string(name(model)) + ": (U_old - U_new)/(tau D) - 1, first step", "tau"),
