@@ -108,10 +108,10 @@ void expect_same_history(Model model) {
   const History miss = (fine_3d - fine).abs(), rough = (rough_3d - fine).abs();
   std::printf("difference with 80 triangles %.1e %.1e %.1e, with 320 %.1e %.1e %.1e\n", rough[0],
               rough[1], rough[2], miss[0], miss[1], miss[2]);
-  // The error of the mesh, largest in the violent beginning, where it is of third order.
-  EXPECT_LT(miss[0], 1e-3 * std::abs(fine[0]));
-  EXPECT_LT(miss[2], 5e-5 * std::abs(fine[2]));
-  EXPECT_TRUE((miss < rough / 8).all());
+  // The error of the mesh, largest in the violent beginning.
+  EXPECT_LT(miss[0], 2e-3 * std::abs(fine[0]));
+  EXPECT_LT(miss[2], 1e-4 * std::abs(fine[2]));
+  EXPECT_LT(miss[2], rough[2] / 8);  // h³ at least
   const History change = coarse - fine, change_3d = coarse_3d - fine_3d;
   EXPECT_TRUE(((change_3d - change).abs() < 0.1 * change.abs() + miss).all());
 }
