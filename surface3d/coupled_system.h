@@ -27,7 +27,7 @@ enum class Scheme { split, monolithic };
 /// "split" or "monolithic".
 const char* name(Scheme scheme);
 
-inline constexpr double mesh_relaxation_time = 0.01;
+inline constexpr double mesh_relaxation_time = 0.001;
 
 struct LinearSystem {
   SparseMatrix matrix;
