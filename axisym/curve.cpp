@@ -89,10 +89,6 @@ double volume(const Nodes& X) {
   return sum;
 }
 
-double reduced_volume(double area, double volume) {
-  return 6 * std::sqrt(pi) * volume / std::pow(area, 1.5);
-}
-
 Eigen::VectorXd element_lengths(const Nodes& X) {
   Eigen::VectorXd length = Eigen::VectorXd::Zero(element_count(X));
   for_each_point(X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {

@@ -4,6 +4,8 @@
 // ν = (−z', r')/|X'| outward, the frame of model/terms.h is (e1, e2, ν) = (t, e_φ, ν).
 #pragma once
 
+#include "model/numerics/area_volume.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -80,8 +82,7 @@ void for_each_point(const Nodes& X, std::span<const ShapeValues> points, Visit&&
 /// Total area A = ∫ dS and enclosed volume V = −∫ π r² dz.
 double area(const Nodes& X);
 double volume(const Nodes& X);
-/// V_r = 6√π V / A^{3/2}, 1 for the sphere.
-double reduced_volume(double area, double volume);
+using model::reduced_volume;
 /// So near the sphere that area and volume are one constraint: V_r > 1 − 1e-7.
 inline bool is_sphere(double area, double volume) {
   return reduced_volume(area, volume) > 1 - 1e-7;

@@ -4,6 +4,7 @@
 #include "axisym/curvature.h"
 #include "axisym/weak_form.h"
 #include "model/numerics/band_matrix.h"
+#include "model/order_step.h"
 
 namespace sbeh::axisym {
 
@@ -26,17 +27,22 @@ bool TimeStepper::Workspace::solve_order(const model::Material& m, const State& 
   for_each_point(old.X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
     double slip = 0;
     for (int a = 0; a < 4; ++a) slip += s.phi[a] * relative.col(3 * e + a).dot(p.t);
-    const OrderData d = order_step_point(
-        m,
-        {.geometry = p, .beta_old = value_at(old.beta, e, s), .H = value_at(H, e, s), .slip = slip},
-        tau);
+    const double h = value_at(H, e, s);
+    const model::OrderData d = model::order_step_point(m,
+                                                       {.beta_old = value_at(old.beta, e, s),
+                                                        .H = h,
+                                                        .K = gauss_curvature(h, p.B_phi),
+                                                        .slip = {slip, 0}},
+                                                       tau);
+    const double advection = d.advection[0] / p.stretch;
+    const double diffusion = d.diffusion / (p.stretch * p.stretch);
     for (int a = 0; a < 4; ++a) {
       beta[3 * e + a] += p.dS * d.rhs * s.phi[a];
       for (int b = 0; b < 4; ++b)
         order(3 * e + a, 3 * e + b) +=
             p.dS
-            * (d.matrix[0][0] * s.phi[a] * s.phi[b] + d.matrix[0][1] * s.phi[a] * s.dphi[b]
-               + d.matrix[1][1] * s.dphi[a] * s.dphi[b]);
+            * (d.reaction * s.phi[a] * s.phi[b] + advection * s.phi[a] * s.dphi[b]
+               + diffusion * s.dphi[a] * s.dphi[b]);
     }
   });
   if (!order.factor()) return false;

@@ -113,19 +113,4 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
   return g;
 }
 
-/// What the order step reads at a point: the old order, the discrete curvature and the velocity of
-/// the material relative to the mesh along the tangent, V·t − Y·t/τ.
-struct OrderPoint {
-  CurvePoint geometry;
-  double beta_old, H, slip;
-};
-
-/// The order equation (B1)–(B5) at a point, linear in β: factors of ψ and of its derivative.
-/// The potential enters as u'(0) + [(u'(βⁿ⁻¹) − u'(0))/βⁿ⁻¹] βⁿ.
-struct OrderData {
-  double matrix[2][2];  ///< row: ψ, ψ'; column: β, β'
-  double rhs;           ///< of ψ
-};
-OrderData order_step_point(const model::Material& m, const OrderPoint& x, double tau);
-
 }  // namespace sbeh::axisym

@@ -94,10 +94,6 @@ double volume(const TriangleMesh& mesh) {
   return sum;
 }
 
-double reduced_volume(double area, double volume) {
-  return 6 * std::sqrt(std::numbers::pi) * volume / std::pow(area, 1.5);
-}
-
 double reduced_volume(const CurvedMesh& mesh) { return reduced_volume(area(mesh), volume(mesh)); }
 
 Eigen::Matrix3Xd area_gradient(const CurvedMesh& mesh) {

@@ -3,6 +3,7 @@
 
 #include "meshing/curved_mesh.h"
 #include "meshing/triangle_mesh.h"
+#include "model/numerics/area_volume.h"
 
 namespace sbeh::meshing {
 
@@ -16,8 +17,7 @@ double volume(const CurvedMesh& mesh);
 double area(const TriangleMesh& mesh);
 double volume(const TriangleMesh& mesh);
 
-/// V_r = 6√π V/A^{3/2}, below 1 for every surface but the sphere.
-double reduced_volume(double area, double volume);
+using model::reduced_volume;
 double reduced_volume(const CurvedMesh& mesh);
 
 /// Derivatives by the positions of the nodes, 3 x nodes, exact for `area` and `volume` above.

@@ -1,7 +1,8 @@
 #include "surface3d/curvature.h"
 
+#include "model/numerics/area_volume.h"
+
 #include <Eigen/IterativeLinearSolvers>
-#include <Eigen/LU>
 
 #include <cmath>
 
@@ -101,30 +102,13 @@ bool correct_area_volume(const Triangulation& mesh, Nodes& X, double area_asked,
   if (H.size() == 0) return false;
   const Nodes shift = n * H.asDiagonal();
   const auto moved = [&](const Eigen::Vector2d& c) -> Nodes { return X + c[0] * n + c[1] * shift; };
-  const auto miss = [&](const Nodes& Y) {
-    return Eigen::Vector2d(area(mesh, Y) / area_asked - 1, volume(mesh, Y) / volume_asked - 1);
+  const auto miss = [&](const Eigen::Vector2d& c) -> Eigen::Vector2d {
+    const Nodes Y = moved(c);
+    return {area(mesh, Y) / area_asked - 1, volume(mesh, Y) / volume_asked - 1};
   };
-  const bool sphere = is_sphere(mesh, area(mesh, X), volume(mesh, X));
-  Eigen::Vector2d c = Eigen::Vector2d::Zero();
-  for (int iteration = 0; iteration < 12; ++iteration) {
-    Eigen::Vector2d residual = miss(moved(c));
-    if (sphere) residual[1] = 0;
-    if (!residual.allFinite()) return false;
-    if (residual.cwiseAbs().maxCoeff() < 1e-12) {
-      X = moved(c);
-      return true;
-    }
-    // Central differences: A and V are smooth and of low degree in a and b.
-    const double h = 1e-4;
-    Eigen::Matrix2d J;
-    for (int k = 0; k < 2; ++k)
-      J.col(k) = (miss(moved(c + h * Eigen::Vector2d::Unit(k)))
-                  - miss(moved(c - h * Eigen::Vector2d::Unit(k))))
-               / (2 * h);
-    if (sphere) J.row(1) << 0, 1;  // b = 0
-    c -= J.fullPivLu().solve(residual);
-  }
-  return false;
+  const auto c = model::solve_area_volume(miss, is_sphere(mesh, area(mesh, X), volume(mesh, X)));
+  if (c) X = moved(*c);
+  return c.has_value();
 }
 
 }  // namespace sbeh::surface3d

@@ -1,6 +1,6 @@
 #include "surface3d/order_step.h"
 
-#include "surface3d/weak_form.h"
+#include "model/order_step.h"
 
 #include <Eigen/IterativeLinearSolvers>
 
@@ -21,13 +21,13 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
       const SurfacePoint x = surface_point(X, s);
       const double h = value_at(H, s);
       const model::ShapeOperator<double> B = shape_operator(x, normals, h);
-      const OrderData d =
-          order_step_point(material,
-                           {.beta_old = value_at(beta, s),
-                            .H = h,
-                            .K = model::gauss_curvature(B),
-                            .slip = x.frame.leftCols<2>().transpose() * value_at(local_slip, s)},
-                           tau);
+      const model::OrderData d = model::order_step_point(
+          material,
+          {.beta_old = value_at(beta, s),
+           .H = h,
+           .K = model::gauss_curvature(B),
+           .slip = x.frame.leftCols<2>().transpose() * value_at(local_slip, s)},
+          tau);
       const Shapes phi(s.phi.data()), grad_1(x.grad[0].data()), grad_2(x.grad[1].data());
       const ElementField value =
           d.reaction * phi + d.advection[0] * grad_1 + d.advection[1] * grad_2;

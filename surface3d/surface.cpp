@@ -101,10 +101,6 @@ double volume(const Triangulation& mesh, const Nodes& X) {
   return sum;
 }
 
-double reduced_volume(double area, double volume) {
-  return 6 * std::sqrt(std::numbers::pi) * volume / std::pow(area, 1.5);
-}
-
 bool is_sphere(const Triangulation& mesh, double area, double volume) {
   return reduced_volume(area, volume) > 1 - 1e-7 - 32 / std::pow(mesh.count(), 3);
 }

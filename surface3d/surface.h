@@ -5,6 +5,7 @@
 #pragma once
 
 #include "meshing/curved_mesh.h"
+#include "model/numerics/area_volume.h"
 #include "model/terms.h"
 #include "surface3d/sparse_pattern.h"
 
@@ -110,8 +111,7 @@ void for_each_point(const Triangulation& mesh, const Nodes& X, std::span<const S
 /// Total area A and enclosed volume V = ∫ x·ν/3 dS.
 double area(const Triangulation& mesh, const Nodes& X);
 double volume(const Triangulation& mesh, const Nodes& X);
-/// V_r = 6√π V / A^{3/2}, 1 for the sphere.
-double reduced_volume(double area, double volume);
+using model::reduced_volume;
 /// So near the sphere that area and volume are one constraint: V_r > 1 − 1e-7 − 32/triangles³. A mesh
 /// whose nodes lie on the sphere has V_r = 1 − 16/triangles³.
 bool is_sphere(const Triangulation& mesh, double area, double volume);

@@ -76,21 +76,4 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
   return g;
 }
 
-/// What the order step reads at a point: the old order, curvatures, and the velocity of the material
-/// relative to the mesh, the tangential part of V − Y/τ.
-struct OrderPoint {
-  double beta_old, H, K;
-  model::Tangent<double> slip;
-};
-
-/// The order equation (B1)–(B5) at a point, linear in β.
-/// The potential enters as u'(0) + [(u'(βⁿ⁻¹) − u'(0))/βⁿ⁻¹] βⁿ.
-struct OrderData {
-  double reaction;                   ///< of (β, ψ)
-  model::Tangent<double> advection;  ///< of (∇β, ψ)
-  double diffusion;                  ///< of (∇β, ∇ψ)
-  double rhs;                        ///< of ψ
-};
-OrderData order_step_point(const model::Material& m, const OrderPoint& x, double tau);
-
 }  // namespace sbeh::surface3d

@@ -1,8 +1,8 @@
-#include "surface3d/weak_form.h"
+#include "model/order_step.h"
 
-namespace sbeh::surface3d {
+namespace sbeh::model {
 
-OrderData order_step_point(const model::Material& m, const OrderPoint& x, double tau) {
+OrderData order_step_point(const Material& m, const OrderPoint& x, double tau) {
   const double excess = x.H - m.spontaneous_curvature;
   const double drag = m.order_drag();
   // κ' and κ_G' are linear in β: their value at β = 1 is the factor of βⁿ.
@@ -17,4 +17,4 @@ OrderData order_step_point(const model::Material& m, const OrderPoint& x, double
   };
 }
 
-}  // namespace sbeh::surface3d
+}  // namespace sbeh::model

@@ -1,0 +1,20 @@
+// Area and volume of a closed surface as constraints.
+#pragma once
+
+#include <Eigen/Core>
+
+#include <functional>
+#include <optional>
+
+namespace sbeh::model {
+
+/// V_r = 6√π V / A^{3/2}, 1 for the sphere.
+double reduced_volume(double area, double volume);
+
+/// The (a, b) at which `miss`, the relative differences (A/A₀ − 1, V/V₀ − 1) of a surface displaced by
+/// (a + bH) n, vanishes to 1e-12: Newton's method with central differences. On a sphere, where a and b
+/// are the same motion, b = 0 and the area alone counts. Empty when it does not converge.
+std::optional<Eigen::Vector2d> solve_area_volume(
+    const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& miss, bool sphere);
+
+}  // namespace sbeh::model
