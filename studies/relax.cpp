@@ -75,13 +75,7 @@ State make(const Harmonics& sphere, const RelaxInput& input) {
 }
 
 State make(const ScanRow& row, const RelaxInput& input) {
-  const PointKey key{row.reduced_volume, row.L, row.model, row.branch};
-  const std::filesystem::path file =
-      std::filesystem::path(row.folder) / "points" / (stem(key) + ".csv");
-  if (!std::filesystem::exists(file))
-    throw OutputError(fmt::format("{}: is not there; the rows of that scan stand in {}/scan.csv",
-                                  file.string(), row.folder));
-  State state = read_profile(file);
+  State state = state_of(row);
   if (!model::has_free_order(input.model)) state.beta.setConstant(model::full_order);
   return state;
 }

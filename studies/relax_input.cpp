@@ -85,16 +85,6 @@ Harmonics read_harmonics(const TomlTable& start) {
   return harmonics;
 }
 
-ScanRow read_scan_row(const TomlTable& start, model::Model model) {
-  ScanRow row;
-  row.folder = start.text("folder");
-  row.model = model_of(start.word("model", scan_model_words(), name(rest_model(model))));
-  row.branch = start.word("branch", known_branches(), row.branch);
-  row.reduced_volume = start.number("reduced_volume", reduced_volumes);
-  row.L = start.number("L", above(0));
-  return row;
-}
-
 void read_start(const TomlTable& start, RelaxInput& input) {
   const std::string shape = start.word("shape", shape_names());
   refuse_keys_of_other_shapes(start, shape);

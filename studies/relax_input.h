@@ -3,6 +3,7 @@
 
 #include "axisym/options.h"
 #include "model/material.h"
+#include "studies/scan_row.h"
 
 #include <array>
 #include <filesystem>
@@ -27,15 +28,6 @@ struct Harmonics {
   std::vector<std::pair<int, double>> shape;        ///< (l, u_l)
   std::optional<double> order;                      ///< β₀ in 0 … 1; without it the rest state
   std::vector<std::pair<int, double>> order_modes;  ///< (l, b_l)
-};
-
-/// The stationary state of one point of an earlier scan.
-struct ScanRow {
-  std::string folder;  ///< the scan's results, as written: relative to the working directory
-  model::Model model = model::Model::SBEH;
-  std::string branch = "oblate";  ///< of known_branches() (scan_input.h)
-  double reduced_volume = 0;      ///< 0 < V_r <= 1
-  double L = 0;                   ///< > 0
 };
 
 /// Top-level key `model`; tables [start] and [time], optional [material] and [numerics].

@@ -60,16 +60,6 @@ Ellipsoid3d read_ellipsoid(const TomlTable& surface) {
   return ellipsoid;
 }
 
-ScanRow read_scan_row(const TomlTable& surface, model::Model model) {
-  ScanRow row;
-  row.folder = surface.text("folder");
-  row.model = model_of(surface.word("model", scan_model_words(), name(rest_model(model))));
-  row.branch = surface.word("branch", known_branches(), row.branch);
-  row.reduced_volume = surface.number("reduced_volume", reduced_volumes);
-  row.L = surface.number("L", above(0));
-  return row;
-}
-
 void read_surface(const TomlTable& surface, RunInput& input) {
   std::vector<std::string> names;
   for (const Shape& shape : shapes()) names.push_back(shape.name);

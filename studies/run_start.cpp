@@ -58,13 +58,7 @@ Start make(const MeshFileStart& start, const RunInput&) {
 }
 
 Start make(const ScanRow& row, const RunInput& input) {
-  const PointKey key{row.reduced_volume, row.L, row.model, row.branch};
-  const std::filesystem::path file =
-      std::filesystem::path(row.folder) / "points" / (stem(key) + ".csv");
-  if (!std::filesystem::exists(file))
-    throw OutputError(fmt::format("{}: is not there; the rows of that scan stand in {}/scan.csv",
-                                  file.string(), row.folder));
-  const axisym::State profile = read_profile(file);
+  const axisym::State profile = state_of(row);
   meshing::RevolvedMesh revolved =
       meshing::revolved({profile.X, profile.beta}, {.triangles = input.triangles});
   return {std::move(revolved.mesh), std::move(revolved.beta)};
