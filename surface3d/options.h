@@ -11,7 +11,6 @@ struct Numerics : model::TimeControl {
   Numerics() {
     tolerance = 1e-4;
     first_step = 1e-5;
-    rest_speed = 2e-7;  // a mesh that still creeps moves faster than this
   }
   Scheme scheme = Scheme::split;
   Factorisation factorisation = Factorisation::lagged;
