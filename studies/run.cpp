@@ -148,7 +148,7 @@ class Recorder {
     last_fields_ = view.fields;
     last_memory_ = view.memory;
     if (interrupt_signal() == 0) return true;
-    if (record.time != last_frame_) write(folder_ / "interrupted.vtu", record, state, view);
+    write(folder_ / "interrupted.vtu", record, state, view);
     return false;
   }
 
