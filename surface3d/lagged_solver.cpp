@@ -2,6 +2,7 @@
 
 #include <Eigen/Jacobi>
 
+#include <algorithm>
 #include <cmath>
 #include <vector>
 
@@ -14,8 +15,8 @@ int LaggedSolver::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::
     return v;
   };
   std::vector<Eigen::VectorXd> basis{preconditioned(b - A * x)};
-  const double start = basis[0].norm(), guess = x.norm();
-  const double enough = tolerance * (guess > 0 ? guess : start);
+  const double start = basis[0].norm(), size = x.norm() > 0 ? x.norm() : start;
+  const double enough = std::min(tolerance * size, std::max(reduction * start, floor * size));
   if (!std::isfinite(start)) return 0;
   if (start <= enough) return x += basis[0], 1;
   basis[0] /= start;

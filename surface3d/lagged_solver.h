@@ -13,14 +13,15 @@ class LaggedSolver {
 
   [[nodiscard]] bool factor(const SparseMatrix& A) { return direct_.factor(A); }
 
-  /// Improves the guess x, which may be 0, until the preconditioned residual is `tolerance` of x. Returns
+  /// Improves the guess x, which may be 0, until the preconditioned residual is `tolerance` of x; and
+  /// where the guess is good, `reduction` of that of the guess, but no less than `floor` of x. Returns
   /// the number of times the factors were applied; 0 when that did not suffice, and then x is as it was.
   int solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
 
   /// What a factorisation costs, in applications of its factors.
   double cost_of_factoring() const;
 
-  static constexpr double tolerance = 1e-10;
+  static constexpr double tolerance = 1e-8, reduction = 1e-5, floor = 1e-11;
   static constexpr int most_iterations = 30;
 
  private:

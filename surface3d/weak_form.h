@@ -57,7 +57,7 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
 
   model::Gradient<T> stress = -model::elastic_stress(m, elastic);  // (V5) … (V10)
   stress.template topRows<2>() += model::rate_of_strain(grad_V) * m.eta(old.beta);  // (V1)
-  T isotropic = -u.p;                                                                  // (V3)
+  T isotropic = -u.p;                                                               // (V3)
   if (step.area == model::AreaConstraint::global)
     isotropic += model::bending_tension(m, elastic);  // (V11)
   stress(0, 0) += isotropic;
@@ -66,8 +66,8 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
   const T V_n = u.V.dot(nu);
 
   CoupledData<T> g;
-  g.V = m.friction_tangential * u.V
-      + (m.friction_normal - m.friction_tangential) * V_n * nu;  // (V2)
+  g.V =
+      m.friction_tangential * u.V + (m.friction_normal - m.friction_tangential) * V_n * nu;  // (V2)
   g.dV = x.frame * stress;
   g.p = model::divergence(grad_V) - step.area_rate;  // (P1)
   g.H = u.Y.dot(nu) - step.tau * V_n;                // (Y1)

@@ -9,6 +9,7 @@
 #include "meshing/shapes.h"
 #include "meshing/spherical_harmonics.h"
 #include "model/two_step.h"
+#include "surface3d/direct_solver.h"
 #include "surface3d/flow.h"
 
 #include <sys/resource.h>
