@@ -1,6 +1,7 @@
 // The command line of sbeh.
 
 #include "axisym/diagnostics.h"
+#include "studies/compare.h"
 #include "studies/describe.h"
 #include "studies/interrupt.h"
 #include "studies/output.h"
@@ -167,8 +168,21 @@ int check_run(const Arguments& a) {
   return 0;
 }
 
+int check_compare(const Arguments& a) {
+  const studies::CompareInput input = studies::read_compare(a.input);
+  const bool runs_3d = input.has(studies::Witness::surface3d) && input.surface3d.run.empty();
+  const double steps = 600;  // of a relaxation to rest
+  fmt::print("{}: {} {} with reduced volume {} and L = {} by {} methods, about {:.0f} s\n\n{}",
+             a.input, model::name(input.model), input.branch, input.reduced_volume, input.L,
+             input.methods.size(),
+             1 + (runs_3d ? steps * step_seconds(input.surface3d.triangles) : 0.),
+             studies::describe(input, SBEH_VERSION));
+  return 0;
+}
+
 int check(const Arguments& a) {
   const studies::InputKind kind = studies::kind_of(a.input);
+  if (kind == studies::InputKind::compare) return check_compare(a);
   if (kind == studies::InputKind::run) return check_run(a);
   if (kind == studies::InputKind::scan) {
     const studies::ScanInput input = studies::read_scan(a.input);
@@ -198,6 +212,17 @@ int seifert(const Arguments& a) {
   fmt::print("tables in {}\n", folder.string());
   draw_results(a, "seifert", folder);
   return 0;
+}
+
+int compare(const Arguments& a) {
+  const studies::CompareInput input = studies::read_compare(a.input);
+  const fs::path folder = folder_of(a);
+  const studies::CompareSummary s = studies::run_compare(input, folder, SBEH_VERSION);
+  fmt::print("{} {}, reduced volume {}, L = {}\n{}tables in {}\n", model::name(input.model),
+             input.branch, input.reduced_volume, input.L, studies::table_of(s), folder.string());
+  draw_results(a, "compare", folder);
+  for (const std::string& sentence : studies::complaints(s)) complain(sentence);
+  return s.agrees() ? exit_code_of_success() : 1;
 }
 
 // The words of the command line that CLI11 did not take, with what may have been meant.
@@ -244,6 +269,7 @@ int run(int argc, char** argv) {
   const CLI::App* relax_command = add("relax", "one axisymmetric evolution", true);
   CLI::App* run_command = add("run", "one 3D evolution", true);
   run_command->add_flag("--resume", a.resume, "go on with an interrupted run");
+  const CLI::App* compare_command = add("compare", "one case by several methods", true);
   const CLI::App* check_command =
       add("check", "say whether an input is right, and what it asks for", false);
   CLI::App* seifert_command =
@@ -254,7 +280,7 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(32, 4096));
   const tools::MeshCommand mesh_command(app);
   CLI::App* picture_command = app.add_subcommand(
-      "picture", "draw the pictures of a folder again: picture scan|relax|run|seifert DIR");
+      "picture", "draw the pictures of a folder again: picture scan|relax|run|seifert|compare DIR");
   picture_command->prefix_command();
   picture_command->set_help_flag();  // `sbeh picture --help` is the picture program's
   try {
@@ -265,7 +291,8 @@ int run(int argc, char** argv) {
   if (*picture_command) return draw(picture_command->remaining());
 
   studies::let_writes_fail();
-  if (*scan_command || *relax_command || *run_command) studies::catch_interrupts();
+  if (*scan_command || *relax_command || *run_command || *compare_command)
+    studies::catch_interrupts();
   std::unique_ptr<tbb::global_control> limit;
   if (a.threads > 0)
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
@@ -274,6 +301,7 @@ int run(int argc, char** argv) {
     if (*scan_command) return scan(a);
     if (*relax_command) return relax(a);
     if (*run_command) return run_3d(a);
+    if (*compare_command) return compare(a);
     if (*check_command) return check(a);
     if (*seifert_command) return seifert(a);
     if (app.got_subcommand("mesh")) return mesh_command.run();
@@ -292,6 +320,9 @@ int run_and_report(int argc, char** argv) {
   } catch (const studies::OutputError& error) {
     complain(error.what());
     return 2;
+  } catch (const studies::Interrupted&) {
+    complain("interrupted; nothing is kept, the same command begins again");
+    return exit_code_of_interrupt();
   } catch (const std::exception& error) {
     complain(error.what());
     return 1;
