@@ -165,7 +165,7 @@ std::string methods_text(const std::vector<WitnessState>& states) {
   for (const WitnessState& state : states) {
     text += fmt::format("{},{}", name(state.witness), state.failure.empty() ? "found" : "failed");
     for (const Quantity& quantity : quantities())
-      text += "," + field(state.measures.*quantity.value);
+      text += fmt::format(",{}", field(state.measures.*quantity.value));
     text += fmt::format(",{:.4g},{}\n", state.seconds,
                         csv_field(state.failure.empty() ? state.remark : state.failure));
   }

@@ -145,6 +145,14 @@ double Meridian::mean_order() const {
   return sum / area;
 }
 
+double Meridian::largest_order() const {
+  constexpr int parts = 16;
+  double largest = order_.maxCoeff();
+  for (int k = 1; k < parts * (size() - 1); ++k)
+    largest = std::max(largest, evaluate(double(k) / parts)(2, 0));
+  return largest;
+}
+
 std::array<double, 2> Meridian::pole_curvatures() const {
   std::array<double, 2> H{};
   for (const int pole : {0, 1}) {

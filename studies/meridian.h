@@ -43,6 +43,8 @@ class Meridian {
 
   /// Mean of the order over the surface.
   double mean_order() const;
+  /// Largest order, between the points too.
+  double largest_order() const;
   /// H at either pole (−2 on the unit sphere) by the even polynomial through the four points next to it;
   /// for points of smooth spacing.
   std::array<double, 2> pole_curvatures() const;

@@ -153,7 +153,7 @@ WitnessState minimiser_state(const CompareInput& input) {
                    .tension = minimum->tension,
                    .order_min = minimum->order_min,
                    .order_mean = curve.mean_order(),
-                   .order_max = minimum->order.maxCoeff()}};
+                   .order_max = curve.largest_order()}};
   take_curve(found, curve, curve.pole_curvatures());
   return found;
 }
