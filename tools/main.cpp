@@ -7,6 +7,7 @@
 #include "studies/output.h"
 #include "studies/progress.h"
 #include "studies/relax.h"
+#include "studies/report.h"
 #include "studies/run.h"
 #include "studies/scan.h"
 #include "studies/seifert.h"
@@ -225,6 +226,20 @@ int compare(const Arguments& a) {
   return s.agrees() ? exit_code_of_success() : 1;
 }
 
+int report(const Arguments& a) {
+  const fs::path folder = a.input;
+  const studies::ResultsKind kind = studies::kind_of_results(folder);
+  if (!a.no_pictures)
+    for (const std::string& picture : studies::missing_pictures(folder, kind)) {
+      std::fflush(nullptr);
+      if (draw({studies::name(kind), folder.string(), "--only", picture}) != 0)
+        complain(fmt::format("{}: cannot be drawn; the report is without it", picture));
+    }
+  const studies::ReportSummary s = studies::write_report(folder, SBEH_VERSION);
+  fmt::print("{} {}\n", s.replaced ? "replaced the earlier report" : "wrote", s.file.string());
+  return 0;
+}
+
 // The words of the command line that CLI11 did not take, with what may have been meant.
 int complain_of_command_line(const CLI::App& app, const CLI::ParseError& error) {
   const CLI::App* at = &app;  // the command they belong to
@@ -278,6 +293,11 @@ int run(int argc, char** argv) {
   seifert_command->add_flag("--no-pictures", a.no_pictures, "tables only");
   seifert_command->add_option("--elements", a.elements, "of the finite elements (96)")
       ->check(CLI::Range(32, 4096));
+  CLI::App* report_command =
+      app.add_subcommand("report", "a folder of results as one page of HTML");
+  report_command->add_option("DIR", a.input, "folder of a scan, run, relax, seifert or compare")
+      ->required();
+  report_command->add_flag("--no-pictures", a.no_pictures, "do not draw those that are missing");
   const tools::MeshCommand mesh_command(app);
   CLI::App* picture_command = app.add_subcommand(
       "picture", "draw the pictures of a folder again: picture scan|relax|run|seifert|compare DIR");
@@ -304,6 +324,7 @@ int run(int argc, char** argv) {
     if (*compare_command) return compare(a);
     if (*check_command) return check(a);
     if (*seifert_command) return seifert(a);
+    if (*report_command) return report(a);
     if (app.got_subcommand("mesh")) return mesh_command.run();
   } catch (const std::invalid_argument& error) {  // only the start itself could tell
     throw studies::InputError(fmt::format("{}: {}", a.input, error.what()));
