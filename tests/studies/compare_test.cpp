@@ -67,11 +67,12 @@ TEST(Surface, relaxed_from_an_ellipsoid_agrees_with_the_three_other_methods) {
 }
 
 TEST(Surface, revolved_from_the_ordered_profile_stays_there) {
-  expect_agreement(compared("revolved",
-                            "[compare]\nmodel = 'SBEH'\nreduced_volume = 0.8\nL = 0.05\n"
-                            "methods = ['surface3d', 'minimiser']\n[surface3d]\ntriangles = 80\n"
-                            "start = 'revolved'\nend = 2\n[tolerance_3d]\nenergy = 1e-4\norder_mean = 1e-4\n"
-                            "order_min = 1e-2\npressure = 1e-2\ndistance = 1e-3\n"));
+  expect_agreement(
+      compared("revolved",
+               "[compare]\nmodel = 'SBEH'\nreduced_volume = 0.8\nL = 0.05\n"
+               "methods = ['surface3d', 'minimiser']\n[surface3d]\ntriangles = 80\n"
+               "start = 'revolved'\nend = 2\n[tolerance_3d]\nenergy = 1e-4\norder_mean = 1e-4\n"
+               "order_min = 1e-2\npressure = 1e-2\ndistance = 1e-3\n"));
 }
 
 TEST(Comparison, beyond_the_fold_says_which_method_has_no_state) {

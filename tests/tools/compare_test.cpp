@@ -2,6 +2,7 @@
 #include "tests/tools/workplace.h"
 
 #include <cmath>
+#include <csignal>
 
 namespace sbeh::tools::test {
 namespace {
@@ -71,6 +72,19 @@ TEST_F(Compare, is_not_written_over_other_results) {
   const Contents before = contents("out");
   must_refuse(into("out", "compare"), "out: already holds results (see its run.toml)");
   EXPECT_EQ(contents("out"), before);
+}
+
+TEST_F(Compare, that_is_interrupted_says_so_and_can_begin_again) {
+  write("in.toml", head + "methods = [\"surface3d\", \"newton\"]\n");
+  Program program(here(), into("out", "compare"));
+  ASSERT_TRUE(wait_until([&] { return exists(path("out/.lock")); }));
+  program.send(SIGTERM);
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.exit_code, 128 + SIGTERM);
+  EXPECT_EQ(ended.err, "sbeh: interrupted; nothing is kept, the same command begins again\n");
+  EXPECT_EQ(contents("out").size(), 1u);
+  write("in.toml", small);
+  must(into("out", "compare"));
 }
 
 TEST_F(Compare, is_checked_without_being_run) {
