@@ -1,5 +1,6 @@
 #include "studies/compare.h"
 
+#include "model/flow.h"
 #include "studies/csv_line.h"
 #include "studies/describe.h"
 #include "studies/interrupt.h"
@@ -34,6 +35,8 @@ WitnessState state_of(Witness witness, const CompareInput& input,
       return shooting_state(input);
     case Witness::minimiser:
       return minimiser_state(input);
+    case Witness::flow:
+      return flow_state(input);
     case Witness::surface3d:
       if (input.surface3d.revolved && !newton) by_newton();
       if (input.surface3d.revolved && !newton)
@@ -93,6 +96,16 @@ double distance_of(const WitnessState& a, const WitnessState& b) {
   return largest;
 }
 
+// Largest difference at the times that both have; not_known where there are none.
+double history_difference(const WitnessState& a, const WitnessState& b) {
+  double largest = not_known;
+  for (const EnergyAt& p : a.history)
+    for (const EnergyAt& q : b.history)
+      if (p.time > 0 && std::abs(p.time - q.time) <= model::same_time * p.time)
+        largest = std::fmax(largest, std::abs(p.energy - q.energy));
+  return largest;
+}
+
 struct PlacedPoint {
   double arc_length, r, z, order, distance;
 };
@@ -136,6 +149,12 @@ std::vector<Comparison> compare(const CompareInput& input, const WitnessState& a
   Comparison profiles{.quantity = "distance", .first = a.witness, .second = b.witness};
   profiles.difference = distance_of(a, b);
   all.push_back(profiles);
+  if (!a.history.empty() && !b.history.empty()) {
+    Comparison history{.quantity = "history", .first = a.witness, .second = b.witness};
+    history.difference = history_difference(a, b);
+    history.relative_difference = history.difference / std::abs(a.measures.energy);
+    all.push_back(history);
+  }
   for (Comparison& one : all) one.tolerance = tolerance_of(input, one);
   return all;
 }
@@ -182,6 +201,59 @@ std::string profiles_text(const std::vector<WitnessState>& states) {
   return text;
 }
 
+std::string histories_text(const std::vector<WitnessState>& states) {
+  std::string text;
+  for (const WitnessState& state : states)
+    for (const EnergyAt& at : state.history)
+      text += fmt::format("{},{},{}\n", name(state.witness), at.time, at.energy);
+  return text.empty() ? text : "method,time,energy\n" + text;
+}
+
+// ---- tables for people --------------------------------------------------------------------------
+
+constexpr int name_width = 20, cell_width = 18;
+std::string cell(double value, const char* format) {
+  return fmt::format("{:>{}}", std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value),
+                     cell_width);
+}
+
+std::string values_for_people(const std::vector<WitnessState>& states) {
+  std::string text = fmt::format("{:<{}}", "", name_width);
+  for (const WitnessState& state : states)
+    text += fmt::format("{:>{}}", name(state.witness), cell_width);
+  for (const Quantity& quantity : quantities()) {
+    text += fmt::format("\n{:<{}}", quantity.name, name_width);
+    for (const WitnessState& state : states)
+      text += cell(state.measures.*quantity.value, "{:.11g}");
+  }
+  text += fmt::format("\n{:<{}}", "seconds", name_width);
+  for (const WitnessState& state : states) text += cell(state.seconds, "{:.3g}");
+  return text + "\n";
+}
+
+// Those of all others from the first; the history, which few pairs have, stands elsewhere.
+std::string differences_for_people(const CompareSummary& summary) {
+  const Witness reference = summary.states.front().witness;
+  std::string text =
+      fmt::format("differences from {} (energies: relative to the total; ! tolerance missed)\n",
+                  name(reference));
+  for (const std::string& quantity : tolerated_quantities()) {
+    if (quantity == "history") continue;
+    text += fmt::format("{:<{}}{:>{}}", quantity, name_width, "", cell_width);
+    for (const WitnessState& state : summary.states) {
+      if (state.witness == reference) continue;
+      const auto at = std::find_if(
+          summary.comparisons.begin(), summary.comparisons.end(), [&](const Comparison& c) {
+            return c.quantity == quantity && c.first == reference && c.second == state.witness;
+          });
+      const bool there = at != summary.comparisons.end();
+      text += cell(there ? at->judged() : not_known, there && at->misses() ? "! {:.2e}" : "{:.2e}");
+    }
+    text += "\n";
+  }
+  return text;
+}
+
 void refuse_results(const OutputFolder& folder) {
   for (const char* result : {"run.toml", "compare.csv", "scan.csv", "series.csv", "branches.csv"})
     if (fs::exists(folder / result))
@@ -222,44 +294,19 @@ CompareSummary run_compare(const CompareInput& input, const fs::path& path,
           summary.comparisons.push_back(one);
   write_file(folder / "profiles.csv", profiles_text(states));
   write_file(folder / "methods.csv", methods_text(states));
+  if (const std::string histories = histories_text(states); !histories.empty())
+    write_file(folder / "histories.csv", histories);
   write_file(folder / "compare.csv", comparisons_text(summary.comparisons));
   write_file(folder / "run.toml", describe(input, version));
   return summary;
 }
 
 std::string table_of(const CompareSummary& summary) {
-  constexpr int name_width = 20, width = 18;
-  const auto cell = [&](double value, const char* format) {
-    return fmt::format("{:>{}}", std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value),
-                       width);
-  };
-  std::string text = fmt::format("{:<{}}", "", name_width);
-  for (const WitnessState& state : summary.states)
-    text += fmt::format("{:>{}}", name(state.witness), width);
-  for (const Quantity& quantity : quantities()) {
-    text += fmt::format("\n{:<{}}", quantity.name, name_width);
-    for (const WitnessState& state : summary.states)
-      text += cell(state.measures.*quantity.value, "{:.11g}");
-  }
-  text += fmt::format("\n{:<{}}", "seconds", name_width);
-  for (const WitnessState& state : summary.states) text += cell(state.seconds, "{:.3g}");
-  const Witness reference = summary.states.front().witness;
-  text +=
-      fmt::format("\n\ndifferences from {} (energies: relative to the total; ! tolerance missed)\n",
-                  name(reference));
-  for (const std::string& quantity : tolerated_quantities()) {
-    text += fmt::format("{:<{}}{:>{}}", quantity, name_width, "", width);
-    for (const WitnessState& state : summary.states) {
-      if (state.witness == reference) continue;
-      const auto at = std::find_if(
-          summary.comparisons.begin(), summary.comparisons.end(), [&](const Comparison& c) {
-            return c.quantity == quantity && c.first == reference && c.second == state.witness;
-          });
-      const bool there = at != summary.comparisons.end();
-      text += cell(there ? at->judged() : not_known, there && at->misses() ? "! {:.2e}" : "{:.2e}");
-    }
-    text += "\n";
-  }
+  std::string text = values_for_people(summary.states) + "\n" + differences_for_people(summary);
+  for (const Comparison& c : summary.comparisons)
+    if (c.quantity == "history")
+      text += fmt::format("energies of {} and {} over time differ by {:.2e} of the last one{}\n",
+                          name(c.first), name(c.second), c.judged(), c.misses() ? " !" : "");
   for (const WitnessState& state : summary.states)
     if (!state.remark.empty()) text += fmt::format("{}: {}\n", name(state.witness), state.remark);
   return text;
@@ -274,7 +321,7 @@ std::vector<std::string> complaints(const CompareSummary& summary) {
     if (!c.misses()) continue;
     const std::string first = name(c.first), second = name(c.second);
     const std::string values =
-        c.quantity == "distance"
+        c.quantity == "distance" || c.quantity == "history"
             ? fmt::format("of {} and {}", first, second)
             : fmt::format("{} by {}, {} by {}", c.first_value, first, c.second_value, second);
     sentences.push_back(

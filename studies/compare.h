@@ -8,6 +8,8 @@
 // profiles.csv, a row per point of every method's meridian, of surface3d per node:
 //   method, arc_length (of the nearest point of the first method's curve), r, z, order, distance (from that
 //   curve along its outward normal; 0 for the first method itself)
+// histories.csv, of flow and of surface3d from the ellipsoid:
+//   method, time, energy
 #pragma once
 
 #include "studies/compare_input.h"
@@ -21,8 +23,9 @@
 
 namespace sbeh::studies {
 
-/// One quantity of two methods. The quantity "distance" has no values, only the difference: the largest
-/// distance of either profile's points (of surface3d: its nodes) from the other curve.
+/// One quantity of two methods. Two have no values, only the difference: "distance", the largest of either
+/// profile's points (of surface3d: its nodes) from the other curve, and "history", the largest difference of
+/// the energies at equal times, of flow and surface3d alone.
 struct Comparison {
   std::string quantity;
   Witness first, second;
@@ -44,7 +47,7 @@ struct CompareSummary {
 };
 
 /// Runs the methods one after the other and leaves run.toml (the input, resolved), compare.csv,
-/// methods.csv, profiles.csv and, of a 3D run of its own, surface3d.vtu in the folder. A folder that
+/// methods.csv, profiles.csv, histories.csv and, of a 3D run of its own, surface3d.vtu in the folder. A folder that
 /// holds results already is refused. Throws InputError, OutputError and Interrupted.
 CompareSummary run_compare(const CompareInput& input, const std::filesystem::path& folder,
                            std::string_view version);

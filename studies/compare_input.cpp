@@ -15,7 +15,8 @@ namespace sbeh::studies {
 
 namespace {
 
-constexpr std::array<const char*, 4> witness_names{"newton", "shooting", "minimiser", "surface3d"};
+constexpr std::array<const char*, 5> witness_names{"newton", "shooting", "minimiser", "flow",
+                                                   "surface3d"};
 constexpr int fewest_triangles = 20, most_triangles = 200'000;
 
 void read_case(const TomlTable& table, CompareInput& input) {
@@ -33,10 +34,14 @@ void read_case(const TomlTable& table, CompareInput& input) {
   if (input.has(Witness::shooting) && input.model != model::Model::SSH)
     table.fail("methods",
                "must not contain \"shooting\" for model = \"SBEH\": it has full order only");
+  if (input.has(Witness::flow) && input.branch == "stomatocyte")
+    table.fail("methods",
+               "must not contain \"flow\" for branch = \"stomatocyte\": an ellipsoid does "
+               "not go there");
   table.reject_unknown_keys();
 }
 
-SurfaceMethod read_surface_method(const TomlTable& table) {
+SurfaceMethod read_surface_method(const TomlTable& table, const CompareInput& input) {
   SurfaceMethod method;
   if (table.has("run")) {
     for (const char* key : {"start", "triangles", "end", "tolerance", "rest_speed"})
@@ -44,6 +49,11 @@ SurfaceMethod read_surface_method(const TomlTable& table) {
     method.run = table.text("run");
   }
   method.revolved = table.word("start", {"ellipsoid", "revolved"}, "ellipsoid") == "revolved";
+  if (input.has(Witness::surface3d) && input.branch == "stomatocyte" && method.run.empty()
+      && !method.revolved)
+    table.fail("start",
+               "must be \"revolved\" for branch = \"stomatocyte\": an ellipsoid does not go "
+               "there");
   method.triangles = table.integer("triangles", fewest_triangles, most_triangles, method.triangles);
   method.end_time = table.number("end", above(0), method.end_time);
   method.numerics.tolerance = table.number("tolerance", {}, method.numerics.tolerance);
@@ -65,6 +75,14 @@ Tolerances read_tolerances(const TomlTable& table) {
   return tolerances;
 }
 
+// Only flow and surface3d have histories, and from a revolved state there is none to tell of.
+void require_histories(const TomlTable& tolerance_3d, const CompareInput& input) {
+  if (!input.tolerance_3d.contains("history")) return;
+  if (!input.has(Witness::flow) || input.surface3d.revolved)
+    tolerance_3d.fail("history",
+                      "needs the methods \"flow\" and \"surface3d\", both from an ellipsoid");
+}
+
 // With a spontaneous curvature the classical shapes are others.
 void refuse_spontaneous_curvature(const TomlTable& material, const CompareInput& input) {
   if (input.material.spontaneous_curvature == 0 || input.model != model::Model::SSH) return;
@@ -81,6 +99,7 @@ std::vector<std::string> tolerated_quantities() {
   std::vector<std::string> names;
   for (const Quantity& quantity : quantities()) names.emplace_back(quantity.name);
   names.emplace_back("distance");
+  names.emplace_back("history");
   return names;
 }
 
@@ -114,9 +133,11 @@ CompareInput read_compare(const std::filesystem::path& path) {
                        .with_L(input.L);
   refuse_spontaneous_curvature(material, input);
   input.numerics = read_numerics(numerics);
-  input.surface3d = read_surface_method(surface);
+  input.surface3d = read_surface_method(surface, input);
+  tolerance.refuse("history", "has its place in [tolerance_3d]: flow is compared with surface3d");
   input.tolerance = read_tolerances(tolerance);
   input.tolerance_3d = read_tolerances(tolerance_3d);
+  require_histories(tolerance_3d, input);
   return input;
 }
 

@@ -17,9 +17,10 @@ enum class Witness {
   newton,     ///< Newton's method on finite elements of the generating curve
   shooting,   ///< shape equations by Boost.Odeint; SSH without spontaneous curvature
   minimiser,  ///< spectral curves, Ceres and Newton; SBEH, or SSH without spontaneous curvature
+  flow,       ///< the axisymmetric solver, in time from an ellipsoid to rest
   surface3d   ///< the 3D solver, in time, to rest
 };
-/// "newton", "shooting", "minimiser" or "surface3d".
+/// "newton", "shooting", "minimiser", "flow" or "surface3d".
 const char* name(Witness witness);
 
 /// The 3D method: table [surface3d].
@@ -35,7 +36,8 @@ struct SurfaceMethod {
 /// Largest differences allowed, by the names of tolerated_quantities(). Energies are relative to the
 /// total energy, all others as they are.
 using Tolerances = std::map<std::string, double>;
-/// The quantities that are compared: those of witness_state.h, and "distance" of the profiles.
+/// The quantities that are compared: those of witness_state.h, "distance" of the profiles, and "history"
+/// of the energy, which flow and surface3d have.
 std::vector<std::string> tolerated_quantities();
 
 /// Table [compare]: model, branch, reduced_volume, L, methods; optional [material] (without L),

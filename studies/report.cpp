@@ -54,7 +54,9 @@ const std::vector<Contents>& all_contents() {
        "compare",
        {"compare.csv", "methods.csv"},
        {{"profiles", "Profiles on top of each other, and their distance from the first method's"}},
-       {{"methods.csv", "What each method finds"}, {"compare.csv", "All pairs of methods"}}},
+       {{"methods.csv", "What each method finds"},
+        {"compare.csv", "All pairs of methods"},
+        {"histories.csv", "Energies over time"}}},
       {ResultsKind::seifert,
        "seifert",
        {"branches.csv", "points.csv"},
@@ -150,6 +152,26 @@ std::string charts_of(const CsvTable& series) {
     text += svg_chart(chart.frame, lines);
   }
   return text.empty() ? text : "<div class=\"charts\">\n" + text + "</div>\n";
+}
+
+// The energies of a comparison's evolutions; the file has them one after the other.
+std::string energies_of_methods(const CsvTable& histories) {
+  std::vector<ChartLine> lines;
+  for (std::size_t row = 0; row < histories.rows.size(); ++row) {
+    const std::string method = histories.text(row, "method");
+    if (lines.empty() || lines.back().name != method) lines.push_back({.name = method});
+    lines.back().x.push_back(histories.number(row, "time"));
+    lines.back().y.push_back(histories.number(row, "energy"));
+  }
+  const std::string chart = svg_chart({"Energy", "t", AxisScale::logarithmic}, lines);
+  return chart.empty() ? chart : "<div class=\"charts\">\n" + chart + "</div>\n";
+}
+
+std::string over_time(const fs::path& folder) {
+  if (fs::exists(folder / "series.csv")) return charts_of(read_csv(folder / "series.csv"));
+  if (fs::exists(folder / "histories.csv"))
+    return energies_of_methods(read_csv(folder / "histories.csv"));
+  return "";
 }
 
 // ---- sections -----------------------------------------------------------------------------------
@@ -254,9 +276,8 @@ ReportSummary write_report(const fs::path& folder, std::string_view version) {
   body += "</header>\n<main>\n" + html::section("Key numbers", html::facts(numbers.facts));
   const std::string pictures = pictures_of(folder, contents);
   if (!pictures.empty()) body += html::section("Pictures", pictures);
-  if (fs::exists(folder / "series.csv"))
-    if (const std::string history = charts_of(read_csv(folder / "series.csv")); !history.empty())
-      body += html::section("Over time", history);
+  if (const std::string history = over_time(folder); !history.empty())
+    body += html::section("Over time", history);
   body += html::section("Tables", tables_of(folder, contents));
   if (!input.empty()) body += html::section("Input with every parameter", input);
   body += html::section("How to run it again", how_to_run(folder, contents, !input.empty()));

@@ -8,7 +8,7 @@ namespace sbeh::studies {
 
 struct ChartLine {
   std::string name;
-  std::vector<double> x, y;  ///< of equal size
+  std::vector<double> x{}, y{};  ///< of equal size
 };
 
 enum class AxisScale { linear, logarithmic };

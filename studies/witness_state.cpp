@@ -1,8 +1,11 @@
 #include "studies/witness_state.h"
 
+#include "axisym/curvature.h"
 #include "axisym/seifert_shooting.h"
 #include "axisym/spectral_minimiser.h"
+#include "axisym/start_shapes.h"
 #include "studies/branch_points.h"
+#include "studies/interrupt.h"
 
 #include <fmt/format.h>
 
@@ -91,8 +94,10 @@ const std::vector<Quantity>& quantities() {
 
 NewtonState newton_state(const CompareInput& input) {
   const PointOutcome point = follow_branch(input);
-  if (point.row.status != PointStatus::stationary)
-    return {{}, failed(Witness::newton, point.row.stop_reason)};
+  if (point.row.status != PointStatus::stationary) {
+    const std::string& reason = point.row.stop_reason;  // of a row, whose values are not taken here
+    return {{}, failed(Witness::newton, reason.substr(0, reason.find("; the values")))};
+  }
   const auto settled_state =
       settled(input.material, input.model, {{input.reduced_volume, input.L}, *point.state});
   if (!settled_state)
@@ -114,6 +119,34 @@ NewtonState newton_state(const CompareInput& input) {
                                   .order_max = d.order_max}};
   take_curve(found, curve, axisym::pole_curvatures(s.state.X, s.H));
   return {s.state, found};
+}
+
+WitnessState flow_state(const CompareInput& input) {
+  constexpr double end_time = 200;
+  const axisym::Numerics& n = input.numerics;
+  const axisym::Nodes X =
+      axisym::spheroid(input.reduced_volume, input.branch == "prolate", n.elements, n.grading);
+  WitnessState found{.witness = Witness::flow};
+  const axisym::FlowResult run = axisym::run_flow(
+      input.material, input.model, {X, axisym::Field::Constant(X.cols(), model::full_order)},
+      axisym::target_of(input.reduced_volume), n,
+      {.end_time = end_time, .output_times = history_times(input)},
+      [&](const axisym::FlowRecord& record, const axisym::State&, bool exact) {
+        if (exact) found.history.push_back({record.time, record.energy.total()});
+        return interrupt_signal() == 0;
+      });
+  if (run.stop == axisym::FlowStop::interrupted) throw Interrupted("interrupted");
+  found.remark = fmt::format("{} elements, {} at t = {:.4g} after {} steps", n.elements,
+                             axisym::describe(run.stop), run.last.time, run.steps);
+  if (run.stop != axisym::FlowStop::at_rest) {
+    found.failure = found.remark;
+    return found;
+  }
+  const axisym::Diagnostics d = axisym::diagnose(input.material, run.state);
+  found.measures = measures_of_flow(input.material, d, run.last.lambda);
+  take_curve(found, Meridian(run.state),
+             axisym::pole_curvatures(run.state.X, axisym::mean_curvature(run.state.X)));
+  return found;
 }
 
 WitnessState shooting_state(const CompareInput& input) {

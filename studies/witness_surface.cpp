@@ -4,6 +4,7 @@
 #include "studies/csv_table.h"
 #include "studies/frame_file.h"
 #include "studies/interrupt.h"
+#include "studies/number_range.h"
 #include "studies/progress.h"
 #include "studies/run_input.h"
 #include "studies/toml_reader.h"
@@ -34,6 +35,7 @@ struct Rest {
   meshing::CurvedMesh mesh{};
   surface3d::Field beta{};  // nodes
   double lambda = not_known;
+  std::vector<EnergyAt> history{};
   std::string remark{};
   std::string failure{};
 };
@@ -85,9 +87,12 @@ Rest flow_to_rest(const CompareInput& input, const std::optional<axisym::State>&
   surface3d::StepperMemory memory;
   const surface3d::FlowResult run = surface3d::run_flow(
       mesh, input.material, input.model, {.state = {rest.mesh.nodes, rest.beta}}, target,
-      input.surface3d.numerics, {.end_time = input.surface3d.end_time, .output_times = {}},
+      input.surface3d.numerics,
+      {.end_time = input.surface3d.end_time, .output_times = history_times(input)},
       [&](const surface3d::FlowRecord& record, const surface3d::State&,
-          const surface3d::StepView& view, bool) {
+          const surface3d::StepView& view, bool exact) {
+        if (exact && !input.surface3d.revolved)
+          rest.history.push_back({record.time, record.energy.total()});
         watch.show(record);
         fields = view.fields;
         memory = view.memory;
@@ -95,8 +100,9 @@ Rest flow_to_rest(const CompareInput& input, const std::optional<axisym::State>&
       });
   if (run.stop == surface3d::FlowStop::interrupted) throw Interrupted("interrupted");
   const std::string stop =
-      fmt::format("{} triangles, {} at t = {:.4g} after {} steps", rest.mesh.triangle_count(),
-                  surface3d::describe(run.stop), run.last.time, run.steps);
+      fmt::format("{} triangles, {} at t = {:.4g} after {} steps, speed {:.1e}",
+                  rest.mesh.triangle_count(), surface3d::describe(run.stop), run.last.time,
+                  run.steps, std::max(run.last.normal_speed, run.last.order_speed));
   rest.mesh.nodes = run.state.X;
   rest.beta = run.state.beta;
   rest.lambda = run.last.lambda;
@@ -133,13 +139,26 @@ void require_same_case(const fs::path& folder, const RunInput& run, const Compar
     fail("potential, residual_stiffness or spontaneous_curvature differ (compare its run.toml)");
 }
 
+// Whether the run is the evolution that `flow` follows too: from the same ellipsoid, with the same drag.
+bool is_evolution_of(const RunInput& run, const CompareInput& input) {
+  const auto* start = std::get_if<Ellipsoid3d>(&run.start);
+  const model::Material &a = run.material, &b = input.material;
+  return start && start->reduced_volume == input.reduced_volume
+      && start->prolate == (input.branch == "prolate") && run.model == input.model
+      && run.initial_order == model::full_order && run.perturbation.empty()
+      && a.viscosity == b.viscosity && a.immobility == b.immobility
+      && a.friction_tangential == b.friction_tangential && a.friction_normal == b.friction_normal
+      && a.order_viscosity == b.order_viscosity;
+}
+
 Rest last_frame(const CompareInput& input) {
   const fs::path folder = input.surface3d.run;
   if (!fs::exists(folder / "run.toml") || !fs::exists(folder / "frames.csv"))
     throw InputError(fmt::format(
         "{}: is no folder of a 3D run: it lacks run.toml or frames.csv (run it by: sbeh run)",
         folder.string()));
-  require_same_case(folder, read_run(folder / "run.toml"), input);
+  const RunInput run = read_run(folder / "run.toml");
+  require_same_case(folder, run, input);
   const CsvTable frames = read_csv(folder / "frames.csv"), series = read_csv(folder / "series.csv");
   if (frames.rows.empty())
     throw InputError(fmt::format("{}: has no frame yet", (folder / "frames.csv").string()));
@@ -158,6 +177,9 @@ Rest last_frame(const CompareInput& input) {
       rest.lambda = series.number(row, "lambda");
       rest.remark += fmt::format(", |V| = {:.1e}", series.number(row, "speed_max"));
     }
+  if (is_evolution_of(run, input))
+    for (std::size_t row = 0; row < series.rows.size(); ++row)
+      rest.history.push_back({series.number(row, "time"), series.number(row, "energy")});
   return rest;
 }
 
@@ -214,28 +236,24 @@ std::array<double, 2> pole_curvatures(const Eigen::Matrix3Xd& X, const surface3d
   return result;
 }
 
-Measures measures_of(const model::Material& material, const surface3d::Diagnostics& d,
-                     double lambda) {
-  Measures of{.energy = d.energy.total(),
-              .energy_distortion = d.energy.distortion,
-              .energy_bending = d.energy.bending,
-              .energy_thermotropic = d.energy.thermotropic,
-              .pressure = -lambda,
-              .order_min = d.order_min,
-              .order_mean = d.order_mean,
-              .order_max = d.order_max};
-  if (material.spontaneous_curvature == 0)
-    of.tension = (3 * of.pressure * d.volume - 2 * d.energy.thermotropic) / (2 * d.area);
-  return of;
-}
-
 }  // namespace
+
+std::vector<double> history_times(const CompareInput& input) {
+  if (!input.has(Witness::surface3d) || input.surface3d.run.empty())
+    return evenly_spaced(1e-3, 10, 9, Spacing::logarithmic);
+  const CsvTable series = read_csv(fs::path(input.surface3d.run) / "series.csv");
+  std::vector<double> times;
+  for (std::size_t row = 0; row < series.rows.size(); ++row)
+    times.push_back(series.number(row, "time"));
+  return times;
+}
 
 WitnessState surface_state(const CompareInput& input, const std::optional<axisym::State>& start,
                            const fs::path& keep) {
   const Rest rest =
       input.surface3d.run.empty() ? flow_to_rest(input, start, keep) : last_frame(input);
   WitnessState found{.witness = Witness::surface3d, .failure = rest.failure, .remark = rest.remark};
+  found.history = rest.history;
   if (!found.failure.empty()) return found;
   const Triangulation mesh(rest.mesh);
   const surface3d::State state{rest.mesh.nodes, rest.beta};
@@ -244,8 +262,8 @@ WitnessState surface_state(const CompareInput& input, const std::optional<axisym
     found.failure = "the surface is degenerate";
     return found;
   }
-  found.measures =
-      measures_of(input.material, surface3d::diagnose(mesh, input.material, state), rest.lambda);
+  found.measures = measures_of_flow(input.material,
+                                    surface3d::diagnose(mesh, input.material, state), rest.lambda);
   const Eigen::Matrix3Xd X = upright(mesh, state.X);
   const auto [above, below] = pole_curvatures(X, curvature->H);
   found.measures.H_pole = std::max(above, below);

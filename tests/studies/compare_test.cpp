@@ -66,6 +66,20 @@ TEST(Surface, relaxed_from_an_ellipsoid_agrees_with_the_three_other_methods) {
                "pressure = 1e-3\ntension = 1e-3\nH_pole = 1e-2\ndistance = 1e-3\n"));
 }
 
+TEST(Flow, to_rest_agrees_with_newton_and_has_the_history_of_the_3D_solver) {
+  const CompareSummary summary =
+      compared("flow",
+               "[compare]\nmodel = 'SBEH'\nreduced_volume = 0.8\nL = 0.05\n"
+               "methods = ['newton', 'flow', 'surface3d']\n[surface3d]\ntriangles = 80\nend = 1\n"
+               "[tolerance]\nenergy = 1e-8\npressure = 1e-5\norder_min = 1e-5\ndistance = 1e-5\n"
+               "[tolerance_3d]\nenergy = 1e-4\nhistory = 1e-2\n");
+  expect_agreement(summary);
+  ASSERT_EQ(summary.states[1].history.size(), summary.states[2].history.size());
+  EXPECT_EQ(summary.states[1].history.front().time, 1e-3);
+  EXPECT_EQ(summary.comparisons.back().quantity, "history");
+  EXPECT_GT(summary.comparisons.back().judged(), 0);
+}
+
 TEST(Surface, revolved_from_the_ordered_profile_stays_there) {
   expect_agreement(
       compared("revolved",

@@ -121,6 +121,14 @@ TEST_F(Compare, refuses_what_is_wrong_with_file_line_and_reason) {
        "in.toml:6: surface3d = { triangles = 80 }: has no place without \"surface3d\""},
       {head + two + "[tolerance_3d]\nenergy = 1\n",
        "in.toml:6: tolerance_3d = { energy = 1 }: has no place without \"surface3d\""},
+      {head + two + "[tolerance]\nhistory = 1\n",
+       "in.toml:7: [tolerance] history = 1: has its place in [tolerance_3d]"},
+      {head + "methods = [\"newton\", \"surface3d\"]\n[tolerance_3d]\nhistory = 1\n",
+       "in.toml:7: [tolerance_3d] history = 1: needs the methods \"flow\" and \"surface3d\""},
+      {head + "methods = [\"flow\", \"newton\"]\nbranch = \"stomatocyte\"\n",
+       "in.toml:5: [compare] methods = "},
+      {head + "methods = [\"surface3d\", \"newton\"]\nbranch = \"stomatocyte\"\n",
+       "in.toml: [surface3d] start: must be \"revolved\" for branch = \"stomatocyte\""},
       {head + two + "[material]\nL = 1\n",
        "in.toml:7: [material] L = 1: must not be given in a comparison"},
       {head + two + "[material]\nspontaneous_curvature = 1\n",
@@ -149,6 +157,11 @@ TEST_F(Compare, takes_the_last_frame_of_a_3D_run_of_the_same_case_only) {
   EXPECT_EQ(methods.number(1, "energy"), table("run/series.csv").number(0, "energy"));
   EXPECT_EQ(methods.number(1, "pressure"), -table("run/series.csv").number(0, "lambda"));
   EXPECT_NE(methods.text(1, "remark").find("last frame of run, t = 0.1"), std::string::npos);
+  write("flow.toml", head
+                         + "methods = [\"flow\", \"surface3d\"]\n[surface3d]\nrun = \"run\"\n"
+                           "[tolerance_3d]\nhistory = 1e-2\n");
+  must(into("histories", "compare", "flow.toml"));
+  EXPECT_EQ(table("histories/histories.csv").numbers("time"), (std::vector<double>{0.1, 0.1}));
 
   const auto refused = [&](const std::string& model, const std::string& volume,
                            const std::string& L, const std::string& reason) {

@@ -103,11 +103,13 @@ TEST_F(Report, of_evolutions_has_their_numbers_and_charts) {
 TEST_F(Report, of_a_comparison_and_of_the_classical_diagram_has_their_numbers) {
   write("in.toml",
         "[compare]\nmodel = \"SSH\"\nreduced_volume = 0.8\nL = 0.05\n"
-        "methods = [\"newton\", \"minimiser\"]\n[tolerance]\nenergy = 1e-8\n");
+        "methods = [\"newton\", \"flow\"]\n[tolerance]\nenergy = 1e-8\n");
   must(into("compare", "compare"));
   const std::string page = page_of("compare");
   expect_numbers(page, "compare/compare.csv");
   expect_numbers(page, "compare/methods.csv");
+  expect_numbers(page, "compare/histories.csv");
+  EXPECT_NE(page.find("<svg "), std::string::npos);
   EXPECT_NE(page.find("<dt>tolerances kept</dt><dd>1</dd>"), std::string::npos);
 
   must({"seifert", "-o", "seifert", "--no-pictures", "--elements", "48"});

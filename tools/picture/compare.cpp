@@ -19,6 +19,7 @@ const std::vector<Look> looks{
     {"newton", {.colour = {158, 202, 240}, .width = 9.0}},
     {"shooting", {.colour = {230, 110, 20}, .width = 4.0}},
     {"minimiser", {.colour = {0, 92, 70}, .width = 1.6}},
+    {"flow", {.colour = {138, 60, 220}, .width = 1.6, .dashed = true}},
     {"surface3d", {.colour = {0, 0, 0}, .width = 1.0}},
 };
 constexpr const char* marked = "surface3d";  // its nodes are no curve
