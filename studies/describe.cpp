@@ -113,6 +113,27 @@ void write_numerics(TomlText& toml, const axisym::Numerics& numerics) {
   write_time_control(toml, numerics);
 }
 
+void write_surface_method(TomlText& toml, const SurfaceMethod& method) {
+  toml.table("surface3d");
+  if (!method.run.empty()) {
+    toml.value("run", method.run);
+    return;
+  }
+  toml.value("start", std::string(method.revolved ? "revolved" : "ellipsoid"));
+  toml.value("triangles", method.triangles);
+  toml.value("end", method.end_time);
+  toml.value("tolerance", method.numerics.tolerance);
+  toml.value("rest_speed", method.numerics.rest_speed);
+}
+
+void write_tolerances(TomlText& toml, const char* table, const Tolerances& tolerances) {
+  if (tolerances.empty()) return;
+  toml.table(table);
+  for (const std::string& quantity : tolerated_quantities())
+    if (const auto at = tolerances.find(quantity); at != tolerances.end())
+      toml.value(quantity.c_str(), at->second);
+}
+
 void write_shape(TomlText& toml, const Ellipsoid& ellipsoid) {
   toml.value("shape", std::string("ellipsoid"));
   if (ellipsoid.axes) toml.value("axes", *ellipsoid.axes);
@@ -178,27 +199,6 @@ void write_start(TomlText& toml, const RelaxInput& input) {
   std::visit([&toml](const auto& shape) { write_shape(toml, shape); }, input.start);
   if (std::holds_alternative<Ellipsoid>(input.start) && has_free_order(input.model))
     toml.value("order", input.initial_order);
-}
-
-void write_surface_method(TomlText& toml, const SurfaceMethod& method) {
-  toml.table("surface3d");
-  if (!method.run.empty()) {
-    toml.value("run", method.run);
-    return;
-  }
-  toml.value("start", std::string(method.revolved ? "revolved" : "ellipsoid"));
-  toml.value("triangles", method.triangles);
-  toml.value("end", method.end_time);
-  toml.value("tolerance", method.numerics.tolerance);
-  toml.value("rest_speed", method.numerics.rest_speed);
-}
-
-void write_tolerances(TomlText& toml, const char* table, const Tolerances& tolerances) {
-  if (tolerances.empty()) return;
-  toml.table(table);
-  for (const std::string& quantity : tolerated_quantities())
-    if (const auto at = tolerances.find(quantity); at != tolerances.end())
-      toml.value(quantity.c_str(), at->second);
 }
 
 void write_time(TomlText& toml, const RelaxInput& input) {

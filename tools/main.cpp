@@ -121,6 +121,17 @@ int relax(const Arguments& a) {
   return s.run.stop == axisym::FlowStop::step_too_small ? 1 : exit_code_of_success();
 }
 
+int check_compare(const Arguments& a) {
+  const studies::CompareInput input = studies::read_compare(a.input);
+  const bool runs_3d = input.has(studies::Witness::surface3d) && input.surface3d.run.empty();
+  // Measured on one core of 2026, from an ellipsoid with V_r = 0.8 to rest.
+  const double seconds = 1 + (runs_3d ? 0.06 * input.surface3d.triangles : 0);
+  fmt::print("{}: {} {} with reduced volume {} and L = {} by {} methods, about {:.0f} s\n\n{}",
+             a.input, model::name(input.model), input.branch, input.reduced_volume, input.L,
+             input.methods.size(), seconds, studies::describe(input, SBEH_VERSION));
+  return 0;
+}
+
 int run_3d(const Arguments& a) {
   const studies::RunInput input = studies::read_run(a.input);
   const fs::path folder = folder_of(a);
@@ -166,17 +177,6 @@ int check_run(const Arguments& a) {
       surface3d::reduced_volume(start.target.area, start.target.volume), input.output_times.size(),
       input.frame_times.size(), start.mesh.node_count() * 1.1e-4, 3 * step_seconds(triangles),
       step_megabytes(triangles), studies::describe(input, SBEH_VERSION));
-  return 0;
-}
-
-int check_compare(const Arguments& a) {
-  const studies::CompareInput input = studies::read_compare(a.input);
-  const bool runs_3d = input.has(studies::Witness::surface3d) && input.surface3d.run.empty();
-  // Measured on one core of 2026, from an ellipsoid with V_r = 0.8 to rest.
-  const double seconds = 1 + (runs_3d ? 0.06 * input.surface3d.triangles : 0);
-  fmt::print("{}: {} {} with reduced volume {} and L = {} by {} methods, about {:.0f} s\n\n{}",
-             a.input, model::name(input.model), input.branch, input.reduced_volume, input.L,
-             input.methods.size(), seconds, studies::describe(input, SBEH_VERSION));
   return 0;
 }
 
