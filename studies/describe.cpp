@@ -95,24 +95,6 @@ void write_material(TomlText& toml, const model::Material& material, Elasticity 
   toml.value("spontaneous_curvature", spontaneous_curvature);
 }
 
-void write_time_control(TomlText& toml, const model::TimeControl& control) {
-  const auto& [tolerance, first_step, smallest_step, largest_step, extrapolate, rest_speed] =
-      control;
-  toml.value("tolerance", tolerance);
-  toml.value("first_step", first_step);
-  toml.value("smallest_step", smallest_step);
-  toml.value("largest_step", largest_step);
-  toml.value("extrapolate", extrapolate);
-  toml.value("rest_speed", rest_speed);
-}
-
-void write_numerics(TomlText& toml, const axisym::Numerics& numerics) {
-  toml.table("numerics");
-  toml.value("elements", numerics.elements);
-  toml.value("grading", numerics.grading);
-  write_time_control(toml, numerics);
-}
-
 void write_surface_method(TomlText& toml, const SurfaceMethod& method) {
   toml.table("surface3d");
   if (!method.run.empty()) {
@@ -132,6 +114,24 @@ void write_tolerances(TomlText& toml, const char* table, const Tolerances& toler
   for (const std::string& quantity : tolerated_quantities())
     if (const auto at = tolerances.find(quantity); at != tolerances.end())
       toml.value(quantity.c_str(), at->second);
+}
+
+void write_time_control(TomlText& toml, const model::TimeControl& control) {
+  const auto& [tolerance, first_step, smallest_step, largest_step, extrapolate, rest_speed] =
+      control;
+  toml.value("tolerance", tolerance);
+  toml.value("first_step", first_step);
+  toml.value("smallest_step", smallest_step);
+  toml.value("largest_step", largest_step);
+  toml.value("extrapolate", extrapolate);
+  toml.value("rest_speed", rest_speed);
+}
+
+void write_numerics(TomlText& toml, const axisym::Numerics& numerics) {
+  toml.table("numerics");
+  toml.value("elements", numerics.elements);
+  toml.value("grading", numerics.grading);
+  write_time_control(toml, numerics);
 }
 
 void write_shape(TomlText& toml, const Ellipsoid& ellipsoid) {

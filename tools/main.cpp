@@ -283,9 +283,9 @@ int run(int argc, char** argv) {
   const CLI::App* relax_command = add("relax", "one axisymmetric evolution", true);
   CLI::App* run_command = add("run", "one 3D evolution", true);
   run_command->add_flag("--resume", a.resume, "go on with an interrupted run");
-  const CLI::App* compare_command = add("compare", "one case by several methods", true);
   const CLI::App* check_command =
       add("check", "say whether an input is right, and what it asks for", false);
+  const CLI::App* compare_command = add("compare", "one case by several methods", true);
   CLI::App* seifert_command =
       app.add_subcommand("seifert", "the classical diagram by three witnesses");
   seifert_command->add_option("-o,--output", a.folder, "folder for the results (results/seifert)");
