@@ -1,6 +1,7 @@
 #include "axisym/flow.h"
 
 #include "axisym/curvature.h"
+#include "model/step_doubling.h"
 
 namespace sbeh::axisym {
 
@@ -17,7 +18,7 @@ class Solver {
   model::FlowStep<State> step(const State& old, const Target& target, double tau) {
     StepResult r = stepper_.step(old, target, tau);
     if (!r.ok) return {};
-    return {.ok = true,
+    return {.fault = model::FlowFault::none,
             .state = std::move(r.state),
             .dissipation = r.dissipation,
             .lambda = r.fields.lambda,
@@ -50,7 +51,8 @@ FlowResult run_flow(const model::Material& material, model::Model model, const S
                     const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe) {
   Solver solver(material, model, element_count(start.X));
-  return model::Flow<Solver>(solver, target, numerics).run(start, {}, schedule, observe);
+  model::StepDoubling<Solver> integrator(solver, target, numerics.extrapolate);
+  return model::Flow(solver, integrator, numerics).run(start, {}, schedule, observe);
 }
 
 }  // namespace sbeh::axisym

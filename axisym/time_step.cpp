@@ -28,8 +28,10 @@ bool TimeStepper::Workspace::solve_order(const model::Material& m, const State& 
     double slip = 0;
     for (int a = 0; a < 4; ++a) slip += s.phi[a] * relative.col(3 * e + a).dot(p.t);
     const double h = value_at(H, e, s);
+    const double beta_old = value_at(old.beta, e, s);
     const model::OrderData d = model::order_step_point(m,
-                                                       {.beta_old = value_at(old.beta, e, s),
+                                                       {.beta = beta_old,
+                                                        .beta_old = beta_old,
                                                         .H = h,
                                                         .K = gauss_curvature(h, p.B_phi),
                                                         .slip = {slip, 0}},

@@ -76,8 +76,20 @@ struct FlowSchedule {
 };
 
 enum class FlowStop { end_time, at_rest, unresolved, step_too_small, interrupted };
-/// A sentence for tables and messages.
+/// Words for tables and messages.
 std::string describe(FlowStop stop);
+
+/// Why a step was not accepted.
+enum class FlowFault {
+  none,
+  linear_solve,  ///< a system was singular, or its iteration did not converge
+  degenerate,    ///< a triangle is turned over, or the curve or surface is not finite
+  area_volume,   ///< area and volume could not be restored
+  error,         ///< above the tolerance
+  energy_rises
+};
+/// What was wrong and what may help, in one sentence; empty without a fault.
+std::string describe(FlowFault fault);
 
 /// Sees every accepted step; `exact` tells that the time is one of the output times. Returning false
 /// interrupts the run.
@@ -90,15 +102,18 @@ struct FlowResult {
   State state;
   FlowRecord last;
   int steps;
+  FlowFault fault = FlowFault::none;  ///< of the last step that was rejected
 };
 
-/// A step as the run sees it; the rest holds only when `ok`.
+/// A step as the run sees it; the rest holds only when there is no fault.
 template <class State>
 struct FlowStep {
-  bool ok = false;
-  State state;
-  Dissipation dissipation;
+  FlowFault fault = FlowFault::linear_solve;
+  State state = {};
+  Dissipation dissipation = {};
   double lambda = 0, speed_max = 0;
+  double error = 0;  ///< of a first-order step: largest normal distance or change of order
+  bool ok() const { return fault == FlowFault::none; }
 };
 
 /// Largest normal distance and change of order between two states.
@@ -109,35 +124,30 @@ struct Distance {
 /// The output times and the end, ascending; those that differ by rounding are one.
 std::vector<double> stops_of(const FlowSchedule& schedule);
 
-/// Runs the flow of a solver from `from` on, keeping area and volume at `target` to rounding. A Solver
-/// has a type State (a value, with X and beta) and
-///   FlowStep<State> step(const State& old, const Target&, double tau)
-///   Target measure(const State&)                        area and volume
-///   bool restore(State&, const Target&)                 brings them back; false where that fails
+/// Runs a flow from `from` on. A Solver has a type State (a value, with X and beta) and
 ///   Distance distance(const State& a, const State& b)   along the normals of a
 ///   Energy energy(const State&)
 ///   bool resolved(const State&)                         whether the mesh resolves the curvature
+/// and an Integrator
+///   FlowStep<State> advance(const State& old, double tau)   with its error, area and volume kept
+///   void accept(const State& old, const FlowStep<State>&, double tau)
+///   static constexpr double largest_growth                  of τ from one step to the next
 /// A step is rejected and tried with a smaller τ when its error exceeds the tolerance, when a solve
 /// fails, or when the energy rises and the step's error is not negligible; rejection leaves no trace
 /// but the count.
-template <class Solver>
+template <class Solver, class Integrator>
 class Flow {
  public:
   using State = typename Solver::State;
-  Flow(Solver& solver, const Target& target, const TimeControl& control)
-      : solver_(solver), target_(target), control_(control) {}
+  Flow(Solver& solver, Integrator& integrator, const TimeControl& control)
+      : solver_(solver), integrator_(integrator), control_(control) {}
 
   /// From a time on; `from.energy` may be left out at the start.
   FlowResult<State> run(const State& start, const FlowRecord& from, const FlowSchedule& schedule,
                         const FlowObserver<State>& observe = {});
 
  private:
-  // One step of τ against two of τ/2.
-  struct Trial {
-    FlowStep<State> step;
-    double error = 0;  // of the first-order result: largest normal distance or change of order
-  };
-  Trial try_step(const State& old, double tau);
+  FlowFault fault_of(const FlowStep<State>& step, const Energy& before, const Energy& after) const;
   FlowRecord record_of(const FlowStep<State>& step, const State& old, double tau,
                        const Energy& before, const Energy& after);
 
@@ -147,39 +157,25 @@ class Flow {
   static constexpr double negligible_error = 1e-2;  // of the tolerance
 
   Solver& solver_;
-  Target target_;
+  Integrator& integrator_;
   TimeControl control_;
 };
 
-template <class Solver>
-typename Flow<Solver>::Trial Flow<Solver>::try_step(const State& old, double tau) {
-  Trial trial;
-  const auto whole = solver_.step(old, target_, tau);
-  if (!whole.ok) return trial;
-  const auto first = solver_.step(old, target_, tau / 2);
-  if (!first.ok) return trial;
-  // Every step of the extrapolation begins without drift: pulled back halfway, the two halves would
-  // have lost what the whole step is to cancel.
-  const Target middle = control_.extrapolate ? solver_.measure(first.state) : target_;
-  const auto second = solver_.step(first.state, middle, tau / 2);
-  if (!second.ok) return trial;
-
-  const Distance distance = solver_.distance(second.state, whole.state);
-  trial.error = std::max(distance.normal, distance.order);
-  trial.step = second;
-  trial.step.dissipation = combine(0.5, first.dissipation, 0.5, second.dissipation);
-  if (control_.extrapolate) {  // the first-order errors cancel
-    trial.step.state.X = 2 * second.state.X - whole.state.X;
-    trial.step.state.beta = 2 * second.state.beta - whole.state.beta;
-    trial.step.dissipation = combine(2, trial.step.dissipation, -1, whole.dissipation);
-  }
-  trial.step.ok = std::isfinite(trial.error) && solver_.restore(trial.step.state, target_);
-  return trial;
+template <class Solver, class Integrator>
+FlowFault Flow<Solver, Integrator>::fault_of(const FlowStep<State>& step, const Energy& before,
+                                             const Energy& after) const {
+  if (!step.ok()) return step.fault;
+  if (!(step.error <= control_.tolerance)) return FlowFault::error;
+  const bool rises =
+      !(after.total() <= before.total() + energy_noise * (1 + std::abs(before.total())));
+  return rises && step.error > negligible_error * control_.tolerance ? FlowFault::energy_rises
+                                                                     : FlowFault::none;
 }
 
-template <class Solver>
-FlowRecord Flow<Solver>::record_of(const FlowStep<State>& step, const State& old, double tau,
-                                   const Energy& before, const Energy& after) {
+template <class Solver, class Integrator>
+FlowRecord Flow<Solver, Integrator>::record_of(const FlowStep<State>& step, const State& old,
+                                               double tau, const Energy& before,
+                                               const Energy& after) {
   FlowRecord r;
   r.time_step = tau;
   r.energy = after;
@@ -194,10 +190,10 @@ FlowRecord Flow<Solver>::record_of(const FlowStep<State>& step, const State& old
   return r;
 }
 
-template <class Solver>
-FlowResult<typename Solver::State> Flow<Solver>::run(const State& start, const FlowRecord& from,
-                                                     const FlowSchedule& schedule,
-                                                     const FlowObserver<State>& observe) {
+template <class Solver, class Integrator>
+FlowResult<typename Solver::State> Flow<Solver, Integrator>::run(
+    const State& start, const FlowRecord& from, const FlowSchedule& schedule,
+    const FlowObserver<State>& observe) {
   FlowResult<State> run{.stop = FlowStop::end_time, .state = start, .last = from, .steps = 0};
   run.last.energy = solver_.energy(start);
   double tau = from.next_step > 0 ? from.next_step : control_.first_step;
@@ -215,29 +211,27 @@ FlowResult<typename Solver::State> Flow<Solver>::run(const State& start, const F
     const double remaining = *next - run.last.time;
     const bool exact = tau >= remaining * (1 - 1e-9);
     const double used = exact ? remaining : std::min(tau, remaining / 2);
-    const Trial trial = try_step(run.state, used);
+    const FlowStep<State> step = integrator_.advance(run.state, used);
     const Energy before = run.last.energy;
-    const Energy after = trial.step.ok ? solver_.energy(trial.step.state) : Energy{};
-    const bool rises =
-        !(after.total() <= before.total() + energy_noise * (1 + std::abs(before.total())))
-        && trial.error > negligible_error * control_.tolerance;
-    if (!trial.step.ok || rises || trial.error > control_.tolerance) {
-      const double wanted =
-          trial.step.ok && !rises ? std::sqrt(control_.tolerance / trial.error) : 0;
-      tau = used * std::clamp(0.9 * wanted, 0.1, 0.5);
+    const Energy after = step.ok() ? solver_.energy(step.state) : Energy{};
+    const double wanted = 0.9 * std::sqrt(control_.tolerance / step.error);
+    if (const FlowFault fault = fault_of(step, before, after); fault != FlowFault::none) {
+      tau = used * (fault == FlowFault::error ? std::clamp(wanted, 0.1, 0.5) : 0.1);
       ++run.last.rejected;
+      run.fault = fault;
       if (tau < control_.smallest_step) return run.stop = FlowStop::step_too_small, run;
       continue;
     }
-    const double grow = std::clamp(0.9 * std::sqrt(control_.tolerance / trial.error), 0.3, 2.);
     // A step cut short by an output time says little about the next one.
-    tau = std::min(control_.largest_step, std::max(exact ? tau : 0, used * grow));
-    FlowRecord record = record_of(trial.step, run.state, used, before, after);
+    tau = std::max(exact ? tau : 0, used * std::clamp(wanted, 0.3, 2.));
+    tau = std::min({control_.largest_step, used * Integrator::largest_growth, tau});
+    FlowRecord record = record_of(step, run.state, used, before, after);
     record.time = exact ? *next : run.last.time + used;
     record.rejected = run.last.rejected;
     record.next_step = tau;
+    integrator_.accept(run.state, step, used);
     run.last = record;
-    run.state = trial.step.state;
+    run.state = step.state;
     ++run.steps;
     if (exact) ++next;
     if (observe && !observe(run.last, run.state, exact))

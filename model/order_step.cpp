@@ -10,7 +10,7 @@ OrderData order_step_point(const Material& m, const OrderPoint& x, double tau) {
       .reaction = drag / tau                               // (B1)
                 + m.kappa_slope(1.) / 2 * excess * excess  // (B3)
                 + m.kappa_gauss_slope(1.) * x.K            // (B4)
-                + m.potential.secant(x.beta_old),          // (B5)
+                + m.potential.secant(x.beta),              // (B5)
       .advection = drag * x.slip,                          // (B1)
       .diffusion = m.l1(),                                 // (B2)
       .rhs = drag * x.beta_old / tau - m.potential.slope_at_zero(),

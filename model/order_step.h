@@ -5,14 +5,16 @@
 
 namespace sbeh::model {
 
-/// What the order step reads at a point: the old order, curvatures, and the velocity of the material
-/// relative to the mesh, the tangential part of V − Y/τ.
+/// What the order step reads at a point: the order at which the potential is linearised and the one
+/// from which the step begins (the same but for two-step methods), curvatures, and the velocity of the
+/// material relative to the mesh, the tangential part of V − Y/τ.
 struct OrderPoint {
-  double beta_old, H, K;
+  double beta, beta_old, H, K;
   Tangent<double> slip;
 };
 
-/// (B1)–(B5), linear in β. The potential enters as u'(0) + [(u'(βⁿ⁻¹) − u'(0))/βⁿ⁻¹] βⁿ.
+/// (B1)–(B5), linear in β. The potential enters as u'(0) + [(u'(β*) − u'(0))/β*] βⁿ,
+/// linearised at β* = `beta`.
 struct OrderData {
   double reaction;            ///< of (β, ψ)
   Tangent<double> advection;  ///< of (∇β, ψ)

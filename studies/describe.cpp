@@ -260,6 +260,7 @@ std::string describe(const RunInput& input, std::string_view version) {
   write_material(toml, input.material, Elasticity::with_L, input.model);
   toml.table("numerics");
   write_time_control(toml, input.numerics);
+  toml.value("integrator", std::string(name(input.numerics.integrator)));
   toml.value("scheme", std::string(name(input.numerics.scheme)));
   toml.value("factorisation", std::string(name(input.numerics.factorisation)));
   toml.table("time");

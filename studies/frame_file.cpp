@@ -23,6 +23,45 @@ const auto& part(const Map& parts, const char* name, Eigen::Index size,
   return found->second;
 }
 
+// What the stepper remembers, among the fields and globals of a frame, and back.
+void remember(const surface3d::StepperMemory& memory, NodeFields& at_nodes, Globals& globals) {
+  if (memory.solves == 0) return;
+  at_nodes["factored_at"] = memory.factored_at.X;
+  at_nodes["factored_order"] = memory.factored_at.beta.transpose();
+  globals["factored"] = Eigen::Vector4d(memory.factored_tau, memory.solves, memory.iterations,
+                                        memory.last_iterations);
+  for (const auto& [name, solution] :
+       {std::pair("solution", &memory.last), std::pair("solution_before", &memory.before)}) {
+    if (solution->flow.size() == 0) continue;
+    globals[std::string(name) + "_flow"] = solution->flow;
+    globals[std::string(name) + "_motion"] = solution->motion;
+    globals[std::string(name) + "_step"] = number(solution->tau);
+  }
+}
+
+surface3d::Solution solution_of(const Globals& globals, const std::string& name) {
+  const auto flow = globals.find(name + "_flow"), motion = globals.find(name + "_motion"),
+             step = globals.find(name + "_step");
+  if (flow == globals.end() || step == globals.end() || step->second.size() != 1) return {};
+  return {.flow = flow->second,
+          .motion = motion == globals.end() ? Eigen::VectorXd() : motion->second,
+          .tau = step->second[0]};
+}
+
+surface3d::StepperMemory memory_of(const CurvedFile& file, const std::filesystem::path& path) {
+  if (!file.globals.contains("factored")) return {};
+  const Eigen::VectorXd& factored = part(file.globals, "factored", 4, path);
+  const Eigen::Index nodes = file.mesh.node_count();
+  return {.factored_at = {part(file.fields, "factored_at", 3 * nodes, path),
+                          part(file.fields, "factored_order", nodes, path).transpose()},
+          .factored_tau = factored[0],
+          .solves = int(factored[1]),
+          .iterations = int(factored[2]),
+          .last_iterations = int(factored[3]),
+          .last = solution_of(file.globals, "solution"),
+          .before = solution_of(file.globals, "solution_before")};
+}
+
 }  // namespace
 
 void write_frame(const std::filesystem::path& path, const Frame& frame, const FrameFields& fields) {
@@ -35,12 +74,12 @@ void write_frame(const std::filesystem::path& path, const Frame& frame, const Fr
                   {"next_step", number(r.next_step)},
                   {"rejected_steps", number(r.rejected)},
                   {"target", Eigen::Vector2d(frame.target.area, frame.target.volume)}};
-  if (const surface3d::StepperMemory& memory = frame.memory; memory.solves > 0) {
-    at_nodes["factored_at"] = memory.factored_at.X;
-    at_nodes["factored_order"] = memory.factored_at.beta.transpose();
-    globals["factored"] = (Eigen::VectorXd(4) << memory.factored_tau, memory.solves,
-                           memory.iterations, memory.last_iterations)
-                              .finished();
+  remember(frame.memory.stepper, at_nodes, globals);
+  if (const auto& past = frame.memory.past) {
+    at_nodes["past"] = past->state.X;
+    at_nodes["past_order"] = past->state.beta.transpose();
+    const auto& [friction, order, viscous] = past->dissipation;
+    globals["past_step"] = Eigen::Vector4d(past->tau, friction, order, viscous);
   }
   write_file(path, vtu_text(frame.mesh, at_nodes, globals));
 }
@@ -51,24 +90,21 @@ Frame read_frame(const std::filesystem::path& path) {
   if (!curved || curved->mesh.order != 3)
     throw InputError(
         fmt::format("{}: is no frame of a run: its triangles are not of order 3", path.string()));
-  Frame frame{
-      .mesh = std::move(curved->mesh), .beta = {}, .record = {}, .target = {}, .memory = {}};
+  Frame frame{.mesh = curved->mesh, .beta = {}, .record = {}, .target = {}, .memory = {}};
   frame.beta = part(curved->fields, "order", frame.mesh.node_count(), path).transpose();
   frame.record.time = part(curved->globals, "TimeValue", 1, path)[0];
   frame.record.next_step = part(curved->globals, "next_step", 1, path)[0];
   frame.record.rejected = int(part(curved->globals, "rejected_steps", 1, path)[0]);
   const Eigen::VectorXd& target = part(curved->globals, "target", 2, path);
   frame.target = {target[0], target[1]};
-  if (curved->globals.contains("factored")) {
-    const Eigen::VectorXd& factored = part(curved->globals, "factored", 4, path);
+  frame.memory.stepper = memory_of(*curved, path);
+  if (curved->globals.contains("past_step")) {
+    const Eigen::VectorXd& step = part(curved->globals, "past_step", 4, path);
     const Eigen::Index nodes = frame.mesh.node_count();
-    frame.memory = {
-        .factored_at = {part(curved->fields, "factored_at", 3 * nodes, path),
-                        part(curved->fields, "factored_order", nodes, path).transpose()},
-        .factored_tau = factored[0],
-        .solves = int(factored[1]),
-        .iterations = int(factored[2]),
-        .last_iterations = int(factored[3])};
+    frame.memory.past = {.state = {part(curved->fields, "past", 3 * nodes, path),
+                                   part(curved->fields, "past_order", nodes, path).transpose()},
+                         .tau = step[0],
+                         .dissipation = {step[1], step[2], step[3]}};
   }
   return frame;
 }

@@ -13,7 +13,7 @@ struct Frame {
   surface3d::Field beta;     // nodes
   surface3d::FlowRecord record;
   surface3d::Target target;
-  surface3d::StepperMemory memory;
+  surface3d::FlowMemory memory;
 };
 
 /// Fields for the eye only.

@@ -138,6 +138,12 @@ surface3d::Numerics read_numerics_3d(const TomlTable& table) {
   numerics.scheme = table.word("scheme", {split, monolithic}, name(numerics.scheme)) == split
                       ? surface3d::Scheme::split
                       : surface3d::Scheme::monolithic;
+  const std::string two_step = name(surface3d::Integrator::two_step),
+                    doubling = name(surface3d::Integrator::step_doubling);
+  numerics.integrator =
+      table.word("integrator", {two_step, doubling}, name(numerics.integrator)) == two_step
+          ? surface3d::Integrator::two_step
+          : surface3d::Integrator::step_doubling;
   const std::string lagged = name(surface3d::Factorisation::lagged),
                     every_step = name(surface3d::Factorisation::every_step);
   numerics.factorisation =

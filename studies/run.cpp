@@ -216,7 +216,7 @@ class Recorder {
   std::unique_ptr<AppendFile> series_, index_;
   std::vector<FrameEntry> frames_;
   surface3d::StepFields last_fields_;
-  surface3d::StepperMemory last_memory_;
+  surface3d::FlowMemory last_memory_;
   const bool terminal_ = isatty(STDERR_FILENO) != 0;
   std::chrono::steady_clock::time_point began_, shown_;
   int steps_ = 0;

@@ -158,6 +158,11 @@ void slow_down_mesh(const ElementField& H, double tau, ElementSystem& s) {
       theta * s.rhs.tail<30>() + (1 - theta) * s.matrix.block<30, 10>(local::Y, local::H) * H;
 }
 
+// Where the normals of the old surface X are met by a displacement from X to `from` along them.
+ElementNodes foot_points(const ElementNodes& X, const ElementNodes& from, const ElementNodes& n) {
+  return X + n * n.cwiseProduct(from - X).colwise().sum().asDiagonal();
+}
+
 }  // namespace
 
 // An element's system, and the parts of it that go into the global ones.
@@ -182,7 +187,8 @@ CoupledSystem::CoupledSystem(const Triangulation& mesh, const model::Material& m
       motion_pattern_(scheme == Scheme::split ? pattern_of(mesh, motion_layout()) : no_pattern()) {}
 
 // n: node normals of the triangle. A test field Z = φ_a n_a gives the row a of G.
-void CoupledSystem::cut(const ElementNodes& n, double tau, bool keep_volume, Piece& piece) const {
+void CoupledSystem::cut(const ElementNodes& n, const ElementNodes& foot, double tau,
+                        bool keep_volume, Piece& piece) const {
   const auto& [A, rhs, constraints] = piece.whole;
   const int size = head + (scheme_ == Scheme::split ? 10 : motion_size);
   piece.flow.setZero(size + multipliers_, size + multipliers_);
@@ -206,19 +212,22 @@ void CoupledSystem::cut(const ElementNodes& n, double tau, bool keep_volume, Pie
     return;
   }
   piece.flow.block<head, 10>(0, head) = A.block<head, 10>(0, local::H);
+  Eigen::Matrix<double, 10, 10> stiffness = Eigen::Matrix<double, 10, 10>::Zero();
   for (int k = 0; k < 3; ++k) {
     const auto along = n.row(k).transpose().asDiagonal();
     const int Z = local::Y + 10 * k;
     piece.flow.block<10, 10>(head, head) += along * A.block<10, 10>(Z, local::H);
-    piece.flow.block<10, 10>(head, 10 * k) = tau * (along * A.block<10, 10>(Z, Z));
-    piece.flow_rhs.segment<10>(head) += along * rhs.segment<10>(Z);
+    stiffness += along * A.block<10, 10>(Z, Z) * along;
+    piece.flow_rhs.segment<10>(head) -= along * A.block<10, 10>(Z, Z) * foot.row(k).transpose();
   }
+  for (int k = 0; k < 3; ++k)
+    piece.flow.block<10, 10>(head, 10 * k) = tau * stiffness * n.row(k).transpose().asDiagonal();
   piece.motion = A.bottomRightCorner<motion_size, motion_size>();
   piece.motion_rhs = rhs.tail<motion_size>();
 }
 
 void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
-                             const Curvature& curvature, double tau,
+                             const Curvature& curvature, const Origin& from, double tau,
                              const Constraints& constraints) {
   const bool split = scheme_ == Scheme::split;
   set_zero(flow_pattern_, flow_);
@@ -233,15 +242,17 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
     const int end = std::min(begin + chunk, mesh.count());
     tbb::parallel_for(begin, end, [&](int e) {
       Piece& piece = pieces[std::size_t(e - begin)];
+      const ElementNodes old_X = on_element(mesh, e, old.X), origin = on_element(mesh, e, from.X);
       assemble_element(material_,
-                       {.X = on_element(mesh, e, old.X),
+                       {.X = old_X,
+                        .from = origin,
                         .normals = on_element(mesh, e, curvature.normals),
                         .beta = on_element(mesh, e, old.beta),
                         .H = on_element(mesh, e, curvature.H)},
                        step, piece.whole);
-      slow_down_mesh(on_element(mesh, e, curvature.H), tau, piece.whole);
+      slow_down_mesh(on_element(mesh, e, from.H), tau, piece.whole);
       const ElementNodes n = on_element(mesh, e, normals_);
-      cut(n, tau, constraints.keep_volume, piece);
+      cut(n, foot_points(old_X, origin, n), tau, constraints.keep_volume, piece);
       if (along_normals()) {
         const Eigen::MatrixXd T = normal_motion(n, int(piece.flow.rows()));
         piece.flow = (T.transpose() * piece.flow * T).eval();
@@ -274,6 +285,9 @@ void CoupledSystem::add_normal_motion(const Nodes& V, Eigen::VectorXd& rhs) cons
 int CoupledSystem::first_curvature() const {
   return along_normals() ? nodes_ : 3 * nodes_ + quadratic_nodes_;
 }
+int CoupledSystem::first_displacement() const {
+  return scheme_ == Scheme::split ? nodes_ : first_curvature() + nodes_;
+}
 int CoupledSystem::first_multiplier() const {
   return flow_pattern_.size() - (along_normals() ? 2 : multipliers_);
 }
@@ -289,8 +303,11 @@ Field CoupledSystem::curvature(const Eigen::VectorXd& flow) const {
   return flow.segment(first_curvature(), nodes_);
 }
 Nodes CoupledSystem::displacement(const Eigen::VectorXd& solution) const {
-  const int first = scheme_ == Scheme::split ? nodes_ : first_curvature() + nodes_;
-  return solution.segment(first, 3 * nodes_).reshaped(3, nodes_);
+  return solution.segment(first_displacement(), 3 * nodes_).reshaped(3, nodes_);
+}
+void CoupledSystem::scale_displacements(double factor, Eigen::VectorXd& flow,
+                                        Eigen::VectorXd& motion) const {
+  (scheme_ == Scheme::split ? motion : flow).segment(first_displacement(), 3 * nodes_) *= factor;
 }
 
 }  // namespace sbeh::surface3d

@@ -1,13 +1,14 @@
 // The coupled step of model/equations.md as sparse linear systems.
 //
-// `monolithic`: all of V, p, H, Y, λ at once. `split`: with Y = τV in the curvature equation (H1), tested
-// along the node normals, V, p, H, λ stand alone; the mesh motion (Y1), (H1) with the velocity known
-// follows. Both have the same states of rest, and differ by O(τ) in motion. Both are cut from the same
-// element matrices.
+// `monolithic`: all of V, p, H, Y, λ at once. `split`: with the normal part of τV as displacement in the
+// curvature equation (H1), tested along the node normals, V, p, H, λ stand alone; the mesh motion (Y1),
+// (H1) with the velocity known follows. Both have the same states of rest, and differ in motion by the
+// order of the method in τ. Both are cut from the same element matrices.
 //
 // The mesh does not jump to its own equilibrium within one step, but moves there at a finite rate: with
 // θ = τ/(τ + mesh_relaxation_time) the right-hand side of (H1) is −θ(∇_C X, ∇_C Z) + (1 − θ)(H ν, Z), H that
-// of the old surface. Along the normals this is nothing new; Y/τ has a limit for τ → 0, and errors in
+// of the old surface. (X are the positions from which the displacement Y counts: the old ones but for
+// two-step methods, and H is theirs on the old surface.) Along the normals this is nothing new; Y/τ has a limit for τ → 0, and errors in
 // time are those of a smooth motion.
 //
 // Without friction the rigid motions R cost nothing: six more multipliers make (R, V) = 0.
@@ -34,6 +35,13 @@ struct LinearSystem {
   Eigen::VectorXd rhs;
 };
 
+/// The positions from which the displacement Y counts, 3 x nodes, and their curvature on the surface of
+/// the step, see mean_curvature.
+struct Origin {
+  const Nodes& X;
+  const Field& H;
+};
+
 /// What a step keeps besides the equations at points.
 struct Constraints {
   double area_rate;    ///< (A₀ − A)/(τA) of (P1)
@@ -48,8 +56,8 @@ class CoupledSystem {
                 model::AreaConstraint area = model::AreaConstraint::local);
 
   /// Fills the systems from the old state; elements in parallel, sums in a fixed order.
-  void assemble(const Triangulation& mesh, const State& old, const Curvature& curvature, double tau,
-                const Constraints& constraints);
+  void assemble(const Triangulation& mesh, const State& old, const Curvature& curvature,
+                const Origin& from, double tau, const Constraints& constraints);
 
   /// V, p, H, when monolithic Y, and λ; or, under a global area constraint, v, H, Y, λ and p.
   const LinearSystem& flow() const { return flow_; }
@@ -66,13 +74,17 @@ class CoupledSystem {
   double lambda(const Eigen::VectorXd& flow) const { return flow[first_multiplier()]; }
   /// Of the solution of `motion`, or of `flow` when monolithic; 3 x nodes.
   Nodes displacement(const Eigen::VectorXd& solution) const;
+  /// Multiplies the displacements of these solutions by a factor.
+  void scale_displacements(double factor, Eigen::VectorXd& flow, Eigen::VectorXd& motion) const;
 
  private:
   struct Piece;
-  void cut(const ElementNodes& normals, double tau, bool keep_volume, Piece& piece) const;
+  void cut(const ElementNodes& normals, const ElementNodes& foot, double tau, bool keep_volume,
+           Piece& piece) const;
   bool along_normals() const { return area_ == model::AreaConstraint::global; }
   // Where H and λ begin among the unknowns of the flow:
   int first_curvature() const;
+  int first_displacement() const;  // among those of the motion, or of the flow when monolithic
   int first_multiplier() const;
 
   model::Material material_;

@@ -21,10 +21,16 @@ using ElementMass = Eigen::Matrix<double, 10, 10>;
 }  // namespace
 
 Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& n) {
+  return mean_curvature(mesh, X, n, X);
+}
+
+Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& n,
+                     const Nodes& position) {
   SparseMatrix mass = mesh.scalars.zero();
   Field rhs = Field::Zero(mesh.nodes);
   for (int e = 0; e < mesh.count(); ++e) {
-    const ElementNodes local = on_element(mesh, e, X), local_n = on_element(mesh, e, n);
+    const ElementNodes local = on_element(mesh, e, X), local_n = on_element(mesh, e, n),
+                       local_position = on_element(mesh, e, position);
     ElementMass matrix = ElementMass::Zero();
     ElementField vector = ElementField::Zero();
     for (const ShapeValues& s : assembly_points()) {
@@ -32,10 +38,11 @@ Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& n) 
       const Shapes phi(s.phi.data());
       const ElementField cosine = local_n.transpose() * p.nu();
       matrix += (p.dS * phi.cwiseProduct(cosine)) * phi.transpose();
-      for (int k = 0; k < 2; ++k)  // (∇_C X, ∇_C Z), ∇_C X = P
+      const Eigen::Matrix<double, 3, 2> slope = gradient_at(local_position, p);
+      for (int k = 0; k < 2; ++k)
         vector -= p.dS
                 * Shapes(p.grad[std::size_t(k)].data())
-                      .cwiseProduct(local_n.transpose() * p.frame.col(k));
+                      .cwiseProduct(local_n.transpose() * slope.col(k));
     }
     mesh.scalars.add(e, matrix, mass);
     mesh.scalars.add(e, vector, rhs);
@@ -106,7 +113,24 @@ bool correct_area_volume(const Triangulation& mesh, Nodes& X, double area_asked,
     const Nodes Y = moved(c);
     return {area(mesh, Y) / area_asked - 1, volume(mesh, Y) / volume_asked - 1};
   };
-  const auto c = model::solve_area_volume(miss, is_sphere(mesh, area(mesh, X), volume(mesh, X)));
+  const auto slope = [&](const Eigen::Vector2d& c) -> Eigen::Matrix2d {
+    const Nodes Y = moved(c);
+    Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
+    for_each_point(
+        mesh, Y, diagnostic_points(), [&](int e, const ShapeValues& s, const SurfacePoint& p) {
+          int k = 0;
+          for (const Nodes* direction : {&n, &shift}) {
+            const ElementNodes W = on_element(mesh, e, *direction);
+            const double divergence = p.frame.leftCols<2>().cwiseProduct(gradient_at(W, p)).sum();
+            J.col(k++) += p.dS
+                        * Eigen::Vector2d(divergence / area_asked,
+                                          value_at(W, s).dot(p.nu()) / volume_asked);
+          }
+        });
+    return J;
+  };
+  const auto c =
+      model::solve_area_volume(miss, slope, is_sphere(mesh, area(mesh, X), volume(mesh, X)));
   if (c) X = moved(*c);
   return c.has_value();
 }

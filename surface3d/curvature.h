@@ -11,6 +11,9 @@ namespace sbeh::surface3d {
 /// Z = φ_i n_i, n_i the normal at node i: the curvature equation (H1) of the scheme, tested in the
 /// normal direction. Empty when the surface is degenerate.
 Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& node_normals);
+/// The H of the same equation for other positions: (H ν, Z) = −(∇_C position, ∇_C Z) on the surface X.
+Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& node_normals,
+                     const Nodes& position);
 
 /// The L2 projection of the normals into (P3)³, of unit length at the nodes; empty when it fails.
 Nodes projected_normals(const Triangulation& mesh, const Nodes& X);

@@ -8,7 +8,8 @@ namespace sbeh::surface3d {
 
 namespace {
 
-using Jet = ceres::Jet<double, int(coupled_data_size)>;
+// Two derivatives more than there are numbers: a multiple of eight, for whole vector registers.
+using Jet = ceres::Jet<double, int(coupled_data_size) + 2>;
 
 // The numbers of the data in the order of data_rows.
 template <class T, class Visit>
@@ -63,7 +64,8 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& x) {
 void assemble_element(const model::Material& material, const ElementState& old,
                       const StepParameters& step, ElementSystem& out) {
   static const CoupledData<Jet> independent = independent_data();
-  out.matrix.setZero();
+  static thread_local model::BlockMatrix<10, local::size / 10> matrix;
+  matrix.set_zero();
   out.rhs.setZero();
   out.constraints.setZero();
   for (const ShapeValues& s : assembly_points()) {
@@ -71,9 +73,10 @@ void assemble_element(const model::Material& material, const ElementState& old,
     const OldPoint point{.geometry = x,
                          .beta = value_at(old.beta, s),
                          .grad_beta = gradient_at(old.beta, x),
-                         .B = shape_operator(x, old.normals, value_at(old.H, s))};
+                         .B = shape_operator(x, old.normals, value_at(old.H, s)),
+                         .grad_from = gradient_at(old.from, x)};
     CoupledData<Jet> g = coupled_step_point(material, point, step, independent);
-    Eigen::Matrix<double, int(coupled_data_size), int(coupled_data_size), Eigen::RowMajor> D;
+    Eigen::Matrix<double, int(coupled_data_size), Jet::DIMENSION, Eigen::RowMajor> D;
     Eigen::Matrix<double, int(coupled_data_size), 1> constant;
     int i = 0;
     for_each_number(g, [&](const Jet& number) {
@@ -81,13 +84,14 @@ void assemble_element(const model::Material& material, const ElementState& old,
       constant[i++] = -number.a;
     });
     const auto rows = data_rows(s, x);
-    model::add_matrix(rows, D, x.dS, out.matrix);
+    model::add_matrix(rows, D, x.dS, matrix);
     model::add_vector(rows, constant, x.dS, out.rhs);
     Eigen::Matrix<double, 3, 7> directions;  // ν, e_k, e_k × x
     directions << x.nu(), Eigen::Matrix3d::Identity(), -cross_matrix(x.x);
     for (int k = 0; k < 3; ++k)
       out.constraints.middleRows<10>(10 * k) += Shapes(s.phi.data()) * (x.dS * directions.row(k));
   }
+  out.matrix = matrix.dense();
 }
 
 }  // namespace sbeh::surface3d

@@ -22,9 +22,9 @@ struct ElementSystem {
   Eigen::Matrix<double, 30, 7> constraints;
 };
 
-/// What a triangle has of the old state.
+/// What a triangle has of the old state; `from` are the positions from which Y counts.
 struct ElementState {
-  ElementNodes X, normals;
+  ElementNodes X, from, normals;
   ElementField beta, H;
 };
 

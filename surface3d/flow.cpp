@@ -18,16 +18,21 @@ class Solver {
         stepper_(mesh_, material, model, numerics.scheme, numerics.factorisation) {}
 
   model::FlowStep<State> step(const State& old, const Target& target, double tau) {
-    StepResult r = stepper_.step(old, target, tau);
-    if (!r.ok) return {};
+    return step(old, old, target, tau);
+  }
+  model::FlowStep<State> step(const State& at, const State& from, const Target& target,
+                              double tau) {
+    StepResult r = stepper_.step(at, from, target, tau);
+    if (!r.ok()) return {.fault = r.fault};
     fields_ = std::move(r.fields);
-    return {.ok = true,
+    return {.fault = model::FlowFault::none,
             .state = std::move(r.state),
             .dissipation = r.dissipation,
             .lambda = fields_.lambda,
             .speed_max = fields_.V.colwise().norm().maxCoeff()};
   }
-  StepView view() const { return {fields_, stepper_.memory()}; }
+  const StepFields& fields() const { return fields_; }
+  const StepperMemory& memory() const { return stepper_.memory(); }
   bool recall(const StepperMemory& memory) { return stepper_.recall(memory); }
   Target measure(const State& state) const {
     return {area(*mesh_, state.X), volume(*mesh_, state.X)};
@@ -59,21 +64,35 @@ class Solver {
 
 }  // namespace
 
+const char* name(Integrator integrator) {
+  return integrator == Integrator::two_step ? "two-step" : "step-doubling";
+}
+
 FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
                     const model::Material& material, model::Model model, const FlowStart& start,
                     const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe) {
   Solver solver(mesh, material, model, numerics);
-  if (!solver.recall(start.memory))
-    return {
-        .stop = FlowStop::step_too_small, .state = start.state, .last = start.record, .steps = 0};
+  model::TwoStep<Solver> two_step(solver, target);
+  if (!solver.recall(start.memory.stepper))
+    return {.stop = FlowStop::step_too_small,
+            .state = start.state,
+            .last = start.record,
+            .steps = 0,
+            .fault = model::FlowFault::linear_solve};
+  two_step.recall(start.memory.past);
   model::FlowObserver<State> observer;
   if (observe)
     observer = [&](const FlowRecord& record, const State& state, bool exact) {
-      return observe(record, state, solver.view(), exact);
+      return observe(record, state, {solver.fields(), {solver.memory(), two_step.past()}}, exact);
     };
-  return model::Flow<Solver>(solver, target, numerics)
-      .run(start.state, start.record, schedule, observer);
+  const auto run = [&](auto& integrator) {
+    return model::Flow(solver, integrator, numerics)
+        .run(start.state, start.record, schedule, observer);
+  };
+  if (numerics.integrator == Integrator::two_step) return run(two_step);
+  model::StepDoubling<Solver> doubling(solver, target, numerics.extrapolate);
+  return run(doubling);
 }
 
 }  // namespace sbeh::surface3d

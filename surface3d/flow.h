@@ -1,6 +1,7 @@
 // An evolution in time of the 3D solver; see model/flow.h.
 #pragma once
 
+#include "model/two_step.h"
 #include "surface3d/diagnostics.h"
 #include "surface3d/options.h"
 #include "surface3d/time_step.h"
@@ -12,10 +13,15 @@ using model::FlowRecord;
 using model::FlowSchedule;
 using model::FlowStop;
 using model::same_time;
+/// The past of a run besides its state: with it a run goes on with the same bits.
+struct FlowMemory {
+  StepperMemory stepper;
+  std::optional<model::Past<State>> past;  ///< of the two-step method
+};
 /// What an observer sees besides the state.
 struct StepView {
-  const StepFields& fields;     ///< of the last half of the step; empty at the start
-  const StepperMemory& memory;  ///< to go on from here with the same bits
+  const StepFields& fields;  ///< of the last solve; empty at the start
+  FlowMemory memory;
 };
 /// Sees every accepted step; `exact` tells that the time is one of the output times. Returning false
 /// interrupts the run.
@@ -27,7 +33,7 @@ using FlowResult = model::FlowResult<State>;
 struct FlowStart {
   State state;
   FlowRecord record = {};  ///< its time and next_step count
-  StepperMemory memory = {};
+  FlowMemory memory = {};
 };
 
 /// Runs the flow on a triangulation, keeping area and volume at `target` to rounding.

@@ -8,15 +8,16 @@
 namespace sbeh::surface3d {
 
 // GMRES without restart: Saad and Schultz 1986, modified Gram–Schmidt and Givens rotations.
-int LaggedSolver::solve(const SparseMatrix& A, Eigen::VectorXd& b) const {
+int LaggedSolver::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
   const auto preconditioned = [this](Eigen::VectorXd v) {
     direct_.solve(v);
     return v;
   };
-  std::vector<Eigen::VectorXd> basis{preconditioned(b)};
-  const double start = basis[0].norm();
+  std::vector<Eigen::VectorXd> basis{preconditioned(b - A * x)};
+  const double start = basis[0].norm(), guess = x.norm();
+  const double enough = tolerance * (guess > 0 ? guess : start);
   if (!std::isfinite(start)) return 0;
-  if (start == 0) return b.setZero(), 1;
+  if (start <= enough) return x += basis[0], 1;
   basis[0] /= start;
   Eigen::MatrixXd R = Eigen::MatrixXd::Zero(most_iterations + 1, most_iterations);
   Eigen::VectorXd residual = Eigen::VectorXd::Zero(most_iterations + 1);
@@ -37,11 +38,10 @@ int LaggedSolver::solve(const SparseMatrix& A, Eigen::VectorXd& b) const {
     rotations.back().makeGivens(R(k, k), R(k + 1, k));
     R.col(k).applyOnTheLeft(k, k + 1, rotations.back().adjoint());
     residual.applyOnTheLeft(k, k + 1, rotations.back().adjoint());
-    if (std::abs(residual[k + 1]) <= tolerance * start || length == 0) {
+    if (std::abs(residual[k + 1]) <= enough || length == 0) {
       const Eigen::VectorXd y =
           R.topLeftCorner(k + 1, k + 1).triangularView<Eigen::Upper>().solve(residual.head(k + 1));
-      b.setZero();
-      for (int i = 0; i <= k; ++i) b += y[i] * basis[std::size_t(i)];
+      for (int i = 0; i <= k; ++i) x += y[i] * basis[std::size_t(i)];
       return k + 2;
     }
     basis.push_back(next / length);

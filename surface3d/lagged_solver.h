@@ -13,9 +13,9 @@ class LaggedSolver {
 
   [[nodiscard]] bool factor(const SparseMatrix& A) { return direct_.factor(A); }
 
-  /// Overwrites b with A⁻¹ b to a relative preconditioned residual of `tolerance`. Returns the number
-  /// of times the factors were applied; 0 when that did not suffice, and then b is as it was.
-  int solve(const SparseMatrix& A, Eigen::VectorXd& b) const;
+  /// Improves the guess x, which may be 0, until the preconditioned residual is `tolerance` of x. Returns
+  /// the number of times the factors were applied; 0 when that did not suffice, and then x is as it was.
+  int solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
 
   /// What a factorisation costs, in applications of its factors.
   double cost_of_factoring() const;

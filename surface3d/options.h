@@ -6,12 +6,20 @@
 
 namespace sbeh::surface3d {
 
+enum class Integrator {
+  two_step,      ///< second order for one solve a step, see model/two_step.h
+  step_doubling  ///< three solves a step, see model/step_doubling.h
+};
+/// "two-step" or "step-doubling".
+const char* name(Integrator integrator);
+
 /// How the 3D solver steps in time. The mesh is chosen with the start.
 struct Numerics : model::TimeControl {
   Numerics() {
     tolerance = 1e-4;
     first_step = 1e-5;
   }
+  Integrator integrator = Integrator::two_step;
   Scheme scheme = Scheme::split;
   Factorisation factorisation = Factorisation::lagged;
 

@@ -6,15 +6,16 @@
 
 namespace sbeh::surface3d {
 
-Field order_step(const Triangulation& mesh, const model::Material& material, const State& old,
-                 const Curvature& curvature, const Nodes& slip, double tau) {
+Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
+                 const Field& from, const Curvature& curvature, const Nodes& slip, double tau) {
   SparseMatrix A = mesh.scalars.zero();
   Field rhs = Field::Zero(mesh.nodes);
   for (int e = 0; e < mesh.count(); ++e) {
-    const ElementNodes X = on_element(mesh, e, old.X),
+    const ElementNodes X = on_element(mesh, e, at.X),
                        normals = on_element(mesh, e, curvature.normals),
                        local_slip = on_element(mesh, e, slip);
-    const ElementField beta = on_element(mesh, e, old.beta), H = on_element(mesh, e, curvature.H);
+    const ElementField beta = on_element(mesh, e, at.beta), old = on_element(mesh, e, from),
+                       H = on_element(mesh, e, curvature.H);
     Eigen::Matrix<double, 10, 10> matrix = Eigen::Matrix<double, 10, 10>::Zero();
     ElementField vector = ElementField::Zero();
     for (const ShapeValues& s : assembly_points()) {
@@ -23,7 +24,8 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
       const model::ShapeOperator<double> B = shape_operator(x, normals, h);
       const model::OrderData d = model::order_step_point(
           material,
-          {.beta_old = value_at(beta, s),
+          {.beta = value_at(beta, s),
+           .beta_old = value_at(old, s),
            .H = h,
            .K = model::gauss_curvature(B),
            .slip = x.frame.leftCols<2>().transpose() * value_at(local_slip, s)},
@@ -43,7 +45,7 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
   Eigen::BiCGSTAB<SparseMatrix> solver(A);
   solver.setTolerance(1e-13);
   solver.setMaxIterations(2000);
-  const Field beta = solver.solveWithGuess(rhs, old.beta);
+  const Field beta = solver.solveWithGuess(rhs, at.beta);
   if (!beta.allFinite() || !(solver.error() < 1e-10)) return {};
   return beta;
 }

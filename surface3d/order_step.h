@@ -6,9 +6,10 @@
 
 namespace sbeh::surface3d {
 
-/// β of the next time: 3 x nodes `slip` is the velocity of the material relative to the mesh, V − Y/τ,
-/// on the old surface. Empty when the linear solve fails.
-Field order_step(const Triangulation& mesh, const model::Material& material, const State& old,
-                 const Curvature& curvature, const Nodes& slip, double tau);
+/// β of the next time, τ after `from`, which are the nodes' numbers; surface and coefficients are those
+/// of `at`. 3 x nodes `slip` is the velocity of the material relative to the mesh, V − Y/τ. Empty when
+/// the linear solve fails.
+Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
+                 const Field& from, const Curvature& curvature, const Nodes& slip, double tau);
 
 }  // namespace sbeh::surface3d

@@ -11,9 +11,10 @@ namespace sbeh::surface3d {
 namespace {
 
 Dissipation dissipation_of(const Triangulation& mesh, const model::Material& m, const State& old,
-                           const StepFields& f, const Field& beta_new, double tau) {
+                           const StepFields& f, const Field& beta_new, const Field& beta_from,
+                           double tau) {
   Dissipation d;
-  const Field rate = (beta_new - old.beta) / tau;
+  const Field rate = (beta_new - beta_from) / tau;
   const Nodes slip = f.V - f.Y / tau;
   for_each_point(
       mesh, old.X, assembly_points(), [&](int e, const ShapeValues& s, const SurfacePoint& p) {
@@ -61,18 +62,21 @@ struct TimeStepper::Workspace {
   StepperMemory memory;
   SolverCounts counts;
 
-  void assemble(const State& old, const Curvature& curvature, const Target& target, double tau);
+  void assemble(const State& at, const Origin& from, const Curvature& curvature,
+                const Target& target, double tau);
   bool worth_factoring() const;
   bool factor(const State& at, double tau);
-  bool solve_with_factors(StepFields& out, int& iterations);
-  bool solve_coupled(const State& old, const Curvature& curvature, const Target& target, double tau,
-                     StepFields& out);
+  Solution guess(double tau) const;
+  int solve_with_factors(Solution& x);
+  StepFields fields(const Solution& x) const;
+  bool solve_coupled(const State& at, double tau, StepFields& out);
 };
 
-void TimeStepper::Workspace::assemble(const State& old, const Curvature& curvature,
-                                      const Target& target, double tau) {
-  const double A = area(*mesh, old.X), volume_now = volume(*mesh, old.X);
-  system.assemble(*mesh, old, curvature, tau,
+void TimeStepper::Workspace::assemble(const State& at, const Origin& from,
+                                      const Curvature& curvature, const Target& target,
+                                      double tau) {
+  const double A = area(*mesh, at.X), volume_now = volume(*mesh, at.X);
+  system.assemble(*mesh, at, curvature, from, tau,
                   {.area_rate = (target.area - A) / (tau * A),
                    .volume_rate = (target.volume - volume_now) / tau,
                    .keep_volume = !is_sphere(*mesh, A, volume_now)});
@@ -87,41 +91,64 @@ bool TimeStepper::Workspace::worth_factoring() const {
 }
 
 bool TimeStepper::Workspace::factor(const State& at, double tau) {
-  memory = {.factored_at = at, .factored_tau = tau};
+  memory.factored_at = at;
+  memory.factored_tau = tau;
+  memory.solves = memory.iterations = memory.last_iterations = 0;
   ++counts.factorisations;
   return flow.factor(system.flow().matrix)
       && (system.scheme() == Scheme::monolithic || motion.factor(system.motion().matrix));
 }
 
-bool TimeStepper::Workspace::solve_with_factors(StepFields& out, int& iterations) {
-  Eigen::VectorXd solution = system.flow().rhs;
-  iterations = flow.solve(system.flow().matrix, solution);
-  if (iterations == 0) return false;
-  out = {.V = system.velocity(solution),
-         .Y = {},
-         .H = system.curvature(solution),
-         .p = system.pressure(solution),
-         .lambda = system.lambda(solution)};
-  if (system.scheme() == Scheme::split) {
-    solution = system.motion().rhs;
-    system.add_normal_motion(out.V, solution);
-    if (motion.solve(system.motion().matrix, solution) == 0) return false;
+// The last two solutions, extrapolated.
+Solution TimeStepper::Workspace::guess(double tau) const {
+  Solution x = memory.last;
+  x.tau = tau;
+  if (x.flow.size() == 0 || factorisation == Factorisation::every_step)
+    x = {.flow = Eigen::VectorXd::Zero(system.flow().rhs.size()),
+         .motion = Eigen::VectorXd::Zero(system.motion().rhs.size()),
+         .tau = tau};
+  else if (memory.before.flow.size() > 0) {
+    const double r = tau / memory.last.tau;
+    x.flow += r * (memory.last.flow - memory.before.flow);
+    x.motion += r * (memory.last.motion - memory.before.motion);
   }
-  out.Y = system.displacement(solution);
-  return true;
+  system.scale_displacements(tau, x.flow, x.motion);
+  return x;
+}
+
+// The number of times the factors of the flow were applied; 0 when that failed.
+int TimeStepper::Workspace::solve_with_factors(Solution& x) {
+  const int iterations = flow.solve(system.flow().matrix, system.flow().rhs, x.flow);
+  if (iterations == 0 || system.scheme() == Scheme::monolithic) return iterations;
+  Eigen::VectorXd rhs = system.motion().rhs;
+  system.add_normal_motion(system.velocity(x.flow), rhs);
+  return motion.solve(system.motion().matrix, rhs, x.motion) == 0 ? 0 : iterations;
+}
+
+StepFields TimeStepper::Workspace::fields(const Solution& x) const {
+  const bool split = system.scheme() == Scheme::split;
+  return {.V = system.velocity(x.flow),
+          .Y = system.displacement(split ? x.motion : x.flow),
+          .H = system.curvature(x.flow),
+          .p = system.pressure(x.flow),
+          .lambda = system.lambda(x.flow)};
 }
 
 // False when a matrix is singular.
-bool TimeStepper::Workspace::solve_coupled(const State& old, const Curvature& curvature,
-                                           const Target& target, double tau, StepFields& out) {
-  assemble(old, curvature, target, tau);
+bool TimeStepper::Workspace::solve_coupled(const State& at, double tau, StepFields& out) {
   const bool fresh = worth_factoring();
-  if (fresh && !factor(old, tau)) return memory = {}, false;
-  int iterations = 0;
-  if (!solve_with_factors(out, iterations)) {
-    if (fresh || !factor(old, tau) || !solve_with_factors(out, iterations))
-      return memory = {}, false;
+  if (fresh && !factor(at, tau)) return memory = {}, false;
+  Solution x = guess(tau);
+  int iterations = solve_with_factors(x);
+  if (iterations == 0 && !fresh && factor(at, tau)) {
+    x = guess(tau);
+    iterations = solve_with_factors(x);
   }
+  if (iterations == 0) return memory = {}, false;
+  out = fields(x);
+  system.scale_displacements(1 / tau, x.flow, x.motion);
+  memory.before = std::move(memory.last);
+  memory.last = std::move(x);
   ++memory.solves;
   memory.iterations += iterations;
   memory.last_iterations = iterations;
@@ -153,32 +180,39 @@ const StepperMemory& TimeStepper::memory() const { return work_->memory; }
 SolverCounts TimeStepper::counts() const { return work_->counts; }
 
 bool TimeStepper::recall(const StepperMemory& memory) {
-  if (memory.solves == 0) return true;
-  const State& at = memory.factored_at;
-  const auto curvature = curvature_of(*work_->mesh, at.X);
-  if (!curvature) return false;
-  const Target target{area(*work_->mesh, at.X), volume(*work_->mesh, at.X)};
-  work_->assemble(at, *curvature, target, memory.factored_tau);
-  if (!work_->factor(at, memory.factored_tau)) return false;
+  if (memory.solves > 0) {
+    const State& at = memory.factored_at;
+    const auto curvature = curvature_of(*work_->mesh, at.X);
+    if (!curvature) return false;
+    const Target target{area(*work_->mesh, at.X), volume(*work_->mesh, at.X)};
+    work_->assemble(at, {at.X, curvature->H}, *curvature, target, memory.factored_tau);
+    if (!work_->factor(at, memory.factored_tau)) return false;
+  }
   work_->memory = memory;
   return true;
 }
 
-StepResult TimeStepper::step(const State& old, const Target& target, double tau) {
+StepResult TimeStepper::step(const State& at, const State& from, const Target& target, double tau) {
   StepResult result;
   const Triangulation& mesh = *work_->mesh;
-  const std::optional<Curvature> curvature = curvature_of(mesh, old.X);
-  if (!curvature) return result;
-  if (!work_->solve_coupled(old, *curvature, target, tau, result.fields)) return result;
+  const std::optional<Curvature> curvature = curvature_of(mesh, at.X);
+  if (!curvature) return result.fault = model::FlowFault::degenerate, result;
+  const Field H_from =
+      &at == &from ? curvature->H : mean_curvature(mesh, at.X, curvature->node_normals, from.X);
+  if (H_from.size() == 0) return result.fault = model::FlowFault::degenerate, result;
+  work_->assemble(at, {from.X, H_from}, *curvature, target, tau);
+  if (!work_->solve_coupled(at, tau, result.fields)) return result;
   const StepFields& fields = result.fields;
-  result.state = {old.X + fields.Y, old.beta};
-  if (!(mesh_quality(mesh, result.state.X) > 0)) return result;  // a triangle is turned over
+  result.state = {from.X + fields.Y, from.beta};
+  if (!(mesh_quality(mesh, result.state.X) > 0))  // a triangle is turned over
+    return result.fault = model::FlowFault::degenerate, result;
   if (has_free_order(work_->model))
-    result.state.beta =
-        order_step(mesh, work_->material, old, *curvature, fields.V - fields.Y / tau, tau);
+    result.state.beta = order_step(mesh, work_->material, at, from.beta, *curvature,
+                                   fields.V - fields.Y / tau, tau);
   if (result.state.beta.size() == 0) return result;
-  result.dissipation = dissipation_of(mesh, work_->material, old, fields, result.state.beta, tau);
-  result.ok = true;
+  result.dissipation =
+      dissipation_of(mesh, work_->material, at, fields, result.state.beta, from.beta, tau);
+  result.fault = model::FlowFault::none;
   return result;
 }
 

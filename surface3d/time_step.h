@@ -16,16 +16,16 @@ using model::Target;
 /// What a step computes besides the next state.
 struct StepFields {
   Nodes V;        // 3 x nodes, velocity on the old surface
-  Nodes Y;        // 3 x nodes, displacement of the mesh
+  Nodes Y;        // 3 x nodes, displacement of the mesh, from where the step begins
   Field H;        // nodes, curvature of the next surface as the scheme knows it
   Field p;        // P2 nodes, surface pressure
   double lambda;  ///< volume multiplier
 };
 
-/// Result of a step; `ok` is false when a linear solve failed or the new surface is degenerate, and
-/// then nothing else holds.
+/// Result of a step; the rest holds only when there is no fault.
 struct StepResult {
-  bool ok = false;
+  model::FlowFault fault = model::FlowFault::linear_solve;
+  bool ok() const { return fault == model::FlowFault::none; }
   State state;
   StepFields fields;
   Dissipation dissipation;
@@ -39,14 +39,21 @@ enum class Factorisation {
 /// "lagged" or "every-step".
 const char* name(Factorisation factorisation);
 
-/// What a stepper remembers of the past besides its last state: where its factors come from. With it
-/// a resumed run repeats the bits of one that was not interrupted.
+/// Solutions of the linear systems of a step, in their numbering; displacements by τ.
+struct Solution {
+  Eigen::VectorXd flow, motion;  ///< empty before the first step
+  double tau = 0;
+};
+
+/// What a stepper remembers of the past besides its last state: where its factors come from, and what
+/// its iterations begin with. With it a resumed run repeats the bits of one that was not interrupted.
 struct StepperMemory {
   State factored_at;  ///< empty when there are no factors
   double factored_tau = 0;
   int solves = 0;      ///< since then
   int iterations = 0;  ///< in all of them
   int last_iterations = 0;
+  Solution last, before;
 };
 
 /// What solving has cost so far.
@@ -67,7 +74,12 @@ class TimeStepper {
   TimeStepper& operator=(TimeStepper&&) noexcept;
 
   /// Advances by tau > 0.
-  StepResult step(const State& old, const Target& target, double tau);
+  StepResult step(const State& old, const Target& target, double tau) {
+    return step(old, old, target, tau);
+  }
+  /// Advances from `from` with the surface and the coefficients of `at`: of a two-step method. `target`
+  /// counts from the area and volume of `at`.
+  StepResult step(const State& at, const State& from, const Target& target, double tau);
 
   const StepperMemory& memory() const;
   /// Factors anew what another stepper had factored. False where that is singular.

@@ -33,6 +33,8 @@ struct OldPoint {
   double beta;
   model::Tangent<double> grad_beta;
   model::ShapeOperator<double> B;  ///< of the old surface, see shape_operator (curvature.h)
+  CartesianGradient<double>
+      grad_from;  ///< ∇_C of the positions from which Y counts: P for the old ones
 };
 
 /// Choices of the step which every point sees.
@@ -47,15 +49,14 @@ template <class T>
 CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
                                   const StepParameters& step, const CoupledData<T>& u) {
   const SurfacePoint& x = old.geometry;
-  const Eigen::Matrix<T, 3, 3> frame = x.frame.cast<T>();
-  const model::Vector<T> nu = frame.col(2);
+  const Eigen::Vector3d nu = x.nu();
 
-  const model::Gradient<T> grad_V = frame.transpose() * u.dV;
+  const model::Gradient<T> grad_V = x.frame.transpose() * u.dV;
   const model::ElasticPoint<double, T> elastic{
       .beta = old.beta, .grad_beta = old.grad_beta, .B = old.B, .H = u.H, .grad_H = u.dH};
 
   model::Gradient<T> stress = -model::elastic_stress(m, elastic);  // (V5) … (V10)
-  stress.template topRows<2>() += model::rate_of_strain(grad_V) * T(m.eta(old.beta));  // (V1)
+  stress.template topRows<2>() += model::rate_of_strain(grad_V) * m.eta(old.beta);  // (V1)
   T isotropic = -u.p;                                                                  // (V3)
   if (step.area == model::AreaConstraint::global)
     isotropic += model::bending_tension(m, elastic);  // (V11)
@@ -65,14 +66,14 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
   const T V_n = u.V.dot(nu);
 
   CoupledData<T> g;
-  g.V = T(m.friction_tangential) * u.V
-      + T(m.friction_normal - m.friction_tangential) * V_n * nu;  // (V2)
-  g.dV = frame * stress;
+  g.V = m.friction_tangential * u.V
+      + (m.friction_normal - m.friction_tangential) * V_n * nu;  // (V2)
+  g.dV = x.frame * stress;
   g.p = model::divergence(grad_V) - step.area_rate;  // (P1)
   g.H = u.Y.dot(nu) - step.tau * V_n;                // (Y1)
   g.dH.setZero();
-  g.Y = u.H * nu;                                 // (H1)
-  g.dY = u.dY + x.frame.leftCols<2>().cast<T>();  // ∇_C X = P
+  g.Y = u.H * nu;  // (H1)
+  g.dY = u.dY + old.grad_from.cast<T>();
   return g;
 }
 

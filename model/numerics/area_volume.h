@@ -12,8 +12,13 @@ namespace sbeh::model {
 double reduced_volume(double area, double volume);
 
 /// The (a, b) at which `miss`, the relative differences (A/A₀ − 1, V/V₀ − 1) of a surface displaced by
-/// (a + bH) n, vanishes to 1e-12: Newton's method with central differences. On a sphere, where a and b
-/// are the same motion, b = 0 and the area alone counts. Empty when it does not converge.
+/// (a + bH) n, vanishes to 1e-12: Newton's method, with `slope` (row: difference, column: a, b) evaluated
+/// again only where that of before brings less than a digit. On a sphere, where a and b are the same
+/// motion, b = 0 and the area alone counts. Empty when it does not converge.
+std::optional<Eigen::Vector2d> solve_area_volume(
+    const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& miss,
+    const std::function<Eigen::Matrix2d(const Eigen::Vector2d&)>& slope, bool sphere);
+/// The same with the slope by central differences.
 std::optional<Eigen::Vector2d> solve_area_volume(
     const std::function<Eigen::Vector2d(const Eigen::Vector2d&)>& miss, bool sphere);
 

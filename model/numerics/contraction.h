@@ -20,18 +20,94 @@ struct DataRow {
 template <int Count>
 using ShapeMap = Eigen::Map<const Eigen::Matrix<double, Count, 1>>;
 
-/// matrix += weight · Bᵀ D B.  D: data x data, row = test, column = unknown.
+/// A square matrix of Blocks x Blocks blocks of Count x Count, those that are met in memory one after
+/// the other, and their columns filled up to whole vector registers: for sums of many outer products.
+template <int Count, int Blocks>
+class BlockMatrix {
+ public:
+  static constexpr int padded = (Count + 7) / 8 * 8;
+  using Column = Eigen::Matrix<double, padded, 1>;
+  static Column column(const double* shape, double weight) {
+    Column filled;
+    for (int a = 0; a < padded; ++a) filled[a] = a < Count ? weight * shape[a] : 0;
+    return filled;
+  }
+
+  void set_zero() { met_.fill(false); }
+  /// The block whose first row and column these are += test trialᵀ.
+  template <class Trial>
+  void add_outer(int row, int column, const Column& test, const Trial& trial) {
+    const std::size_t k = index(row / Count, column / Count);
+    if (!met_[k]) blocks_[k].setZero();
+    met_[k] = true;
+    blocks_[k].noalias() += test * trial.transpose();
+  }
+  Eigen::Matrix<double, Count * Blocks, Count * Blocks> dense() const {
+    Eigen::Matrix<double, Count * Blocks, Count * Blocks> all;
+    for (int j = 0; j < Blocks; ++j)
+      for (int i = 0; i < Blocks; ++i)
+        if (met_[index(i, j)])
+          all.template block<Count, Count>(Count * i, Count * j) =
+              blocks_[index(i, j)].template topRows<Count>();
+        else
+          all.template block<Count, Count>(Count * i, Count * j).setZero();
+    return all;
+  }
+
+ private:
+  static constexpr std::size_t index(int i, int j) { return std::size_t(j * Blocks + i); }
+  std::array<Eigen::Matrix<double, padded, Count>, std::size_t(Blocks* Blocks)> blocks_;
+  std::array<bool, std::size_t(Blocks* Blocks)> met_{};
+};
+
+/// A dense matrix as a sum of outer products in the same way.
+template <int Count, class Matrix>
+struct OuterProducts {
+  Matrix& sum;
+  static Eigen::Matrix<double, Count, 1> column(const double* shape, double weight) {
+    return weight * ShapeMap<Count>(shape);
+  }
+  template <class Test, class Trial>
+  void add_outer(int row, int column, const Test& test, const Trial& trial) {
+    sum.template block<Count, Count>(row, column).noalias() += test * trial.transpose();
+  }
+};
+template <int Count, class Matrix>
+OuterProducts<Count, Matrix> outer_products(Matrix& matrix) {
+  return {matrix};
+}
+template <int Count, int Blocks>
+BlockMatrix<Count, Blocks>& outer_products(BlockMatrix<Count, Blocks>& matrix) {
+  return matrix;
+}
+
+/// matrix += weight · Bᵀ D B.  D: data x data, row = test, column = unknown. Its zeros cost nothing, and
+/// data that read the same unknowns are combined before they meet the test functions.
 template <int Count, std::size_t Data, class Derivative, class Matrix>
 void add_matrix(const std::array<DataRow<Count>, Data>& B, const Derivative& D, double weight,
                 Matrix& matrix) {
+  using Shape = Eigen::Matrix<double, Count, 1>;
+  std::array<std::size_t, Data> leader;  // the first data row of the same unknowns
   for (std::size_t j = 0; j < Data; ++j)
-    for (std::size_t i = 0; i < Data; ++i) {
-      const double value = weight * D(Eigen::Index(i), Eigen::Index(j));
+    for (leader[j] = 0; B[leader[j]].first != B[j].first;) ++leader[j];
+  std::array<Shape, Data> trial;
+  auto&& sum = outer_products<Count>(matrix);
+  for (std::size_t i = 0; i < Data; ++i) {
+    std::array<bool, Data> met{};
+    for (std::size_t j = 0; j < Data; ++j) {
+      const double value = D(Eigen::Index(i), Eigen::Index(j));
       if (value == 0) continue;
-      const Eigen::Matrix<double, Count, 1> test = value * ShapeMap<Count>(B[i].shape);
-      for (int b = 0; b < Count; ++b)
-        matrix.col(B[j].first + b).template segment<Count>(B[i].first) += B[j].shape[b] * test;
+      const std::size_t k = leader[j];
+      if (met[k])
+        trial[k] += value * ShapeMap<Count>(B[j].shape);
+      else
+        trial[k] = value * ShapeMap<Count>(B[j].shape);
+      met[k] = true;
     }
+    const auto test = sum.column(B[i].shape, weight);
+    for (std::size_t k = 0; k < Data; ++k)
+      if (met[k]) sum.add_outer(B[i].first, B[k].first, test, trial[k]);
+  }
 }
 
 /// vector += weight · Bᵀ g.  g: data.

@@ -68,7 +68,7 @@ History axisymmetric_history(Model model, int steps) {
   int output = 0;
   for (int k = 1; k <= steps; ++k) {
     const axisym::StepResult r = stepper.step(s, target, duration / steps);
-    EXPECT_TRUE(r.ok);
+    EXPECT_TRUE(r.ok());
     s = r.state;
     if (is_output(k, steps)) U[output++] = axisym::test::energy_of(material, s).total();
   }
@@ -84,7 +84,7 @@ History history(Model model, Scheme scheme, int count, int steps) {
   int output = 0;
   for (int k = 1; k <= steps; ++k) {
     const StepResult r = stepper.step(s, target, duration / steps);
-    EXPECT_TRUE(r.ok);
+    EXPECT_TRUE(r.ok());
     s = r.state;
     if (is_output(k, steps)) U[output++] = energy_of(*start.mesh, material, s);
   }
@@ -141,7 +141,7 @@ TEST(Schemes, come_to_the_same_rest) {
     State now = s.state;
     for (int k = 0; k < 60; ++k) {
       StepResult r = stepper.step(now, target, k < 20 ? 2e-3 : 0.05);
-      ASSERT_TRUE(r.ok);
+      ASSERT_TRUE(r.ok());
       now = r.state;
     }
     ends.push_back(diagnose(*s.mesh, material, now));

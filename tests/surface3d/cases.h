@@ -59,14 +59,19 @@ inline double energy_of(const Triangulation& mesh, const Material& material, con
   return energy(mesh, material, state, *curvature).total();
 }
 
+/// How a run steps in time: two_step and step_doubling with and without extrapolation.
+enum class Method { two_step, extrapolated, two_halves };
+
 /// A run of equal steps, none rejected.
 inline FlowResult run_of_equal_steps(const Surface& start, const Material& material, Model model,
-                                     double duration, int steps, bool extrapolate,
+                                     double duration, int steps, Method method,
                                      const FlowObserver& observe = {}) {
   Numerics numerics;
   numerics.tolerance = 0.1;
   numerics.first_step = numerics.largest_step = duration / steps;
-  numerics.extrapolate = extrapolate;
+  numerics.integrator =
+      method == Method::two_step ? Integrator::two_step : Integrator::step_doubling;
+  numerics.extrapolate = method == Method::extrapolated;
   const FlowResult run =
       run_flow(start.mesh, material, model, {.state = start.state}, start.target(), numerics,
                {.end_time = duration, .output_times = {}, .stop_at_rest = false}, observe);
@@ -79,7 +84,7 @@ inline FlowResult run_of_equal_steps(const Surface& start, const Material& mater
 /// A mildly relaxed oblate of V_r = 0.8: the violent first moments are over, it still moves.
 inline Surface relaxed_oblate(const Material& material, Model model, int triangles) {
   Surface s = ordered_spheroid(0.8, triangles);
-  s.state = run_of_equal_steps(s, material, model, 0.03, 15, true).state;
+  s.state = run_of_equal_steps(s, material, model, 0.03, 15, Method::extrapolated).state;
   return s;
 }
 

@@ -35,6 +35,17 @@ Material frictionless() {
   return m;
 }
 
+// Positions from which the displacement counts: not those of the surface, as in a two-step method.
+Nodes origin(const Surface& s) {
+  Nodes from = s.state.X;
+  for (Eigen::Index i = 0; i < from.cols(); ++i)
+    from.col(i) += 0.02 * Eigen::Vector3d(from(1, i), from(0, i) * from(2, i), 0.3 - from(2, i));
+  return from;
+}
+Field curvature_of_origin(const Surface& s) {
+  return mean_curvature(*s.mesh, s.state.X, node_normals(*s.mesh, s.state.X), origin(s));
+}
+
 // All unknowns of all triangles, nothing left out: V, p, H, Y, then the multipliers.
 struct Dense {
   int nodes, quadratic, multipliers;
@@ -61,6 +72,7 @@ Dense dense_system(const Surface& s, const Material& material, int multipliers) 
     ElementSystem element;
     assemble_element(material,
                      {.X = on_element(mesh, e, s.state.X),
+                      .from = on_element(mesh, e, origin(s)),
                       .normals = on_element(mesh, e, curvature->normals),
                       .beta = on_element(mesh, e, s.state.beta),
                       .H = on_element(mesh, e, curvature->H)},
@@ -95,13 +107,14 @@ Dense dense_system(const Surface& s, const Material& material, int multipliers) 
   const double theta = tau / (tau + mesh_relaxation_time);
   const auto H1 = d.matrix.block(d.Y(), d.H(), 3 * d.nodes, d.nodes);
   auto rhs = d.rhs.segment(d.Y(), 3 * d.nodes);
-  rhs = (theta * rhs + (1 - theta) * (H1 * curvature->H)).eval();
+  rhs = (theta * rhs + (1 - theta) * (H1 * curvature_of_origin(s))).eval();
   return d;
 }
 
 CoupledSystem assembled(const Surface& s, const Material& material, Scheme scheme) {
   CoupledSystem system(*s.mesh, material, scheme);
-  system.assemble(*s.mesh, s.state, *curvature_of(*s.mesh, s.state.X), tau, pulled);
+  system.assemble(*s.mesh, s.state, *curvature_of(*s.mesh, s.state.X),
+                  {origin(s), curvature_of_origin(s)}, tau, pulled);
   return system;
 }
 
@@ -123,9 +136,9 @@ TEST(CoupledSystem, monolithic_leaves_out_nothing_of_the_element_systems) {
   }
 }
 
-// In the split scheme Y = τV stands in the equation (H1), tested with Z = φ_i n_i; then (Y1) and (H1)
-// with the velocity known.
-TEST(CoupledSystem, split_is_the_monolithic_one_with_material_nodes_and_tests_along_the_normals) {
+// In the split scheme the nodes are displaced along their normals in the equation (H1), by the share of
+// the origin and of τV, and it is tested with Z = φ_i n_i; then (Y1) and (H1) with the velocity known.
+TEST(CoupledSystem, split_is_the_monolithic_one_with_motion_and_tests_along_the_normals) {
   const Surface s = bumpy(20);
   const Nodes n = node_normals(*s.mesh, s.state.X);
   for (const auto& [material, multipliers] :
@@ -134,7 +147,8 @@ TEST(CoupledSystem, split_is_the_monolithic_one_with_material_nodes_and_tests_al
     const int size = d.Y() + multipliers, whole = d.border() + multipliers;
     Eigen::MatrixXd unknowns = Eigen::MatrixXd::Zero(whole, size), tests = unknowns.transpose();
     unknowns.topLeftCorner(d.Y(), d.Y()).setIdentity();
-    unknowns.block(d.Y(), 0, 3 * d.nodes, 3 * d.nodes).diagonal().array() = tau;
+    for (int i = 0; i < d.nodes; ++i)
+      unknowns.block<3, 3>(d.Y() + 3 * i, 3 * i) = tau * n.col(i) * n.col(i).transpose();
     unknowns.bottomRightCorner(multipliers, multipliers).setIdentity();
     tests.topLeftCorner(d.H(), d.H()).setIdentity();
     for (int i = 0; i < d.nodes; ++i)
@@ -143,7 +157,13 @@ TEST(CoupledSystem, split_is_the_monolithic_one_with_material_nodes_and_tests_al
 
     const CoupledSystem system = assembled(s, material, Scheme::split);
     expect_equal(Eigen::MatrixXd(system.flow().matrix), tests * d.matrix * unknowns);
-    expect_equal(system.flow().rhs, tests * d.rhs);
+    const Nodes foot =
+        s.state.X
+        + n * n.cwiseProduct(origin(s) - s.state.X).colwise().sum().asDiagonal().toDenseMatrix();
+    Eigen::VectorXd rhs_along = d.rhs;
+    rhs_along.segment(d.Y(), 3 * d.nodes) =
+        -d.matrix.block(d.Y(), d.Y(), 3 * d.nodes, 3 * d.nodes) * foot.reshaped();
+    expect_equal(system.flow().rhs, tests * rhs_along);
 
     const int moved = 4 * d.nodes;
     expect_equal(Eigen::MatrixXd(system.motion().matrix),
@@ -180,7 +200,8 @@ TEST(CoupledSystem, takes_its_solution_apart_in_the_order_of_the_unknowns) {
 TEST(CoupledSystem, sets_the_volume_multiplier_to_zero_on_a_sphere) {
   const Surface s = bumpy(20);
   CoupledSystem system(*s.mesh, general_material(), Scheme::split);
-  system.assemble(*s.mesh, s.state, *curvature_of(*s.mesh, s.state.X), tau,
+  system.assemble(*s.mesh, s.state, *curvature_of(*s.mesh, s.state.X),
+                  {origin(s), curvature_of_origin(s)}, tau,
                   {.area_rate = 0, .volume_rate = 5, .keep_volume = false});
   const Eigen::MatrixXd A(system.flow().matrix);
   const Eigen::Index last = A.rows() - 1;

@@ -253,7 +253,7 @@ TEST(OrderStep, begins_with_minus_the_derivative_of_the_energy_by_the_order) {
         [&](double amount) { return energy_of_changed_order(d, *curvature, m, amount); }, 0.5);
     OrderTable table("(B1) against " + label + ", relative", "tau");
     for (const double tau : {1e-3, 1e-4, 1e-5}) {
-      const Field beta = order_step(d.mesh(), m, s, *curvature, no_slip, tau);
+      const Field beta = order_step(d.mesh(), m, s, s.beta, *curvature, no_slip, tau);
       ASSERT_EQ(beta.size(), s.beta.size());
       const double drag = m.order_drag() * product(d, (beta - s.beta) / tau);
       table.add(tau, drag / derivative + 1);
@@ -281,7 +281,7 @@ TEST(OrderStep, carries_the_order_with_the_material) {
   const auto curvature = curvature_of(*s.mesh, start.X);
   OrderTable table("largest error of the order after one step", "tau");
   for (const double tau : {0.2, 0.1, 0.05}) {
-    const Field beta = order_step(*s.mesh, inert, start, *curvature, slip, tau);
+    const Field beta = order_step(*s.mesh, inert, start, start.beta, *curvature, slip, tau);
     const Eigen::Matrix3d back = Eigen::AngleAxisd(-tau, axis).toRotationMatrix();
     double worst = 0;
     for (int i = 0; i < s.mesh->nodes; ++i)

@@ -77,7 +77,7 @@ Start start(const TwoModes& modes, const Pair& pair, double eps, double sign) {
 double flow(const Material& material, const TwoModes& modes, const Pair& pair, const Surface& s,
             int count) {
   const FlowResult run =
-      run_of_equal_steps(s, material, modes.model(), end_time(modes), count, true);
+      run_of_equal_steps(s, material, modes.model(), end_time(modes), count, Method::extrapolated);
   const Eigen::Array2d u = two_amplitudes({s.mesh, run.state}, pair);
   return u[0] / u[1];
 }

@@ -44,7 +44,7 @@ TEST(RigidMotion, of_the_start_is_that_of_the_result) {
       for (int k = 0; k < 3; ++k) {
         const StepResult a = stepper.step(here, s.target(), 1e-3);
         const StepResult b = stepper.step(there, s.target(), 1e-3);
-        ASSERT_TRUE(a.ok && b.ok);
+        ASSERT_TRUE(a.ok() && b.ok());
         EXPECT_NEAR(a.dissipation.total() / b.dissipation.total(), 1, 1e-9);
         here = a.state;
         there = b.state;
@@ -86,7 +86,7 @@ Moments moments(const Surface& s, const Nodes& V) {
 Nodes velocity(const Surface& s, double friction, Scheme scheme) {
   TimeStepper stepper(s.mesh, with_friction(friction), Model::SBEH, scheme);
   const StepResult r = stepper.step(s.state, s.target(), 1e-3);
-  EXPECT_TRUE(r.ok);
+  EXPECT_TRUE(r.ok());
   EXPECT_EQ(r.dissipation.friction == 0, friction == 0);
   return r.fields.V;
 }
@@ -123,7 +123,7 @@ TEST(Frictionless, sphere_stays) {
   State now = s.state;
   for (int k = 0; k < 4; ++k) {
     const StepResult r = stepper.step(now, s.target(), 0.02);
-    ASSERT_TRUE(r.ok);
+    ASSERT_TRUE(r.ok());
     now = r.state;
   }
   EXPECT_LT((now.X.colwise().norm().array() - 1).abs().maxCoeff(), 1e-4);

@@ -1,4 +1,5 @@
-// How the result converges with the time step: second order with extrapolation, first without.
+// How the result converges with the time step: second order by two steps or by extrapolation, first
+// by two half steps.
 #include "tests/surface3d/cases.h"
 
 #include <string>
@@ -26,17 +27,29 @@ Eigen::Array2d moments(const Surface& s, const State& state) {
   return sum;
 }
 
+const char* words(Method method) {
+  switch (method) {
+    case Method::two_step:
+      return ", two-step";
+    case Method::extrapolated:
+      return ", extrapolated";
+    case Method::two_halves:
+      return ", two half steps";
+  }
+  return "";
+}
+
 // The order at the end of the table. (That of the order is tested on the sphere.)
-double observed_order(Model model, bool extrapolate) {
+double observed_order(Model model, Method method) {
   const Material material = paper_material(0.05);
   const Surface start = two_modes();
   const double duration = 0.26;
-  OrderTable table(std::string(name(model)) + (extrapolate ? ", extrapolated" : ", two half steps")
-                       + ": change of both modes from twice the step",
-                   "tau");
+  OrderTable table(
+      std::string(name(model)) + words(method) + ": change of both modes from twice the step",
+      "tau");
   const auto end = [&](int steps) {
     return moments(start,
-                   run_of_equal_steps(start, material, model, duration, steps, extrapolate).state);
+                   run_of_equal_steps(start, material, model, duration, steps, method).state);
   };
   Eigen::Array2d before = end(4);
   for (const int steps : {8, 16}) {
@@ -48,13 +61,18 @@ double observed_order(Model model, bool extrapolate) {
 }
 
 TEST(TimeStep, extrapolated_is_of_second_order) {
-  EXPECT_NEAR(observed_order(Model::SSH, true), 2, 0.2);
-  EXPECT_NEAR(observed_order(Model::SBEH, true), 2, 0.2);
+  EXPECT_NEAR(observed_order(Model::SSH, Method::extrapolated), 2, 0.2);
+  EXPECT_NEAR(observed_order(Model::SBEH, Method::extrapolated), 2, 0.2);
+}
+
+TEST(TimeStep, of_two_steps_is_of_second_order) {
+  EXPECT_NEAR(observed_order(Model::SSH, Method::two_step), 2, 0.2);
+  EXPECT_NEAR(observed_order(Model::SBEH, Method::two_step), 2, 0.2);
 }
 
 TEST(TimeStep, in_two_halves_is_of_first_order) {
-  EXPECT_NEAR(observed_order(Model::SSH, false), 1, 0.1);
-  EXPECT_NEAR(observed_order(Model::SBEH, false), 1, 0.1);
+  EXPECT_NEAR(observed_order(Model::SSH, Method::two_halves), 1, 0.1);
+  EXPECT_NEAR(observed_order(Model::SBEH, Method::two_halves), 1, 0.1);
 }
 
 }  // namespace
