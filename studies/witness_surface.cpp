@@ -84,7 +84,7 @@ Rest flow_to_rest(const CompareInput& input, const std::optional<axisym::State>&
   const surface3d::Target target{area, input.reduced_volume * area / 3};
   Watch watch(input.surface3d.end_time);
   surface3d::StepFields fields;
-  surface3d::StepperMemory memory;
+  surface3d::FlowMemory memory;
   const surface3d::FlowResult run = surface3d::run_flow(
       mesh, input.material, input.model, {.state = {rest.mesh.nodes, rest.beta}}, target,
       input.surface3d.numerics,

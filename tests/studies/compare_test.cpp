@@ -56,7 +56,7 @@ TEST(TwoMethods, agree_on_ordered_shapes) {
   }
 }
 
-// 80 triangles leave 2e-5 of the energy; four times as many a tenth of it.
+// 80 triangles leave 4e-5 of the energy, four times as many less than a tenth of it.
 TEST(Surface, relaxed_from_an_ellipsoid_agrees_with_the_three_other_methods) {
   expect_agreement(
       compared("surface",
