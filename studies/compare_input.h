@@ -28,7 +28,7 @@ struct SurfaceMethod {
   std::string run;        ///< folder of a run (sbeh run), whose last frame is taken; or empty
   bool revolved = false;  ///< key `start`: "ellipsoid" of full order, or "revolved": Newton's state
   int triangles = 320;    ///< about so many
-  double end_time = 10;   ///< key `end`, > 0: a flow that is not at rest ends here
+  double end_time = 20;   ///< key `end`, > 0: a flow that is not at rest ends here
   surface3d::Numerics numerics;  ///< keys `tolerance` (1e-3) and `rest_speed` (1e-5)
   SurfaceMethod();
 };

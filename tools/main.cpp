@@ -125,7 +125,7 @@ int check_compare(const Arguments& a) {
   const studies::CompareInput input = studies::read_compare(a.input);
   const bool runs_3d = input.has(studies::Witness::surface3d) && input.surface3d.run.empty();
   // Measured on one core of 2026, from an ellipsoid with V_r = 0.8 to rest.
-  const double seconds = 1 + (runs_3d ? 0.06 * input.surface3d.triangles : 0);
+  const double seconds = 1 + (runs_3d ? 0.08 * input.surface3d.triangles : 0);
   fmt::print("{}: {} {} with reduced volume {} and L = {} by {} methods, about {:.0f} s\n\n{}",
              a.input, model::name(input.model), input.branch, input.reduced_volume, input.L,
              input.methods.size(), seconds, studies::describe(input, SBEH_VERSION));
