@@ -19,6 +19,7 @@ std::string as_toml(bool value) { return value ? "true" : "false"; }
 std::string as_toml(const std::string& text) { return in_quotes(text); }
 std::string as_toml(model::Model model) { return in_quotes(name(model)); }
 std::string as_toml(Method method) { return in_quotes(name(method)); }
+std::string as_toml(Witness witness) { return in_quotes(name(witness)); }
 std::string as_toml(const meshing::Harmonic& h) {
   return fmt::format("[{}, {}, {}]", h.l, h.m, h.amplitude);
 }
@@ -92,6 +93,27 @@ void write_material(TomlText& toml, const model::Material& material, Elasticity 
   toml.value("order_viscosity", order_viscosity);
   toml.value("residual_stiffness", residual_stiffness);
   toml.value("spontaneous_curvature", spontaneous_curvature);
+}
+
+void write_surface_method(TomlText& toml, const SurfaceMethod& method) {
+  toml.table("surface3d");
+  if (!method.run.empty()) {
+    toml.value("run", method.run);
+    return;
+  }
+  toml.value("start", std::string(method.revolved ? "revolved" : "ellipsoid"));
+  toml.value("triangles", method.triangles);
+  toml.value("end", method.end_time);
+  toml.value("tolerance", method.numerics.tolerance);
+  toml.value("rest_speed", method.numerics.rest_speed);
+}
+
+void write_tolerances(TomlText& toml, const char* table, const Tolerances& tolerances) {
+  if (tolerances.empty()) return;
+  toml.table(table);
+  for (const std::string& quantity : tolerated_quantities())
+    if (const auto at = tolerances.find(quantity); at != tolerances.end())
+      toml.value(quantity.c_str(), at->second);
 }
 
 void write_time_control(TomlText& toml, const model::TimeControl& control) {
@@ -191,14 +213,19 @@ void write_time(TomlText& toml, const RelaxInput& input) {
 
 InputKind kind_of(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
-  const bool scan = file.has("scan"), relax = file.has("start"), run = file.has("surface");
-  if (scan + relax + run != 1)
+  const bool scan = file.has("scan"), relax = file.has("start"), run = file.has("surface"),
+             compare = file.has("compare");
+  const int count = scan + relax + run + compare;
+  if (count != 1)
     throw InputError(fmt::format(
-        "{}: must have {}[scan] (a scan), [start] (one axisymmetric evolution) or [surface] (one "
-        "3D run){}",
-        path.string(), scan + relax + run > 1 ? "only one of " : "a table ",
-        scan + relax + run > 1 ? "" : "; it has none of them"));
-  return scan ? InputKind::scan : relax ? InputKind::relax : InputKind::run;
+        "{}: must have {}[scan] (a scan), [start] (one axisymmetric evolution), [surface] (one "
+        "3D run) or [compare] (one case by several methods){}",
+        path.string(), count > 1 ? "only one of " : "a table ",
+        count > 1 ? "" : "; it has none of them"));
+  return scan  ? InputKind::scan
+       : relax ? InputKind::relax
+       : run   ? InputKind::run
+               : InputKind::compare;
 }
 
 std::string describe(const ScanInput& input, std::string_view version) {
@@ -241,6 +268,22 @@ std::string describe(const RunInput& input, std::string_view version) {
   toml.value("output", input.output_times);
   toml.value("frames", input.frame_times);
   toml.value("stop_at_rest", input.stop_at_rest);
+  return toml.text();
+}
+
+std::string describe(const CompareInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.table("compare");
+  toml.value("model", input.model);
+  toml.value("branch", input.branch);
+  toml.value("reduced_volume", input.reduced_volume);
+  toml.value("L", input.L);
+  toml.value("methods", input.methods);
+  write_material(toml, input.material, Elasticity::without_L);
+  write_numerics(toml, input.numerics);
+  if (input.has(Witness::surface3d)) write_surface_method(toml, input.surface3d);
+  write_tolerances(toml, "tolerance", input.tolerance);
+  write_tolerances(toml, "tolerance_3d", input.tolerance_3d);
   return toml.text();
 }
 

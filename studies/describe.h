@@ -1,6 +1,7 @@
 // Inputs as text: which kind a file is, and a resolved input written back as TOML.
 #pragma once
 
+#include "studies/compare_input.h"
 #include "studies/relax_input.h"
 #include "studies/run_input.h"
 #include "studies/scan_input.h"
@@ -12,9 +13,10 @@
 namespace sbeh::studies {
 
 enum class InputKind {
-  scan,   ///< has a table [scan]: read_scan
-  relax,  ///< has a table [start]: read_relax
-  run     ///< has a table [surface]: read_run
+  scan,    ///< has a table [scan]: read_scan
+  relax,   ///< has a table [start]: read_relax
+  run,     ///< has a table [surface]: read_run
+  compare  ///< has a table [compare]: read_compare
 };
 
 /// Throws InputError (toml_reader.h) if the file cannot be read or has not one of these tables.
@@ -25,5 +27,6 @@ InputKind kind_of(const std::filesystem::path& path);
 std::string describe(const ScanInput& input, std::string_view version);
 std::string describe(const RelaxInput& input, std::string_view version);
 std::string describe(const RunInput& input, std::string_view version);
+std::string describe(const CompareInput& input, std::string_view version);
 
 }  // namespace sbeh::studies

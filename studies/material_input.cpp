@@ -91,9 +91,9 @@ model::Material read_material(const TomlTable& table, model::Model model, model:
   return read_rest(table, absent);
 }
 
-model::Material read_material_without_L(const TomlTable& table) {
+model::Material read_material_without_L(const TomlTable& table, std::string_view where) {
   for (const char* key : {"L", "L1", "L2", "L3"})
-    table.refuse(key, "must not be given in a scan, where L comes from [scan]");
+    table.refuse(key, "must not be given in " + std::string(where));
   return read_rest(table, {});
 }
 

@@ -18,8 +18,10 @@ namespace sbeh::studies {
 model::Material read_material(const TomlTable& table, model::Model model,
                               model::Material absent = {});
 
-/// The same for inputs that vary L: refuses L, L1, L2, L3; the result has their defaults.
-model::Material read_material_without_L(const TomlTable& table);
+/// The same for inputs that say L elsewhere: refuses L, L1, L2, L3; the result has their defaults. `where`
+/// is what the refusal says.
+model::Material read_material_without_L(
+    const TomlTable& table, std::string_view where = "a scan, where L comes from [scan]");
 
 /// The optional table [numerics]: keys as the members of axisym::Numerics. Throws InputError.
 axisym::Numerics read_numerics(const TomlTable& table);

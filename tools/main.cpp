@@ -1,11 +1,13 @@
 // The command line of sbeh.
 
 #include "axisym/diagnostics.h"
+#include "studies/compare.h"
 #include "studies/describe.h"
 #include "studies/interrupt.h"
 #include "studies/output.h"
 #include "studies/progress.h"
 #include "studies/relax.h"
+#include "studies/report.h"
 #include "studies/run.h"
 #include "studies/scan.h"
 #include "studies/seifert.h"
@@ -119,6 +121,17 @@ int relax(const Arguments& a) {
   return s.run.stop == axisym::FlowStop::step_too_small ? 1 : exit_code_of_success();
 }
 
+int check_compare(const Arguments& a) {
+  const studies::CompareInput input = studies::read_compare(a.input);
+  const bool runs_3d = input.has(studies::Witness::surface3d) && input.surface3d.run.empty();
+  // Measured on one core of 2026, from an ellipsoid with V_r = 0.8 to rest.
+  const double seconds = 1 + (runs_3d ? 0.08 * input.surface3d.triangles : 0);
+  fmt::print("{}: {} {} with reduced volume {} and L = {} by {} methods, about {:.0f} s\n\n{}",
+             a.input, model::name(input.model), input.branch, input.reduced_volume, input.L,
+             input.methods.size(), seconds, studies::describe(input, SBEH_VERSION));
+  return 0;
+}
+
 int run_3d(const Arguments& a) {
   const studies::RunInput input = studies::read_run(a.input);
   const fs::path folder = folder_of(a);
@@ -169,6 +182,7 @@ int check_run(const Arguments& a) {
 
 int check(const Arguments& a) {
   const studies::InputKind kind = studies::kind_of(a.input);
+  if (kind == studies::InputKind::compare) return check_compare(a);
   if (kind == studies::InputKind::run) return check_run(a);
   if (kind == studies::InputKind::scan) {
     const studies::ScanInput input = studies::read_scan(a.input);
@@ -197,6 +211,31 @@ int seifert(const Arguments& a) {
   fmt::print("{}", studies::table_of(studies::run_seifert(folder, a.elements)));
   fmt::print("tables in {}\n", folder.string());
   draw_results(a, "seifert", folder);
+  return 0;
+}
+
+int compare(const Arguments& a) {
+  const studies::CompareInput input = studies::read_compare(a.input);
+  const fs::path folder = folder_of(a);
+  const studies::CompareSummary s = studies::run_compare(input, folder, SBEH_VERSION);
+  fmt::print("{} {}, reduced volume {}, L = {}\n{}tables in {}\n", model::name(input.model),
+             input.branch, input.reduced_volume, input.L, studies::table_of(s), folder.string());
+  draw_results(a, "compare", folder);
+  for (const std::string& sentence : studies::complaints(s)) complain(sentence);
+  return s.agrees() ? exit_code_of_success() : 1;
+}
+
+int report(const Arguments& a) {
+  const fs::path folder = a.input;
+  const studies::ResultsKind kind = studies::kind_of_results(folder);
+  if (!a.no_pictures)
+    for (const std::string& picture : studies::missing_pictures(folder, kind)) {
+      std::fflush(nullptr);
+      if (draw({studies::name(kind), folder.string(), "--only", picture}) != 0)
+        complain(fmt::format("{}: cannot be drawn; the report is without it", picture));
+    }
+  const studies::ReportSummary s = studies::write_report(folder, SBEH_VERSION);
+  fmt::print("{} {}\n", s.replaced ? "replaced the earlier report" : "wrote", s.file.string());
   return 0;
 }
 
@@ -246,15 +285,21 @@ int run(int argc, char** argv) {
   run_command->add_flag("--resume", a.resume, "go on with an interrupted run");
   const CLI::App* check_command =
       add("check", "say whether an input is right, and what it asks for", false);
+  const CLI::App* compare_command = add("compare", "one case by several methods", true);
   CLI::App* seifert_command =
       app.add_subcommand("seifert", "the classical diagram by three witnesses");
   seifert_command->add_option("-o,--output", a.folder, "folder for the results (results/seifert)");
   seifert_command->add_flag("--no-pictures", a.no_pictures, "tables only");
   seifert_command->add_option("--elements", a.elements, "of the finite elements (96)")
       ->check(CLI::Range(32, 4096));
+  CLI::App* report_command =
+      app.add_subcommand("report", "a folder of results as one page of HTML");
+  report_command->add_option("DIR", a.input, "folder of a scan, run, relax, seifert or compare")
+      ->required();
+  report_command->add_flag("--no-pictures", a.no_pictures, "do not draw those that are missing");
   const tools::MeshCommand mesh_command(app);
   CLI::App* picture_command = app.add_subcommand(
-      "picture", "draw the pictures of a folder again: picture scan|relax|run|seifert DIR");
+      "picture", "draw the pictures of a folder again: picture scan|relax|run|seifert|compare DIR");
   picture_command->prefix_command();
   picture_command->set_help_flag();  // `sbeh picture --help` is the picture program's
   try {
@@ -265,7 +310,8 @@ int run(int argc, char** argv) {
   if (*picture_command) return draw(picture_command->remaining());
 
   studies::let_writes_fail();
-  if (*scan_command || *relax_command || *run_command) studies::catch_interrupts();
+  if (*scan_command || *relax_command || *run_command || *compare_command)
+    studies::catch_interrupts();
   std::unique_ptr<tbb::global_control> limit;
   if (a.threads > 0)
     limit = std::make_unique<tbb::global_control>(tbb::global_control::max_allowed_parallelism,
@@ -274,8 +320,10 @@ int run(int argc, char** argv) {
     if (*scan_command) return scan(a);
     if (*relax_command) return relax(a);
     if (*run_command) return run_3d(a);
+    if (*compare_command) return compare(a);
     if (*check_command) return check(a);
     if (*seifert_command) return seifert(a);
+    if (*report_command) return report(a);
     if (app.got_subcommand("mesh")) return mesh_command.run();
   } catch (const std::invalid_argument& error) {  // only the start itself could tell
     throw studies::InputError(fmt::format("{}: {}", a.input, error.what()));
@@ -292,6 +340,9 @@ int run_and_report(int argc, char** argv) {
   } catch (const studies::OutputError& error) {
     complain(error.what());
     return 2;
+  } catch (const studies::Interrupted&) {
+    complain("interrupted; nothing is kept, the same command begins again");
+    return exit_code_of_interrupt();
   } catch (const std::exception& error) {
     complain(error.what());
     return 1;

@@ -22,14 +22,14 @@ TEST(InputKind, is_told_by_the_tables) {
   EXPECT_EQ(kind_of(written(small_relax)), InputKind::relax);
   const std::vector<Case> neither_or_both{
       {"",
-       ": must have a table [scan] (a scan), [start] (one axisymmetric evolution) or [surface] "
-       "(one 3D run); it has none of them"},
+       ": must have a table [scan] (a scan), [start] (one axisymmetric evolution), [surface] "
+       "(one 3D run) or [compare] (one case by several methods); it has none of them"},
       {"[scna]",
-       ": must have a table [scan] (a scan), [start] (one axisymmetric evolution) or [surface] "
-       "(one 3D run); it has none of them"},
+       ": must have a table [scan] (a scan), [start] (one axisymmetric evolution), [surface] "
+       "(one 3D run) or [compare] (one case by several methods); it has none of them"},
       {"[scan]\n[start]",
-       ": must have only one of [scan] (a scan), [start] (one axisymmetric evolution) or [surface] "
-       "(one 3D run)"},
+       ": must have only one of [scan] (a scan), [start] (one axisymmetric evolution), [surface] "
+       "(one 3D run) or [compare] (one case by several methods)"},
   };
   expect_messages(kind_of, "", neither_or_both);
 }
@@ -74,6 +74,28 @@ TEST(Description, of_an_evolution_reads_back_as_the_same_evolution) {
     const std::string description = describe(input, "1.2.3");
     expect_same(input, relax_of(description));
     EXPECT_EQ(describe(relax_of(description), "1.2.3"), description);
+  }
+}
+
+TEST(Description, of_a_comparison_reads_back_as_the_same_comparison) {
+  const std::string head = "[compare]\nmodel = 'SSH'\nreduced_volume = 0.71\nL = 0.03\n";
+  const std::vector<std::string> texts{
+      head + "methods = ['newton', 'shooting']\n",
+      head
+          + "branch = 'prolate'\nmethods = ['minimiser', 'newton']\n[material]\n"
+            "residual_stiffness = 0.1\n[numerics]\nelements = 64\n[tolerance]\nenergy = 1e-9\n"
+            "distance = 0.1\n",
+      head
+          + "methods = ['surface3d', 'newton']\n[surface3d]\ntriangles = 80\nstart = 'revolved'\n"
+            "end = 3\ntolerance = 1e-4\nrest_speed = 1e-3\n[tolerance_3d]\nenergy_bending = 1\n",
+      head + "methods = ['newton', 'surface3d']\n[surface3d]\nrun = 'a \"folder\"'\n",
+  };
+  for (const std::string& text : texts) {
+    const CompareInput input = read_compare(written(text));
+    const std::string description = describe(input, "1.2.3");
+    const CompareInput again = read_compare(written(description));
+    expect_same(input, again);
+    EXPECT_EQ(describe(again, "1.2.3"), description);
   }
 }
 

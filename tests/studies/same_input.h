@@ -1,6 +1,7 @@
 // Equality of inputs, member by member.
 #pragma once
 
+#include "studies/compare_input.h"
 #include "studies/relax_input.h"
 #include "studies/scan_input.h"
 
@@ -42,6 +43,26 @@ inline void expect_same(const ScanInput& a, const ScanInput& b) {
   EXPECT_TRUE(tie(a) == tie(b));
   expect_same(a.material, b.material);
   expect_same(a.numerics, b.numerics);
+}
+
+inline void expect_same(const SurfaceMethod& a, const SurfaceMethod& b) {
+  const auto tie = [](const SurfaceMethod& method) {
+    return std::tie(method.run, method.revolved, method.triangles, method.end_time,
+                    method.numerics.tolerance, method.numerics.rest_speed);
+  };
+  EXPECT_TRUE(tie(a) == tie(b));
+}
+
+inline void expect_same(const CompareInput& a, const CompareInput& b) {
+  const auto tie = [](const CompareInput& input) {
+    const auto& [model, branch, reduced_volume, L, methods, material, numerics, surface3d,
+                 tolerance, tolerance_3d] = input;
+    return std::tie(model, branch, reduced_volume, L, methods, tolerance, tolerance_3d);
+  };
+  EXPECT_TRUE(tie(a) == tie(b));
+  expect_same(a.material, b.material);
+  expect_same(a.numerics, b.numerics);
+  expect_same(a.surface3d, b.surface3d);
 }
 
 inline auto tie(const Ellipsoid& start) {

@@ -52,14 +52,6 @@ Points special_points(const std::filesystem::path& file) {
   return points;
 }
 
-LegendEntry marker_entry(Marker marker, Colour colour, std::string text) {
-  const auto sample = [=](Canvas& canvas, const Rect& r) {
-    const Axis unit{.low = 0.0, .high = 1.0, .title = {}, .ticks = {}, .labels = {}};
-    Chart(canvas, r, 1.0, unit, unit).markers({{0.5, 0.5}}, marker, colour, 0.6 * r.height);
-  };
-  return {sample, std::move(text)};
-}
-
 }  // namespace
 
 void draw_classical_diagram(Canvas& canvas, const Options& options) {

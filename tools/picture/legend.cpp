@@ -60,6 +60,14 @@ LegendEntry coloured_line_entry(const ColourMap& map, double width, std::string 
           std::move(text)};
 }
 
+LegendEntry marker_entry(Marker marker, Colour colour, std::string text) {
+  const auto sample = [=](Canvas& canvas, const Rect& r) {
+    const Axis unit{.low = 0.0, .high = 1.0, .title = {}, .ticks = {}, .labels = {}};
+    Chart(canvas, r, 1.0, unit, unit).markers({{0.5, 0.5}}, marker, colour, 0.6 * r.height);
+  };
+  return {sample, std::move(text)};
+}
+
 double legend_height(const Canvas& canvas, const std::vector<LegendEntry>& entries, double width,
                      double text_size) {
   return double(lines_of(canvas, entries, width, text_size).size()) * line_height * text_size;

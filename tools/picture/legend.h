@@ -1,6 +1,7 @@
 // A legend in one or more centred lines: samples with their meaning.
 #pragma once
 
+#include "tools/picture/chart.h"
 #include "tools/picture/colours.h"
 
 #include <functional>
@@ -16,6 +17,8 @@ struct LegendEntry {
 
 LegendEntry line_entry(const LineStyle& style, std::string text);
 LegendEntry coloured_line_entry(const ColourMap& map, double width, std::string text);
+
+LegendEntry marker_entry(Marker marker, Colour colour, std::string text);
 
 /// The height it takes when at most `width` wide.
 double legend_height(const Canvas& canvas, const std::vector<LegendEntry>& entries, double width,

@@ -1,6 +1,7 @@
-// sbeh-picture: the pictures of a scan, of one relaxation, of the classical branches or of a mesh,
-// from the files they leave.
+// sbeh-picture: the pictures of a scan, of one evolution, of the classical branches, of a comparison or of a
+// mesh, from the files they leave.
 #include "tools/picture/classical.h"
+#include "tools/picture/compare.h"
 #include "tools/picture/csv.h"
 #include "tools/picture/cuts.h"
 #include "tools/picture/diagram.h"
@@ -72,8 +73,10 @@ void add_common_options(CLI::App* command, Options& options, std::string& size,
 }
 
 int run(int count, char** arguments) {
-  CLI::App app("Pictures (PNG and SVG) of a scan, a relaxation, the classical branches or a mesh",
-               "sbeh-picture");
+  CLI::App app(
+      "Pictures (PNG and SVG) of a scan, an evolution, the classical branches, a comparison or a "
+      "mesh",
+      "sbeh-picture");
   app.require_subcommand(1);
   Options options;
   std::string size;
@@ -87,6 +90,9 @@ int run(int count, char** arguments) {
   CLI::App* seifert =
       app.add_subcommand("seifert", "the classical diagram from DIR/branches.csv, points.csv");
   add_common_options(seifert, options, size, {"branches"});
+  CLI::App* compare =
+      app.add_subcommand("compare", "profiles of all methods from DIR/profiles.csv");
+  add_common_options(compare, options, size, {"profiles"});
   CLI::App* mesh = app.add_subcommand("mesh", "a curved mesh from FILE.vtu, into FILE.png");
   mesh->add_option("FILE", options.directory, "Mesh with curved triangles, as sbeh mesh writes it")
       ->required();
@@ -104,6 +110,10 @@ int run(int count, char** arguments) {
   if (seifert->parsed()) {
     Canvas canvas;
     draw_classical_diagram(canvas, options);
+  }
+  if (compare->parsed()) {
+    Canvas canvas;
+    draw_compared_profiles(canvas, options);
   }
   if (mesh->parsed()) {
     Canvas canvas;

@@ -1,0 +1,63 @@
+// What a comparison is asked for: one case, the methods that compute it, and how well they must agree.
+#pragma once
+
+#include "axisym/options.h"
+#include "model/material.h"
+#include "surface3d/options.h"
+
+#include <filesystem>
+#include <map>
+#include <string>
+#include <vector>
+
+namespace sbeh::studies {
+
+/// A way to a stationary state.
+enum class Witness {
+  newton,     ///< Newton's method on finite elements of the generating curve
+  shooting,   ///< shape equations by Boost.Odeint; SSH without spontaneous curvature
+  minimiser,  ///< spectral curves, Ceres and Newton; SBEH, or SSH without spontaneous curvature
+  flow,       ///< the axisymmetric solver, in time from an ellipsoid to rest
+  surface3d   ///< the 3D solver, in time, to rest
+};
+/// "newton", "shooting", "minimiser", "flow" or "surface3d".
+const char* name(Witness witness);
+
+/// The 3D method: table [surface3d].
+struct SurfaceMethod {
+  std::string run;        ///< folder of a run (sbeh run), whose last frame is taken; or empty
+  bool revolved = false;  ///< key `start`: "ellipsoid" of full order, or "revolved": Newton's state
+  int triangles = 320;    ///< about so many
+  double end_time = 20;   ///< key `end`, > 0: a flow that is not at rest ends here
+  surface3d::Numerics numerics;  ///< keys `tolerance` (1e-3) and `rest_speed` (1e-5)
+  SurfaceMethod();
+};
+
+/// Largest differences allowed, by the names of tolerated_quantities(). Energies are relative to the
+/// total energy, all others as they are.
+using Tolerances = std::map<std::string, double>;
+/// The quantities that are compared: those of witness_state.h, "distance" of the profiles, and "history"
+/// of the energy, which flow and surface3d have.
+std::vector<std::string> tolerated_quantities();
+
+/// Table [compare]: model, branch, reduced_volume, L, methods; optional [material] (without L),
+/// [numerics] (of newton), [surface3d], [tolerance] (pairs of axisymmetric methods) and
+/// [tolerance_3d] (pairs with surface3d).
+struct CompareInput {
+  model::Model model = model::Model::SBEH;  ///< SBEH or SSH
+  std::string branch = "oblate";            ///< of known_branches() (scan_input.h)
+  double reduced_volume = 0;                ///< 0 < V_r < 1
+  double L = 0;                             ///< > 0, one-constant elastic constant
+  std::vector<Witness> methods;             ///< two at least; the first is the reference
+  model::Material material;                 ///< with this L
+  axisym::Numerics numerics;
+  SurfaceMethod surface3d;
+  Tolerances tolerance, tolerance_3d;
+
+  bool has(Witness witness) const;
+};
+
+/// Throws InputError (toml_reader.h).
+CompareInput read_compare(const std::filesystem::path& path);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,25 @@
+// A small chart of lines as inline SVG, in the colours of the page it stands in.
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace sbeh::studies {
+
+struct ChartLine {
+  std::string name;
+  std::vector<double> x{}, y{};  ///< of equal size
+};
+
+enum class AxisScale { linear, logarithmic };
+
+struct ChartFrame {
+  std::string title, x_name;
+  AxisScale x = AxisScale::linear, y = AxisScale::linear;
+};
+
+/// A <figure> with the chart, at most four lines. Points that an axis cannot show (not finite, not
+/// positive on a logarithmic one) are left out; empty when fewer than two are left in every line.
+std::string svg_chart(const ChartFrame& frame, const std::vector<ChartLine>& lines);
+
+}  // namespace sbeh::studies

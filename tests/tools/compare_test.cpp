@@ -1,0 +1,181 @@
+// Comparisons as their user sees them: tables, exit codes, and what is refused.
+#include "tests/tools/workplace.h"
+
+#include <cmath>
+#include <csignal>
+
+namespace sbeh::tools::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+const std::string head = "[compare]\nmodel = \"SSH\"\nreduced_volume = 0.8\nL = 0.05\n";
+const std::string small =
+    head + "methods = [\"newton\", \"shooting\"]\n[tolerance]\nenergy = 1e-8\n";
+
+class Compare : public Workplace {
+ protected:
+  std::string column(const Table& t, const std::string& quantity, const std::string& name) const {
+    for (std::size_t row = 0; row < t.rows.size(); ++row)
+      if (t.text(row, "quantity") == quantity) return t.text(row, name);
+    ADD_FAILURE() << "no row " << quantity;
+    return "";
+  }
+};
+
+TEST_F(Compare, leaves_tables_profiles_and_an_input_that_gives_the_same_again) {
+  write("in.toml", small);
+  const Ended ended = sbeh(into("out", "compare"));
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_EQ(ended.err, "");
+  for (const char* word : {"newton", "shooting", "energy_bending", "H_pole", "distance"})
+    EXPECT_NE(ended.out.find(word), std::string::npos) << word;
+
+  const Table compare = table("out/compare.csv");
+  EXPECT_EQ(compare.rows.size(), 11u);
+  EXPECT_EQ(column(compare, "energy", "agrees"), "yes");
+  EXPECT_EQ(column(compare, "energy", "tolerance"), "1e-08");
+  EXPECT_EQ(column(compare, "pressure", "agrees"), "");
+  EXPECT_EQ(column(compare, "distance", "first_value"), "");
+  for (std::size_t row = 0; row + 1 < compare.rows.size(); ++row)
+    EXPECT_EQ(compare.number(row, "difference"),
+              std::abs(compare.number(row, "first_value") - compare.number(row, "second_value")));
+  const Table methods = table("out/methods.csv");
+  ASSERT_EQ(methods.rows.size(), 2u);
+  EXPECT_EQ(methods.text(0, "energy"), column(compare, "energy", "first_value"));
+  EXPECT_EQ(methods.text(1, "status"), "found");
+  const Table profiles = table("out/profiles.csv");
+  EXPECT_EQ(profiles.rows.size(), 3 * 48 + 1 + 257u);
+  for (std::size_t row = 0; row < profiles.rows.size(); ++row)
+    EXPECT_LT(std::abs(profiles.number(row, "distance")), 1e-5);
+
+  fs::copy_file(path("out/run.toml"), path("again.toml"));
+  must(into("again", "compare", "again.toml"));
+  EXPECT_EQ(read("again/compare.csv"), read("out/compare.csv"));
+  EXPECT_EQ(read("again/profiles.csv"), read("out/profiles.csv"));
+}
+
+TEST_F(Compare, that_misses_a_tolerance_ends_with_1_and_says_which_and_by_how_much) {
+  write("in.toml", head + "methods = [\"newton\", \"shooting\"]\n[tolerance]\nenergy = 1e-14\n");
+  const Ended ended = sbeh(into("out", "compare"));
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_TRUE(ended.err.starts_with("sbeh: energy: -10.17")) << ended.err;
+  EXPECT_NE(ended.err.find(" by newton, -10.17"), std::string::npos) << ended.err;
+  EXPECT_NE(ended.err.find("relative difference "), std::string::npos) << ended.err;
+  EXPECT_TRUE(ended.err.ends_with(" is more than the tolerance 1e-14\n")) << ended.err;
+  EXPECT_EQ(column(table("out/compare.csv"), "energy", "agrees"), "no");
+}
+
+TEST_F(Compare, is_not_written_over_other_results) {
+  write("in.toml", small);
+  must(into("out", "compare"));
+  const Contents before = contents("out");
+  must_refuse(into("out", "compare"), "out: already holds results (see its run.toml)");
+  EXPECT_EQ(contents("out"), before);
+}
+
+TEST_F(Compare, that_is_interrupted_says_so_and_can_begin_again) {
+  write("in.toml", head + "methods = [\"surface3d\", \"newton\"]\n");
+  Program program(here(), into("out", "compare"));
+  ASSERT_TRUE(wait_until([&] { return exists(path("out/.lock")); }));
+  program.send(SIGTERM);
+  const Ended ended = program.wait();
+  EXPECT_EQ(ended.exit_code, 128 + SIGTERM);
+  EXPECT_EQ(ended.err, "sbeh: interrupted; nothing is kept, the same command begins again\n");
+  EXPECT_EQ(contents("out").size(), 1u);
+  write("in.toml", small);
+  must(into("out", "compare"));
+}
+
+TEST_F(Compare, is_checked_without_being_run) {
+  write("in.toml", small);
+  const Ended ended = sbeh({"check", "in.toml"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(
+      ended.out.starts_with("in.toml: SSH oblate with reduced volume 0.8 and L = 0.05 by 2 "))
+      << ended.out;
+}
+
+TEST_F(Compare, refuses_what_is_wrong_with_file_line_and_reason) {
+  struct Case {
+    std::string text, message;
+  };
+  const std::string two = "methods = [\"newton\", \"minimiser\"]\n";
+  const std::vector<Case> cases{
+      {"", "in.toml: [compare] model: missing; must be one of"},
+      {head, "in.toml:1: [compare] methods: missing; must be a list of words"},
+      {head + "methods = [\"newton\"]\n",
+       "in.toml:5: [compare] methods = [\"newton\"]: must be two at least"},
+      {head + "methods = [\"newton\", \"ceres\"]\n", "in.toml:5: [compare] methods = \"ceres\""},
+      {"[compare]\nmodel = \"SBEH\"\nreduced_volume = 0.8\nL = 0.05\nmethods = [\"newton\", "
+       "\"shooting\"]\n",
+       "in.toml:5: [compare] methods = "},
+      {"[compare]\nmodel = \"SSH\"\nreduced_volume = 1\nL = 1\n" + two,
+       "in.toml:3: [compare] reduced_volume = 1: must be < 1"},
+      {"[compare]\nmodel = \"Helfrich-local\"\n",
+       "in.toml:2: [compare] model = \"Helfrich-local\": must be one of"},
+      {head + two + "[tolerance]\nenergie = 1\n",
+       "in.toml:7: [tolerance] energie: unknown key; did you mean \"energy\"?"},
+      {head + two + "[tolerance]\nenergy = 0\n", "in.toml:7: [tolerance] energy = 0: must be > 0"},
+      {head + two + "[surface3d]\ntriangles = 80\n",
+       "in.toml:6: surface3d = { triangles = 80 }: has no place without \"surface3d\""},
+      {head + two + "[tolerance_3d]\nenergy = 1\n",
+       "in.toml:6: tolerance_3d = { energy = 1 }: has no place without \"surface3d\""},
+      {head + two + "[tolerance]\nhistory = 1\n",
+       "in.toml:7: [tolerance] history = 1: has its place in [tolerance_3d]"},
+      {head + "methods = [\"newton\", \"surface3d\"]\n[tolerance_3d]\nhistory = 1\n",
+       "in.toml:7: [tolerance_3d] history = 1: needs the methods \"flow\" and \"surface3d\""},
+      {head + "methods = [\"flow\", \"newton\"]\nbranch = \"stomatocyte\"\n",
+       "in.toml:5: [compare] methods = "},
+      {head + "methods = [\"surface3d\", \"newton\"]\nbranch = \"stomatocyte\"\n",
+       "in.toml: [surface3d] start: must be \"revolved\" for branch = \"stomatocyte\""},
+      {head + two + "[material]\nL = 1\n",
+       "in.toml:7: [material] L = 1: must not be given in a comparison"},
+      {head + two + "[material]\nspontaneous_curvature = 1\n",
+       "in.toml:7: [material] spontaneous_curvature = 1: must be 0 for the method \"minimiser\""},
+      {head + "methods = [\"newton\", \"surface3d\"]\n[surface3d]\ntriangles = 80\nrun = \"a\"\n",
+       "in.toml:7: [surface3d] triangles = 80: must not be given together with run"},
+      {head + "methods = [\"newton\", \"surface3d\"]\n[surface3d]\nrest_speed = -1\n",
+       "in.toml:7: [surface3d] rest_speed = -1: must be in"},
+  };
+  for (const Case& wrong : cases) {
+    write("in.toml", wrong.text);
+    must_refuse(into("out", "compare"), wrong.message);
+    EXPECT_FALSE(exists(path("out"))) << wrong.message;
+  }
+}
+
+TEST_F(Compare, takes_the_last_frame_of_a_3D_run_of_the_same_case_only) {
+  write("run.toml",
+        "model = \"SSH\"\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.8\ntriangles = 80\n"
+        "[material]\nL = 0.05\n[time]\nend = 0.1\nframes = [0, 0.1]\noutput = [0.1]\n");
+  must(into("run", "run", "run.toml"));
+  const std::string rest = "methods = [\"newton\", \"surface3d\"]\n[surface3d]\nrun = \"run\"\n";
+  write("in.toml", head + rest + "[tolerance_3d]\nenergy = 0.1\ndistance = 0.1\npressure = 1\n");
+  must(into("out", "compare"));
+  const Table methods = table("out/methods.csv");
+  EXPECT_EQ(methods.number(1, "energy"), table("run/series.csv").number(0, "energy"));
+  EXPECT_EQ(methods.number(1, "pressure"), -table("run/series.csv").number(0, "lambda"));
+  EXPECT_NE(methods.text(1, "remark").find("last frame of run, t = 0.1"), std::string::npos);
+  write("flow.toml", head
+                         + "methods = [\"flow\", \"surface3d\"]\n[surface3d]\nrun = \"run\"\n"
+                           "[tolerance_3d]\nhistory = 1e-2\n");
+  must(into("histories", "compare", "flow.toml"));
+  EXPECT_EQ(table("histories/histories.csv").numbers("time"), (std::vector<double>{0.1, 0.1}));
+
+  const auto refused = [&](const std::string& model, const std::string& volume,
+                           const std::string& L, const std::string& reason) {
+    write("in.toml", "[compare]\nmodel = \"" + model + "\"\nreduced_volume = " + volume
+                         + "\nL = " + L + "\n" + rest);
+    must_refuse(into("other", "compare"), reason);
+  };
+  const std::string other = "run: is a run of another case: ";
+  refused("SBEH", "0.8", "0.05", other + "its model is SSH");
+  refused("SSH", "0.7", "0.05", other + "its reduced volume is 0.8");
+  refused("SSH", "0.8", "0.06", other + "its L1, L2, L3 are 0.05");
+  fs::rename(path("run"), path("moved"));
+  refused("SSH", "0.8", "0.05", "run: is no folder of a 3D run");
+}
+
+}  // namespace
+}  // namespace sbeh::tools::test
