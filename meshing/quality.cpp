@@ -100,6 +100,11 @@ TriangleMesh lattice(const CurvedMesh& mesh) {
   return fine;
 }
 
+Eigen::Matrix<double, 2, 3> lattice_corners(int order, int part) {
+  const Eigen::Vector3i corner = small_triangles(order)[std::size_t(part)];
+  return model::TriangleElement(order).nodes()(Eigen::all, corner);
+}
+
 double min_jacobian(const CurvedMesh& mesh) {
   Quality q;
   measure_jacobian(mesh, q);

@@ -34,5 +34,7 @@ double min_jacobian(const CurvedMesh& mesh);
 
 /// The small plain triangles between the nodes, order² for each curved one, in its place and order.
 TriangleMesh lattice(const CurvedMesh& mesh);
+/// Corners of one of these order² small triangles, in the coordinates of the reference triangle.
+Eigen::Matrix<double, 2, 3> lattice_corners(int order, int part);
 
 }  // namespace sbeh::meshing
