@@ -160,8 +160,10 @@ SurfacePlace ClosestPoint::operator()(const Vector3d& x) const {
   const int parts = mesh_.order * mesh_.order;
   const auto near = nearest_(x);
   const int triangle = near.triangle / parts;
-  const Vector2d start = lattice_corners(mesh_.order, near.triangle % parts) * near.barycentric;
-  Found best = on_triangle(triangle, start, x);
+  const Eigen::Matrix<double, 2, 3> corners =
+      model::TriangleElement(mesh_.order)
+          .nodes()(Eigen::all, small_triangles(mesh_.order)[std::size_t(near.triangle % parts)]);
+  Found best = on_triangle(triangle, corners * near.barycentric, x);
   if (on_boundary(best.place.at))
     for (const int other : around_[std::size_t(triangle)]) {
       const Found found = on_triangle(other, nearest_node(other, x), x);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <vector>
 
 namespace sbeh::meshing {
 
@@ -34,7 +35,7 @@ double min_jacobian(const CurvedMesh& mesh);
 
 /// The small plain triangles between the nodes, order² for each curved one, in its place and order.
 TriangleMesh lattice(const CurvedMesh& mesh);
-/// Corners of one of these order² small triangles, in the coordinates of the reference triangle.
-Eigen::Matrix<double, 2, 3> lattice_corners(int order, int part);
+/// These order² small triangles by the nodes of the curved one.
+std::vector<Eigen::Vector3i> small_triangles(int order);
 
 }  // namespace sbeh::meshing
