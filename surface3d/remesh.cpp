@@ -103,7 +103,8 @@ class OldSurface {
 
   meshing::Projection projection() const { return meshing::onto(closest_); }
   double min_angle() const { return meshing::min_angle(meshing::corners(curved_)); }
-  meshing::TriangleMesh triangles(int wanted, double grading) const;
+  /// About so many P3 triangles in its place.
+  meshing::CurvedMesh triangles(int wanted, double grading) const;
   double order_at(const Vector3d& x) const {
     return std::clamp(closest_->value(state_.beta, (*closest_)(x)), state_.beta.minCoeff(),
                       state_.beta.maxCoeff());
@@ -112,6 +113,7 @@ class OldSurface {
 
  private:
   meshing::SizeField sizes_for(double triangles) const;
+  meshing::CurvedMesh covered(double asked, double grading) const;
 
   const Triangulation& mesh_;
   const State& state_;
@@ -140,19 +142,34 @@ meshing::SizeField OldSurface::sizes_for(double triangles) const {
   };
 }
 
-meshing::TriangleMesh OldSurface::triangles(int wanted, double grading) const {
-  constexpr int tries = 3;
-  constexpr double accuracy = 0.03, usual_excess = 1.08;  // of what isotropic remeshing makes
-  meshing::TriangleMesh best;
-  double asked = wanted / usual_excess, best_excess = std::numeric_limits<double>::infinity();
-  for (int i = 0; i < tries && best_excess > accuracy; ++i) {
-    meshing::TriangleMesh plain =
-        meshing::remeshed(lattice_, int(std::lround(asked)), projection(), 0);
-    if (grading > 0) plain = meshing::graded(plain, sizes_for(asked), projection());
-    const double count = plain.triangle_count(), excess = std::abs(count / wanted - 1);
-    if (excess < best_excess) best = std::move(plain);
-    best_excess = std::min(excess, best_excess);
-    asked *= wanted / count;
+meshing::CurvedMesh OldSurface::covered(double asked, double grading) const {
+  meshing::TriangleMesh plain =
+      meshing::remeshed(lattice_, int(std::lround(asked)), projection(), 0);
+  if (grading > 0) plain = meshing::graded(plain, sizes_for(asked), projection());
+  return meshing::curved(plain, 3, projection());
+}
+
+// How well a mesh meets what is wanted; from 1 on: good enough.
+double score(const meshing::CurvedMesh& mesh, int wanted) {
+  constexpr double good_angle = 32, good_jacobian = 0.4, accuracy = 0.03;
+  const double miss = std::abs(double(mesh.triangle_count()) / wanted - 1);
+  return std::min({1., meshing::min_angle(meshing::corners(mesh)) / good_angle,
+                   meshing::min_jacobian(mesh) / good_jacobian})
+       - std::max(0., miss / accuracy - 1);
+}
+
+// Where new triangles come to lie at a sharp place is chance: the best of a few tries.
+meshing::CurvedMesh OldSurface::triangles(int wanted, double grading) const {
+  constexpr int tries = 5;
+  constexpr double usual_excess = 1.08, another = 1.015;
+  meshing::CurvedMesh best;
+  double asked = wanted / usual_excess, best_score = -std::numeric_limits<double>::infinity();
+  for (int i = 0; i < tries && best_score < 1; ++i) {
+    meshing::CurvedMesh fresh = covered(asked, grading);
+    asked *= another * wanted / fresh.triangle_count();
+    const double its_score = score(fresh, wanted);
+    if (its_score > best_score) best = std::move(fresh);
+    best_score = std::max(best_score, its_score);
   }
   return best;
 }
@@ -207,10 +224,6 @@ std::string fault_of(double energy_change, double bound) {
                      energy_change, bound);
 }
 
-meshing::CurvedMesh fresh_mesh(const OldSurface& old, int wanted, double grading) {
-  return meshing::curved(old.triangles(wanted, grading), 3, old.projection());
-}
-
 RemeshResult refused(RemeshReport report, std::string reason) {
   return {.mesh = {}, .state = {}, .refusal = std::move(reason), .report = report};
 }
@@ -230,7 +243,7 @@ RemeshResult remesh(const Triangulation& mesh, const State& state, const model::
   meshing::CurvedMesh fresh;
   try {
     fresh =
-        fresh_mesh(old, options.triangles > 0 ? options.triangles : mesh.count(), options.grading);
+        old.triangles(options.triangles > 0 ? options.triangles : mesh.count(), options.grading);
   } catch (const std::invalid_argument& error) {
     return refused(report, fmt::format("no new triangles: {}", error.what()));
   }
