@@ -41,8 +41,8 @@ struct RemeshResult {
 };
 
 /// Triangles with sides by curvature. Their nodes lie on the curved triangles of the old surface, β is
-/// the old field there, within its old range; then area and volume are restored to 1e-12 by
-/// correct_area_volume.
+/// the old field there, within its old range; then correct_area_volume restores area and volume to
+/// 1e-12 (of a sphere the area alone).
 /// Refused is a mesh that is no sphere, that intersects itself, that changes the energy beyond the
 /// bound; and one with angles below 25° or a quality below 0.4 if they were better before. The result
 /// depends on nothing but the input, to the last bit. Throws as RemeshOptions::validate.
