@@ -1,6 +1,7 @@
 #include "meshing/fitted_surface.h"
 
 #include "meshing/half_edge_mesh.h"
+#include "meshing/nearest_triangle.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -168,6 +169,14 @@ Vector3d FittedSurface::at(int triangle, const Vector3d& barycentric) const {
   for (int k = 0; k < 3; ++k)
     if (barycentric[k] != 0) mean += barycentric[k] * onto_graph(c[k], x);
   return mean;
+}
+
+Projection onto(std::shared_ptr<const FittedSurface> surface) {
+  const NearestTriangle nearest(surface->mesh());
+  return [surface, nearest](const Vector3d& x) {
+    const auto [triangle, barycentric] = nearest(x);
+    return surface->at(triangle, barycentric);
+  };
 }
 
 }  // namespace sbeh::meshing

@@ -2,8 +2,11 @@
 
 #include "meshing/half_edge_mesh.h"
 
+#include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/self_intersections.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+#include <CGAL/box_intersection_d.h>
+#include <CGAL/intersections.h>
 
 #include <algorithm>
 #include <utility>
@@ -18,6 +21,35 @@ std::vector<std::array<int, 2>> self_intersections(const TriangleMesh& mesh) {
   for (const auto& [a, b] : found) {
     pairs.push_back({std::min(a.idx(), b.idx()), std::max(a.idx(), b.idx())});
   }
+  std::sort(pairs.begin(), pairs.end());
+  return pairs;
+}
+
+bool intersect(const Eigen::Matrix3d& a, const Eigen::Matrix3d& b) {
+  using Kernel = CGAL::Epick;
+  const auto triangle = [](const Eigen::Matrix3d& x) {
+    const auto point = [&](int k) { return Kernel::Point_3(x(0, k), x(1, k), x(2, k)); };
+    return Kernel::Triangle_3(point(0), point(1), point(2));
+  };
+  return CGAL::do_intersect(triangle(a), triangle(b));
+}
+
+std::vector<std::array<int, 2>> overlapping_boxes(const Eigen::Matrix3Xd& low,
+                                                  const Eigen::Matrix3Xd& high) {
+  using Box =
+      CGAL::Box_intersection_d::Box_d<double, 3, CGAL::Box_intersection_d::ID_FROM_BOX_ADDRESS>;
+  std::vector<Box> boxes;
+  boxes.reserve(std::size_t(low.cols()));
+  for (Eigen::Index i = 0; i < low.cols(); ++i)
+    boxes.emplace_back(CGAL::Bbox_3(low(0, i), low(1, i), low(2, i),  //
+                                    high(0, i), high(1, i), high(2, i)));
+  std::vector<const Box*> shuffled;  // by the search: the boxes stay, so that their address tells
+  for (const Box& box : boxes) shuffled.push_back(&box);
+  std::vector<std::array<int, 2>> pairs;
+  CGAL::box_self_intersection_d(shuffled.begin(), shuffled.end(), [&](const Box* a, const Box* b) {
+    const int i = int(a - boxes.data()), j = int(b - boxes.data());
+    pairs.push_back({std::min(i, j), std::max(i, j)});
+  });
   std::sort(pairs.begin(), pairs.end());
   return pairs;
 }

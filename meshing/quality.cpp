@@ -22,14 +22,6 @@ using Eigen::Vector3d;
 
 namespace {
 
-// Small triangles of the reference element, by the numbers of its nodes.
-std::vector<Eigen::Vector3i> small_triangles(int order) {
-  if (order == 1) return {{0, 1, 2}};
-  if (order == 2) return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
-  return {{0, 3, 8}, {3, 9, 8}, {3, 4, 9}, {4, 5, 9}, {4, 1, 5},
-          {8, 9, 7}, {9, 6, 7}, {9, 5, 6}, {7, 6, 2}};
-}
-
 void measure_corners(const TriangleMesh& mesh, Quality& q) {
   q.min_angle = 180;
   double shortest = std::numeric_limits<double>::infinity(), longest = 0;
@@ -89,6 +81,13 @@ void measure_intersections(const CurvedMesh& mesh, Quality& q) {
 }
 
 }  // namespace
+
+std::vector<Eigen::Vector3i> small_triangles(int order) {
+  if (order == 1) return {{0, 1, 2}};
+  if (order == 2) return {{0, 3, 5}, {3, 1, 4}, {5, 4, 2}, {3, 4, 5}};
+  return {{0, 3, 8}, {3, 9, 8}, {3, 4, 9}, {4, 5, 9}, {4, 1, 5},
+          {8, 9, 7}, {9, 6, 7}, {9, 5, 6}, {7, 6, 2}};
+}
 
 TriangleMesh lattice(const CurvedMesh& mesh) {
   const std::vector<Eigen::Vector3i> small = small_triangles(mesh.order);

@@ -6,6 +6,7 @@
 
 #include <array>
 #include <map>
+#include <vector>
 
 namespace sbeh::meshing {
 
@@ -34,5 +35,7 @@ double min_jacobian(const CurvedMesh& mesh);
 
 /// The small plain triangles between the nodes, order² for each curved one, in its place and order.
 TriangleMesh lattice(const CurvedMesh& mesh);
+/// These order² small triangles by the nodes of the curved one.
+std::vector<Eigen::Vector3i> small_triangles(int order);
 
 }  // namespace sbeh::meshing

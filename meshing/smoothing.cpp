@@ -51,8 +51,8 @@ void limit_growth(const HalfEdgeMesh& mesh, Eigen::VectorXd& size) {
   }
 }
 
-// Wanted edge lengths at the vertices; |H| is the length of the area's gradient per area.
-Eigen::VectorXd wanted_sizes(const HalfEdgeMesh& mesh, double grading) {
+// |H| is the length of the area's gradient per area.
+Eigen::VectorXd sizes_by_curvature(const HalfEdgeMesh& mesh, double grading) {
   const Eigen::Index count = Eigen::Index(mesh.n_vertices());
   Eigen::Matrix3Xd gradient = Eigen::Matrix3Xd::Zero(3, count);
   Eigen::VectorXd share = Eigen::VectorXd::Zero(count);
@@ -70,11 +70,20 @@ Eigen::VectorXd wanted_sizes(const HalfEdgeMesh& mesh, double grading) {
   return size;
 }
 
+// Wanted edge lengths at the vertices.
+Eigen::VectorXd wanted_sizes(const HalfEdgeMesh& mesh, const Smoothing& aim) {
+  Eigen::VectorXd size = Eigen::VectorXd::Ones(Eigen::Index(mesh.n_vertices()));
+  if (aim.size)
+    for (const auto vertex : mesh.vertices()) size[vertex.idx()] = aim.size(point(mesh, vertex));
+  else if (aim.grading > 0)
+    size = sizes_by_curvature(mesh, aim.grading);
+  return size;
+}
+
 // One Jacobi sweep.
 void move_points(HalfEdgeMesh& mesh, const Projection& onto_surface, const Smoothing& aim) {
   const Eigen::Index count = Eigen::Index(mesh.n_vertices());
-  const Eigen::VectorXd size =
-      aim.grading > 0 ? wanted_sizes(mesh, aim.grading) : Eigen::VectorXd::Ones(count);
+  const Eigen::VectorXd size = wanted_sizes(mesh, aim);
   Eigen::Matrix3Xd centre = Eigen::Matrix3Xd::Zero(3, count), normal = centre;
   Eigen::VectorXd total = Eigen::VectorXd::Zero(count);
   for_each_face(mesh, [&](const Face& f) {

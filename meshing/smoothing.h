@@ -18,6 +18,8 @@ struct Smoothing {
   /// Wanted edge lengths 1/(1 + grading R|H|/2) up to a factor, R = √(A/4π): the same everywhere
   /// for 0; for 1 twice as long where the surface is flat as where |H| = 2/R.
   double grading = 0;
+  /// Wanted edge lengths, up to a factor, at points of the surface; instead of the above when given.
+  std::function<double(const Eigen::Vector3d&)> size = {};
   /// Power of the triangles' areas in their weights: 1 makes areas even at the cost of angles,
   /// 0 angles at the cost of areas.
   double evenness = 0.5;
