@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <limits>
+
 namespace sbeh::studies {
 
 namespace {
@@ -34,6 +36,7 @@ void write_frame(const std::filesystem::path& path, const Frame& frame, const Fr
   Globals globals{{"TimeValue", number(r.time)},
                   {"next_step", number(r.next_step)},
                   {"rejected_steps", number(r.rejected)},
+                  {"speeds", Eigen::Vector2d(r.normal_speed, r.order_speed)},
                   {"target", Eigen::Vector2d(frame.target.area, frame.target.volume)}};
   if (const surface3d::StepperMemory& memory = frame.memory; memory.solves > 0) {
     at_nodes["factored_at"] = memory.factored_at.X;
@@ -57,6 +60,12 @@ Frame read_frame(const std::filesystem::path& path) {
   frame.record.time = part(curved->globals, "TimeValue", 1, path)[0];
   frame.record.next_step = part(curved->globals, "next_step", 1, path)[0];
   frame.record.rejected = int(part(curved->globals, "rejected_steps", 1, path)[0]);
+  frame.record.normal_speed = frame.record.order_speed = std::numeric_limits<double>::infinity();
+  if (curved->globals.contains("speeds")) {
+    const Eigen::VectorXd& speeds = part(curved->globals, "speeds", 2, path);
+    frame.record.normal_speed = speeds[0];
+    frame.record.order_speed = speeds[1];
+  }
   const Eigen::VectorXd& target = part(curved->globals, "target", 2, path);
   frame.target = {target[0], target[1]};
   if (curved->globals.contains("factored")) {

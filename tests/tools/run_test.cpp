@@ -38,7 +38,7 @@ class Run3d : public Workplace {
       EXPECT_EQ(ended.exit_code, 128 + signal) << ended.err;
       EXPECT_TRUE(ended.err.ends_with(
           "sbeh: interrupted; the same command with --resume goes on from here\n"));
-      EXPECT_TRUE(exists(path(results + "/interrupted.vtu")));
+      EXPECT_TRUE(exists(path(results + "/checkpoint.vtu")));
     }
   }
 };
@@ -81,7 +81,7 @@ TEST_F(Run3d, goes_back_to_the_frame_before_a_damaged_one) {
   const Ended ended = sbeh(resumed("out"));
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_NE(ended.err.find("0002.vtu"), std::string::npos);
-  EXPECT_NE(ended.err.find("going back to the frame before it"), std::string::npos);
+  EXPECT_NE(ended.err.find("going back to the state before it"), std::string::npos);
   EXPECT_EQ(contents("out"), contents("whole"));
 }
 
