@@ -6,13 +6,28 @@
 
 #include <fmt/format.h>
 
-#include <limits>
-
 namespace sbeh::studies {
 
 namespace {
 
 Eigen::VectorXd number(double value) { return Eigen::VectorXd::Constant(1, value); }
+
+// What a record tells of the step that led to the state, besides its energy.
+Eigen::VectorXd of_step(const surface3d::FlowRecord& r) {
+  return (Eigen::VectorXd(9) << r.time_step, r.dissipation.friction, r.dissipation.order,
+          r.dissipation.viscous, r.energy_balance, r.normal_speed, r.order_speed, r.speed_max,
+          r.lambda)
+      .finished();
+}
+void set_step(surface3d::FlowRecord& r, const Eigen::VectorXd& step) {
+  r.time_step = step[0];
+  r.dissipation = {step[1], step[2], step[3]};
+  r.energy_balance = step[4];
+  r.normal_speed = step[5];
+  r.order_speed = step[6];
+  r.speed_max = step[7];
+  r.lambda = step[8];
+}
 
 // Of a frame; throws when the file has it not, or not of this size.
 template <class Map>
@@ -36,7 +51,7 @@ void write_frame(const std::filesystem::path& path, const Frame& frame, const Fr
   Globals globals{{"TimeValue", number(r.time)},
                   {"next_step", number(r.next_step)},
                   {"rejected_steps", number(r.rejected)},
-                  {"speeds", Eigen::Vector2d(r.normal_speed, r.order_speed)},
+                  {"step", of_step(r)},
                   {"target", Eigen::Vector2d(frame.target.area, frame.target.volume)}};
   if (const surface3d::StepperMemory& memory = frame.memory; memory.solves > 0) {
     at_nodes["factored_at"] = memory.factored_at.X;
@@ -60,12 +75,7 @@ Frame read_frame(const std::filesystem::path& path) {
   frame.record.time = part(curved->globals, "TimeValue", 1, path)[0];
   frame.record.next_step = part(curved->globals, "next_step", 1, path)[0];
   frame.record.rejected = int(part(curved->globals, "rejected_steps", 1, path)[0]);
-  frame.record.normal_speed = frame.record.order_speed = std::numeric_limits<double>::infinity();
-  if (curved->globals.contains("speeds")) {
-    const Eigen::VectorXd& speeds = part(curved->globals, "speeds", 2, path);
-    frame.record.normal_speed = speeds[0];
-    frame.record.order_speed = speeds[1];
-  }
+  set_step(frame.record, part(curved->globals, "step", 9, path));
   const Eigen::VectorXd& target = part(curved->globals, "target", 2, path);
   frame.target = {target[0], target[1]};
   if (curved->globals.contains("factored")) {

@@ -74,9 +74,17 @@ void keep_until(const fs::path& path, const std::string& header, const std::vect
   write_file(path, text);
 }
 
-// The newest state in the folder that can be read: a frame or the checkpoint.
-std::optional<Frame> newest_frame(const OutputFolder& folder) {
+// Whether a table that is to have rows at these times has those up to a time, and is not cut before.
+bool reaches(const std::vector<TimedRow>& rows, const std::vector<double>& times, double until) {
+  const double slack = surface3d::same_time * until;
+  const auto after = std::upper_bound(times.begin(), times.end(), until + slack);
+  return after == times.begin() || (!rows.empty() && rows.back().time >= *(after - 1) - slack);
+}
+
+// The newest state in the folder that can be read and whose rows are there: a frame or the checkpoint.
+std::optional<Frame> newest_frame(const RunInput& input, const OutputFolder& folder) {
   std::vector<fs::path> candidates{folder / checkpoint_name};
+  const std::vector<TimedRow> series = rows_of(folder / "series.csv", 0);
   const std::vector<TimedRow> frames = rows_of(folder / "frames.csv", 1);
   for (auto row = frames.rbegin(); row != frames.rend(); ++row)
     candidates.push_back(folder / split_csv(row->line)[2]);
@@ -85,6 +93,9 @@ std::optional<Frame> newest_frame(const OutputFolder& folder) {
     if (!fs::exists(path)) continue;
     try {
       Frame frame = read_frame(path);
+      const double time = frame.record.time;
+      if (!reaches(series, input.output_times, time) || !reaches(frames, input.frame_times, time))
+        continue;
       if (!newest || frame.record.time > newest->record.time) newest = std::move(frame);
       if (path != candidates.front()) break;  // those before it are older
     } catch (const InputError& error) {
@@ -96,8 +107,8 @@ std::optional<Frame> newest_frame(const OutputFolder& folder) {
 
 // The frame to go on from, empty for a run from the start. Throws OutputError when the folder holds
 // what must not be overwritten.
-std::optional<Frame> frame_to_resume(const OutputFolder& folder, const std::string& description,
-                                     bool resume) {
+std::optional<Frame> frame_to_resume(const RunInput& input, const OutputFolder& folder,
+                                     const std::string& description, bool resume) {
   const std::string where = folder.path().string();
   if (fs::exists(folder / "scan.csv"))
     throw OutputError(
@@ -120,7 +131,7 @@ std::optional<Frame> frame_to_resume(const OutputFolder& folder, const std::stri
         "frames may go on differently; to start from one of them all the same, use shape = "
         "\"frame\" and another folder",
         where));
-  return newest_frame(folder);
+  return newest_frame(input, folder);
 }
 
 // Why a run ends with a state, if it does; the same as model::Flow says after that step.
@@ -271,7 +282,7 @@ RunSummary run_surface(const RunInput& input, const fs::path& path, std::string_
   RunStart start = start_of(input);
   const OutputFolder folder(path);
   const std::string description = describe(input, version);
-  const std::optional<Frame> frame = frame_to_resume(folder, description, resume);
+  const std::optional<Frame> frame = frame_to_resume(input, folder, description, resume);
   write_file(folder / "run.toml", description);
 
   const auto mesh = std::make_shared<const surface3d::Triangulation>(start.mesh);
