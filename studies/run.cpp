@@ -113,6 +113,11 @@ std::optional<Frame> frame_to_resume(const RunInput& input, const OutputFolder& 
   if (fs::exists(folder / "scan.csv"))
     throw OutputError(
         fmt::format("{}: already holds a scan; choose another folder with -o", where));
+  if (fs::exists(folder / "series.csv") && !fs::exists(folder / "run.toml"))
+    throw OutputError(
+        fmt::format("{}: already holds a run, but without its run.toml; choose another folder with "
+                    "-o",
+                    where));
   if (!fs::exists(folder / "run.toml")) return {};
   if (!resume)
     throw OutputError(

@@ -7,6 +7,7 @@
 #include "studies/progress.h"
 #include "studies/relax.h"
 #include "studies/run.h"
+#include "studies/run_cost.h"
 #include "studies/scan.h"
 #include "studies/seifert.h"
 #include "studies/spelling.h"
@@ -149,21 +150,19 @@ int run_3d(const Arguments& a) {
   return wrong ? 1 : exit_code_of_success();
 }
 
-// Measured on one core of 2026: seconds and MB of one step on a surface of so many triangles.
-double step_seconds(int triangles) { return 2.5e-4 * triangles * std::cbrt(triangles / 320.); }
-double step_megabytes(int triangles) { return 60 + 0.2 * triangles; }
-
 int check_run(const Arguments& a) {
   const studies::RunInput input = studies::read_run(a.input);
   const studies::RunStart start = studies::start_of(input);
   const int triangles = start.mesh.triangle_count();
+  const studies::RunCost cost = studies::cost_of(input, triangles);
   fmt::print(
-      "{}: a 3D run of {} to t = {}, {} triangles ({} nodes), reduced volume {:.6g}; {} lines of "
-      "history, {} frames of {:.1f} MB; about {:.2g} s a step and {:.0f} MB of memory\n\n{}",
-      a.input, model::name(input.model), input.end_time, triangles, start.mesh.node_count(),
-      surface3d::reduced_volume(start.target.area, start.target.volume), input.output_times.size(),
-      input.frame_times.size(), start.mesh.node_count() * 1.1e-4, 3 * step_seconds(triangles),
-      step_megabytes(triangles), studies::describe(input, SBEH_VERSION));
+      "{}: a 3D run of {} to t = {}, reduced volume {:.6g}, {} triangles, {} unknowns; about "
+      "{:.2g} s "
+      "a step and {:.0f} MB of memory; {} lines of history, {} frames of {:.2f} MB\n\n{}",
+      a.input, model::name(input.model), input.end_time,
+      surface3d::reduced_volume(start.target.area, start.target.volume), triangles, cost.unknowns,
+      cost.seconds_per_step, cost.megabytes, input.output_times.size(), input.frame_times.size(),
+      cost.frame_megabytes, studies::describe(input, SBEH_VERSION));
   return 0;
 }
 
