@@ -284,19 +284,20 @@ class Recorder {
 
 RunSummary run_surface(const RunInput& input, const fs::path& path, std::string_view version,
                        bool resume) {
-  RunStart start = start_of(input);
+  std::optional<RunStart> begin;  // before the folder: a start that cannot be made leaves none
+  if (!fs::exists(path / "run.toml")) begin = start_of(input);
   const OutputFolder folder(path);
   const std::string description = describe(input, version);
   const std::optional<Frame> frame = frame_to_resume(input, folder, description, resume);
+  if (!frame && !begin) begin = start_of(input);
+  const RunStart start = frame ? RunStart{frame->mesh, frame->beta, frame->target} : *begin;
   write_file(folder / "run.toml", description);
 
   const auto mesh = std::make_shared<const surface3d::Triangulation>(start.mesh);
   surface3d::FlowStart from{.state = {start.mesh.nodes, start.beta}};
   if (frame) {
-    from = {.state = {frame->mesh.nodes, frame->beta},
-            .record = frame->record,
-            .memory = frame->memory};
-    start.target = frame->target;
+    from.record = frame->record;
+    from.memory = frame->memory;
   }
   Recorder recorder(input, start, mesh, folder,
                     frame ? std::optional(from.record.time) : std::optional<double>());

@@ -123,6 +123,16 @@ TEST_F(ResumeRun, goes_on_from_the_newest_of_frames_and_checkpoint) {
   EXPECT_EQ(contents("damaged"), contents("whole"));
 }
 
+TEST_F(ResumeRun, needs_its_start_no_more) {
+  must({"mesh", "ellipsoid", "--reduced-volume", "0.97", "--triangles", "20", "-o", "mesh.vtu"});
+  input(
+      "model = \"SBEH\"\n[surface]\nshape = \"mesh\"\nfile = \"mesh.vtu\"\n[time]\nend = 0.01\n"
+      "frames = [0, 0.001]\noutput = [0.01]\n");
+  kill_when(into("out", "run"), [&] { return lines("out/frames.csv") > 2; });
+  fs::remove(path("mesh.vtu"));
+  must_end_as_the_whole();
+}
+
 TEST_F(ResumeRun, may_keep_other_checkpoints) {
   input(start + many_rows + "frames = [0]\n");
   kill_when(into("out", "run"), [&] { return lines("out/series.csv") > 3; });
