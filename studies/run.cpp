@@ -81,7 +81,8 @@ bool reaches(const std::vector<TimedRow>& rows, const std::vector<double>& times
   return after == times.begin() || (!rows.empty() && rows.back().time >= *(after - 1) - slack);
 }
 
-// The newest state in the folder that can be read and whose rows are there: a frame or the checkpoint.
+// The newest state in the folder that can be read and whose rows are there: a frame or the checkpoint;
+// empty when there is none yet. Throws OutputError when there are some and all are damaged.
 std::optional<Frame> newest_frame(const RunInput& input, const OutputFolder& folder) {
   std::vector<fs::path> candidates{folder / checkpoint_name};
   const std::vector<TimedRow> series = rows_of(folder / "series.csv", 0);
@@ -89,6 +90,7 @@ std::optional<Frame> newest_frame(const RunInput& input, const OutputFolder& fol
   for (auto row = frames.rbegin(); row != frames.rend(); ++row)
     candidates.push_back(folder / split_csv(row->line)[2]);
   std::optional<Frame> newest;
+  bool damaged = false;
   for (const fs::path& path : candidates) {
     if (!fs::exists(path)) continue;
     try {
@@ -99,9 +101,15 @@ std::optional<Frame> newest_frame(const RunInput& input, const OutputFolder& fol
       if (!newest || frame.record.time > newest->record.time) newest = std::move(frame);
       if (path != candidates.front()) break;  // those before it are older
     } catch (const InputError& error) {
+      damaged = true;
       tell(fmt::format("sbeh: {}; going back to the state before it\n", error.what()));
     }
   }
+  if (damaged && !newest)  // starting anew would overwrite what somebody may still mend
+    throw OutputError(fmt::format(
+        "{}: none of its frames can be read; choose another folder with -o, or delete its run.toml "
+        "and series.csv to start anew",
+        folder.path().string()));
   return newest;
 }
 

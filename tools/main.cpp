@@ -242,7 +242,7 @@ int run(int argc, char** argv) {
   const CLI::App* scan_command = add("scan", "stationary shapes over a (V_r, L) grid", true);
   const CLI::App* relax_command = add("relax", "one axisymmetric evolution", true);
   CLI::App* run_command = add("run", "one 3D evolution", true);
-  run_command->add_flag("--resume", a.resume, "go on with an interrupted run");
+  run_command->add_flag("--resume", a.resume, "go on with a run that was interrupted or killed");
   const CLI::App* check_command =
       add("check", "say whether an input is right, and what it asks for", false);
   CLI::App* seifert_command =

@@ -123,6 +123,24 @@ TEST_F(ResumeRun, goes_on_from_the_newest_of_frames_and_checkpoint) {
   EXPECT_EQ(contents("damaged"), contents("whole"));
 }
 
+TEST_F(ResumeRun, without_a_frame_that_can_be_read_is_refused_and_changes_nothing) {
+  input(start + many_rows + "frames = [0, 0.001]\n");
+  kill_when(into("out", "run"), [&] { return lines("out/frames.csv") > 2; });
+  for (const char* frame : {"out/frames/0000.vtu", "out/frames/0001.vtu"})
+    fs::resize_file(path(frame), 1000);
+  const Contents before = contents("out");
+  const Ended ended = sbeh(resumed("out"));
+  EXPECT_EQ(ended.exit_code, 2);
+  EXPECT_TRUE(ended.err.ends_with(
+      "sbeh: out: none of its frames can be read; choose another folder with -o, or delete its "
+      "run.toml and series.csv to start anew\n"))
+      << ended.err;
+  EXPECT_EQ(contents("out"), before);
+  for (const char* file : {"out/run.toml", "out/series.csv"}) fs::remove(path(file));
+  must(into("out", "run"));
+  EXPECT_EQ(contents("out"), contents("whole"));
+}
+
 TEST_F(ResumeRun, needs_its_start_no_more) {
   must({"mesh", "ellipsoid", "--reduced-volume", "0.97", "--triangles", "20", "-o", "mesh.vtu"});
   input(
