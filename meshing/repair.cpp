@@ -1,9 +1,10 @@
 #include "meshing/repair.h"
 
+#include "meshing/measures.h"
+
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
-#include <CGAL/Polygon_mesh_processing/orientation.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
 #include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
 #include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
@@ -126,12 +127,14 @@ Repair repaired(const TriangleMesh& mesh) {
   pmp::remove_degenerate_faces(surface);
   log.add("triangles without area removed, neighbours adapted", faces - surface.number_of_faces());
   close_holes(surface, log);
-  if (CGAL::is_closed(surface) && !pmp::is_outward_oriented(surface)) {
-    pmp::reverse_face_orientations(surface);
+  surface.collect_garbage();
+  Repair repair{triangles_of(surface), {}};
+  if (CGAL::is_closed(surface) && volume(repair.mesh) < 0) {
+    repair.mesh.triangles.row(1).swap(repair.mesh.triangles.row(2));
     log.add("triangles turned outward", surface.number_of_faces());
   }
-  surface.collect_garbage();
-  return {triangles_of(surface), log.done};
+  repair.done = std::move(log.done);
+  return repair;
 }
 
 }  // namespace sbeh::meshing

@@ -11,6 +11,7 @@ namespace sbeh::meshing {
 struct Harmonic {
   int l, m;
   double amplitude;
+  bool operator==(const Harmonic&) const = default;
 };
 
 /// Y_lm at a unit vector: √((2l+1)/4π (l−|m|)!/(l+|m|)!) P_l^|m|(cos θ) times √2 cos mφ for m > 0,

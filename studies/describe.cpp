@@ -134,7 +134,7 @@ void write_numerics(TomlText& toml, const axisym::Numerics& numerics) {
   write_time_control(toml, numerics);
 }
 
-void write_shape(TomlText& toml, const Ellipsoid& ellipsoid) {
+void write_ellipsoid(TomlText& toml, const auto& ellipsoid) {
   toml.value("shape", std::string("ellipsoid"));
   if (ellipsoid.axes) toml.value("axes", *ellipsoid.axes);
   if (ellipsoid.reduced_volume) {
@@ -142,6 +142,10 @@ void write_shape(TomlText& toml, const Ellipsoid& ellipsoid) {
     toml.value("kind", std::string(ellipsoid.prolate ? "prolate" : "oblate"));
   }
 }
+
+void write_shape(TomlText& toml, const Ellipsoid& ellipsoid) { write_ellipsoid(toml, ellipsoid); }
+
+void write_shape(TomlText& toml, const Ellipsoid3d& ellipsoid) { write_ellipsoid(toml, ellipsoid); }
 
 void write_shape(TomlText& toml, const Harmonics& harmonics) {
   toml.value("shape", std::string("harmonics"));
@@ -157,15 +161,6 @@ void write_shape(TomlText& toml, const ScanRow& row) {
   toml.value("branch", row.branch);
   toml.value("reduced_volume", row.reduced_volume);
   toml.value("L", row.L);
-}
-
-void write_shape(TomlText& toml, const Ellipsoid3d& ellipsoid) {
-  toml.value("shape", std::string("ellipsoid"));
-  if (ellipsoid.axes) toml.value("axes", *ellipsoid.axes);
-  if (ellipsoid.reduced_volume) {
-    toml.value("reduced_volume", *ellipsoid.reduced_volume);
-    toml.value("kind", std::string(ellipsoid.prolate ? "prolate" : "oblate"));
-  }
 }
 
 void write_shape(TomlText& toml, const HarmonicSphere& sphere) {
@@ -201,11 +196,12 @@ void write_start(TomlText& toml, const RelaxInput& input) {
     toml.value("order", input.initial_order);
 }
 
-void write_time(TomlText& toml, const RelaxInput& input) {
+void write_time(TomlText& toml, const auto& input, const char* states,
+                const std::vector<double>& state_times) {
   toml.table("time");
   toml.value("end", input.end_time);
   toml.value("output", input.output_times);
-  toml.value("profiles", input.profile_times);
+  toml.value(states, state_times);
   toml.value("stop_at_rest", input.stop_at_rest);
 }
 
@@ -249,7 +245,7 @@ std::string describe(const RelaxInput& input, std::string_view version) {
   write_start(toml, input);
   write_material(toml, input.material, Elasticity::with_L, input.model);
   write_numerics(toml, input.numerics);
-  write_time(toml, input);
+  write_time(toml, input, "profiles", input.profile_times);
   return toml.text();
 }
 
@@ -263,11 +259,8 @@ std::string describe(const RunInput& input, std::string_view version) {
   toml.value("integrator", std::string(name(input.numerics.integrator)));
   toml.value("scheme", std::string(name(input.numerics.scheme)));
   toml.value("factorisation", std::string(name(input.numerics.factorisation)));
-  toml.table("time");
-  toml.value("end", input.end_time);
-  toml.value("output", input.output_times);
-  toml.value("frames", input.frame_times);
-  toml.value("stop_at_rest", input.stop_at_rest);
+  write_time(toml, input, "frames", input.frame_times);
+  toml.value("checkpoint_minutes", input.checkpoint_minutes);
   return toml.text();
 }
 

@@ -12,6 +12,23 @@ namespace {
 
 Eigen::VectorXd number(double value) { return Eigen::VectorXd::Constant(1, value); }
 
+// What a record tells of the step that led to the state, besides its energy.
+Eigen::VectorXd of_step(const surface3d::FlowRecord& r) {
+  return (Eigen::VectorXd(9) << r.time_step, r.dissipation.friction, r.dissipation.order,
+          r.dissipation.viscous, r.energy_balance, r.normal_speed, r.order_speed, r.speed_max,
+          r.lambda)
+      .finished();
+}
+void set_step(surface3d::FlowRecord& r, const Eigen::VectorXd& step) {
+  r.time_step = step[0];
+  r.dissipation = {step[1], step[2], step[3]};
+  r.energy_balance = step[4];
+  r.normal_speed = step[5];
+  r.order_speed = step[6];
+  r.speed_max = step[7];
+  r.lambda = step[8];
+}
+
 // Of a frame; throws when the file has it not, or not of this size.
 template <class Map>
 const auto& part(const Map& parts, const char* name, Eigen::Index size,
@@ -73,6 +90,7 @@ void write_frame(const std::filesystem::path& path, const Frame& frame, const Fr
   Globals globals{{"TimeValue", number(r.time)},
                   {"next_step", number(r.next_step)},
                   {"rejected_steps", number(r.rejected)},
+                  {"step", of_step(r)},
                   {"target", Eigen::Vector2d(frame.target.area, frame.target.volume)}};
   remember(frame.memory.stepper, at_nodes, globals);
   if (const auto& past = frame.memory.past) {
@@ -95,6 +113,7 @@ Frame read_frame(const std::filesystem::path& path) {
   frame.record.time = part(curved->globals, "TimeValue", 1, path)[0];
   frame.record.next_step = part(curved->globals, "next_step", 1, path)[0];
   frame.record.rejected = int(part(curved->globals, "rejected_steps", 1, path)[0]);
+  set_step(frame.record, part(curved->globals, "step", 9, path));
   const Eigen::VectorXd& target = part(curved->globals, "target", 2, path);
   frame.target = {target[0], target[1]};
   frame.memory.stepper = memory_of(*curved, path);

@@ -9,9 +9,9 @@ namespace sbeh::studies {
 
 /// All that a run needs to go on, bit for bit.
 struct Frame {
-  meshing::CurvedMesh mesh;  ///< its nodes are X of the state
-  surface3d::Field beta;     // nodes
-  surface3d::FlowRecord record;
+  meshing::CurvedMesh mesh;      ///< its nodes are X of the state
+  surface3d::Field beta;         // nodes
+  surface3d::FlowRecord record;  ///< read from a file: without its energy
   surface3d::Target target;
   surface3d::FlowMemory memory;
 };

@@ -182,20 +182,24 @@ std::string name_of(const MeshRequest& request) {
   return "the shape";
 }
 
-void check(const MeshRequest& request, const meshing::Quality& q) {
-  if (!(q.min_jacobian > 0))
-    throw InputError(fmt::format(
-        "{}: triangle {} folds over when it is curved; take more triangles, or the surface is not "
-        "smooth there",
-        name_of(request), q.worst_triangle));
-  if (q.self_intersections > 0)
-    throw InputError(fmt::format(
-        "{}: the curved triangles {} and {} pass through each other ({} such pairs); take more "
-        "triangles, or the surface itself does so",
-        name_of(request), q.first_pair[0], q.first_pair[1], q.self_intersections));
-}
-
 }  // namespace
+
+meshing::Quality quality_of_sound(const meshing::CurvedMesh& mesh) {
+  if (!mesh.nodes.allFinite())
+    throw std::invalid_argument("a coordinate of a node is no finite number");
+  const meshing::Quality q = meshing::quality_of(mesh);
+  if (!(q.min_jacobian > 0))
+    throw std::invalid_argument(fmt::format(
+        "triangle {} folds over when it is curved; take more triangles, or the surface is not "
+        "smooth there",
+        q.worst_triangle));
+  if (q.self_intersections > 0)
+    throw std::invalid_argument(fmt::format(
+        "the curved triangles {} and {} pass through each other ({} such pairs); take more "
+        "triangles, or the surface itself does so",
+        q.first_pair[0], q.first_pair[1], q.self_intersections));
+  return q;
+}
 
 MadeMesh make_mesh(const MeshRequest& request) {
   MadeMesh made;
@@ -205,8 +209,11 @@ MadeMesh make_mesh(const MeshRequest& request) {
     throw InputError(error.what());
   }
   scale(request, made);
-  made.quality = meshing::quality_of(made.mesh);
-  check(request, made.quality);
+  try {
+    made.quality = quality_of_sound(made.mesh);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", name_of(request), error.what()));
+  }
   if (made.mesh.order > 1)
     made.fields["mean_curvature"] = meshing::node_mean_curvature(made.mesh).transpose();
   return made;

@@ -54,6 +54,10 @@ struct MadeMesh {
 /// Throws InputError: what is wrong with the request, or which triangle or point of the file.
 MadeMesh make_mesh(const MeshRequest& request);
 
+/// The quality of a mesh whose curved triangles neither fold over nor pass through each other. Throws
+/// std::invalid_argument that names the triangle for any other.
+meshing::Quality quality_of_sound(const meshing::CurvedMesh& mesh);
+
 /// `name: value` lines.
 std::string report(const meshing::Quality& quality);
 

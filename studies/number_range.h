@@ -20,6 +20,7 @@ struct Interval {
 constexpr Interval above(double low) { return {.low = low, .low_open = true}; }
 constexpr Interval at_least(double low) { return {.low = low}; }
 constexpr Interval between(double low, double high) { return {.low = low, .high = high}; }
+constexpr Interval reduced_volumes{.low = 0, .high = 1, .low_open = true};
 
 enum class Spacing { linear, logarithmic };
 

@@ -18,10 +18,12 @@ namespace {
   const std::string reason = errno ? std::strerror(errno) : "no reason given by the system";
   throw OutputError(fmt::format("{}: {}: {}", path.string(), what, reason));
 }
+
+fs::path temporary_of(const fs::path& path) { return path.string() + ".part"; }
 }  // namespace
 
 void write_file(const fs::path& path, std::string_view text) {
-  const fs::path temporary = path.string() + ".part";
+  const fs::path temporary = temporary_of(path);
   errno = 0;
   std::ofstream file(temporary, std::ios::binary);
   file << text;
@@ -40,6 +42,12 @@ void write_file(const fs::path& path, std::string_view text) {
     fs::remove(temporary, ignored);
     throw OutputError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
   }
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+  fs::remove(temporary_of(path), ignored);
 }
 
 std::string read_file(const fs::path& path) {

@@ -18,6 +18,9 @@ class OutputError : public std::runtime_error {
 /// Writes to a temporary name beside `path` and renames. Throws OutputError.
 void write_file(const std::filesystem::path& path, std::string_view text);
 
+/// Removes the file, if it is there, and what an interrupted write_file may have left of it.
+void remove_file(const std::filesystem::path& path);
+
 /// The whole file as text. Throws OutputError.
 std::string read_file(const std::filesystem::path& path);
 

@@ -43,12 +43,6 @@ struct RelaxInput {
   bool stop_at_rest = true;           ///< end before end_time when nothing moves any more
 };
 
-/// 0 and 200 times in equal ratios up to `end`, from 1e-5 or, if smaller, end/100.
-std::vector<double> default_output_times(double end);
-
-/// 0, `end` and 6 times in equal ratios between, from 1e-3 or, if smaller, end/100.
-std::vector<double> default_profile_times(double end);
-
 /// Throws InputError (toml_reader.h).
 RelaxInput read_relax(const std::filesystem::path& path);
 

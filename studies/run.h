@@ -16,8 +16,11 @@ struct RunSummary {
 
 /// Runs and leaves in the folder: run.toml (the input, resolved), series.csv (a row per output time),
 /// frames/*.vtu (each the whole state), frames.csv (index,time,file), run.pvd for ParaView. Progress on
-/// standard error. With `resume` an interrupted run goes on from its newest frame and leaves the same
-/// bits as one that was not interrupted; without it a folder that holds a run is refused.
+/// standard error. Every checkpoint_minutes, and at an interruption, the state is written to
+/// checkpoint.vtu, which is gone when the run has ended by itself. With `resume` a run that was
+/// interrupted or killed goes on from the newest of its frames and checkpoint.vtu and leaves the same
+/// bits as one that was not; its start is not needed any more. Without it a folder that holds a run is
+/// refused.
 /// Throws InputError and OutputError.
 RunSummary run_surface(const RunInput& input, const std::filesystem::path& path,
                        std::string_view version, bool resume);

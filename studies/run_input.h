@@ -51,6 +51,7 @@ struct RunInput {
   std::vector<double> output_times;  ///< of the rows of series.csv; 0 … end_time, ascending
   std::vector<double> frame_times;   ///< of the frames; likewise
   bool stop_at_rest = true;          ///< end before end_time when nothing moves any more
+  double checkpoint_minutes = 10;    ///< of wall time between checkpoints, > 0
 };
 
 /// Throws InputError (toml_reader.h).

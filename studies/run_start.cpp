@@ -7,6 +7,7 @@
 #include "meshing/revolution.h"
 #include "meshing/shapes.h"
 #include "studies/frame_file.h"
+#include "studies/make_mesh.h"
 #include "studies/mesh_files/mesh_file.h"
 #include "studies/output.h"
 #include "studies/profile_file.h"
@@ -31,6 +32,23 @@ struct Start {
   Eigen::VectorXd beta;  // nodes, or empty
 };
 
+// Throws std::invalid_argument for what no mesh maker has checked.
+void require_sound(const CurvedMesh& mesh) {
+  quality_of_sound(mesh);
+  if (!(meshing::volume(mesh) > 0))
+    throw std::invalid_argument("the surface is turned inside out: its volume is negative");
+}
+
+// The same for the mesh of a file.
+CurvedMesh sound(CurvedMesh mesh, const std::string& file) {
+  try {
+    require_sound(mesh);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
+  }
+  return mesh;
+}
+
 Start make(const Ellipsoid3d& e, const RunInput& input) {
   const meshing::Resolution resolution{.triangles = input.triangles};
   return {e.axes ? meshing::ellipsoid(*e.axes / e.axes->maxCoeff(), resolution)
@@ -45,16 +63,15 @@ Start make(const HarmonicSphere& sphere, const RunInput& input) {
 Start make(const MeshFileStart& start, const RunInput&) {
   MeshFile file = read_mesh(start.file);
   if (auto* curved = std::get_if<CurvedFile>(&file); curved && curved->mesh.order == 3)
-    return {std::move(curved->mesh), {}};
+    return {sound(std::move(curved->mesh), start.file), {}};
   const meshing::TriangleMesh triangles = std::holds_alternative<CurvedFile>(file)
                                             ? meshing::corners(std::get<CurvedFile>(file).mesh)
                                             : std::get<meshing::TriangleMesh>(file);
   if (const auto defect = meshing::find_defect(triangles))
     throw InputError(fmt::format("{}: {}", start.file, defect->text));
   const meshing::FittedSurface surface(triangles);
-  return {meshing::curved(triangles, 3,
-                          [&](int t, const Eigen::Vector3d& x) { return surface.at(t, x); }),
-          {}};
+  const auto at = [&](int t, const Eigen::Vector3d& x) { return surface.at(t, x); };
+  return {sound(meshing::curved(triangles, 3, at), start.file), {}};
 }
 
 Start make(const ScanRow& row, const RunInput& input) {
@@ -66,7 +83,9 @@ Start make(const ScanRow& row, const RunInput& input) {
 
 Start make(const FrameStart& start, const RunInput&) {
   Frame frame = read_frame(start.file);
-  return {std::move(frame.mesh), std::move(frame.beta)};
+  if (!frame.beta.allFinite())
+    throw InputError(fmt::format("{}: its order is no finite number everywhere", start.file));
+  return {sound(std::move(frame.mesh), start.file), std::move(frame.beta)};
 }
 
 // Displaces the nodes along the normals by Σ a_lm Y_lm of their directions from the centre.
@@ -78,6 +97,12 @@ void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
     const Eigen::Vector3d direction = (mesh.nodes.col(i) - centre).normalized();
     mesh.nodes.col(i) += meshing::harmonic_sum(modes, direction) * n.col(i);
   }
+  try {
+    require_sound(mesh);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("[surface] perturbation: is too large: {}", error.what()));
+  }
 }
 
 }  // namespace
@@ -87,7 +112,7 @@ RunStart start_of(const RunInput& input) {
   try {
     start = std::visit([&](const auto& shape) { return make(shape, input); }, input.start);
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("[surface] {}", error.what()));
+    throw std::invalid_argument(fmt::format("[surface] {}", error.what()));
   }
   if (!input.perturbation.empty()) perturb(start.mesh, input.perturbation);
   // A frame goes on as it is; what has the area already keeps its bits.
@@ -101,8 +126,6 @@ RunStart start_of(const RunInput& input) {
                             free_order ? input.initial_order : model::full_order);
   result.target = {surface3d::area(triangulation, result.mesh.nodes),
                    surface3d::volume(triangulation, result.mesh.nodes)};
-  if (!(result.target.volume > 0))
-    throw InputError("[surface]: the surface is turned inside out: its volume is negative");
   return result;
 }
 

@@ -13,7 +13,8 @@ struct RunStart {
 };
 
 /// Makes the surface that the input asks for. Throws InputError (a mesh or frame that is not what it
-/// should be, a shape that does not exist) and OutputError (files that cannot be read).
+/// should be), OutputError (files that cannot be read) and std::invalid_argument (a shape that does not
+/// exist, a perturbation too large for it).
 RunStart start_of(const RunInput& input);
 
 }  // namespace sbeh::studies

@@ -36,7 +36,7 @@ void require_folds(const TomlTable& table, const ScanInput& input) {
 }
 
 void read_scan_table(const TomlTable& table, ScanInput& input) {
-  input.reduced_volume = table.grid("reduced_volume", {.low = 0, .high = 1, .low_open = true});
+  input.reduced_volume = table.grid("reduced_volume", reduced_volumes);
   input.L = table.grid("L", above(0));
   input.models.clear();
   for (const model::Model flow : {model::Model::HelfrichLocal, model::Model::HelfrichGlobal})

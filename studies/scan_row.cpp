@@ -15,7 +15,7 @@ ScanRow read_scan_row(const TomlTable& start, model::Model absent) {
   row.folder = start.text("folder");
   row.model = model_of(start.word("model", scan_model_words(), name(rest_model(absent))));
   row.branch = start.word("branch", known_branches(), row.branch);
-  row.reduced_volume = start.number("reduced_volume", {.low = 0, .high = 1, .low_open = true});
+  row.reduced_volume = start.number("reduced_volume", reduced_volumes);
   row.L = start.number("L", above(0));
   return row;
 }

@@ -9,6 +9,7 @@
 #include "studies/relax.h"
 #include "studies/report.h"
 #include "studies/run.h"
+#include "studies/run_cost.h"
 #include "studies/scan.h"
 #include "studies/seifert.h"
 #include "studies/spelling.h"
@@ -162,21 +163,19 @@ int run_3d(const Arguments& a) {
   return wrong ? 1 : exit_code_of_success();
 }
 
-// Measured on one core of 2026: seconds and MB of one step on a surface of so many triangles.
-double step_seconds(int triangles) { return 2.5e-4 * triangles * std::cbrt(triangles / 320.); }
-double step_megabytes(int triangles) { return 60 + 0.2 * triangles; }
-
 int check_run(const Arguments& a) {
   const studies::RunInput input = studies::read_run(a.input);
   const studies::RunStart start = studies::start_of(input);
   const int triangles = start.mesh.triangle_count();
+  const studies::RunCost cost = studies::cost_of(input, triangles);
   fmt::print(
-      "{}: a 3D run of {} to t = {}, {} triangles ({} nodes), reduced volume {:.6g}; {} lines of "
-      "history, {} frames of {:.1f} MB; about {:.2g} s a step and {:.0f} MB of memory\n\n{}",
-      a.input, model::name(input.model), input.end_time, triangles, start.mesh.node_count(),
-      surface3d::reduced_volume(start.target.area, start.target.volume), input.output_times.size(),
-      input.frame_times.size(), start.mesh.node_count() * 1.1e-4, 3 * step_seconds(triangles),
-      step_megabytes(triangles), studies::describe(input, SBEH_VERSION));
+      "{}: a 3D run of {} to t = {}, reduced volume {:.6g}, {} triangles, {} unknowns; about "
+      "{:.2g} s "
+      "a step and {:.0f} MB of memory; {} lines of history, {} frames of {:.2f} MB\n\n{}",
+      a.input, model::name(input.model), input.end_time,
+      surface3d::reduced_volume(start.target.area, start.target.volume), triangles, cost.unknowns,
+      cost.seconds_per_step, cost.megabytes, input.output_times.size(), input.frame_times.size(),
+      cost.frame_megabytes, studies::describe(input, SBEH_VERSION));
   return 0;
 }
 
@@ -282,7 +281,7 @@ int run(int argc, char** argv) {
   const CLI::App* scan_command = add("scan", "stationary shapes over a (V_r, L) grid", true);
   const CLI::App* relax_command = add("relax", "one axisymmetric evolution", true);
   CLI::App* run_command = add("run", "one 3D evolution", true);
-  run_command->add_flag("--resume", a.resume, "go on with an interrupted run");
+  run_command->add_flag("--resume", a.resume, "go on with a run that was interrupted or killed");
   const CLI::App* check_command =
       add("check", "say whether an input is right, and what it asks for", false);
   const CLI::App* compare_command = add("compare", "one case by several methods", true);

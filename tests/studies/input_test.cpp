@@ -1,4 +1,5 @@
 // Inputs of scans and evolutions: what is read, and what is refused with which words.
+#include "studies/evolution_input.h"
 #include "studies/relax_input.h"
 #include "studies/scan_input.h"
 #include "tests/studies/input_file.h"

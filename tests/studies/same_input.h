@@ -3,6 +3,7 @@
 
 #include "studies/compare_input.h"
 #include "studies/relax_input.h"
+#include "studies/run_input.h"
 #include "studies/scan_input.h"
 
 #include <gtest/gtest.h>
@@ -29,6 +30,16 @@ inline void expect_same(const axisym::Numerics& a, const axisym::Numerics& b) {
     const auto& [tolerance, first, smallest, largest, extrapolate, rest] =
         static_cast<const model::TimeControl&>(numerics);
     return std::tie(numerics.elements, numerics.grading, tolerance, first, smallest, largest,
+                    extrapolate, rest);
+  };
+  EXPECT_TRUE(tie(a) == tie(b));
+}
+
+inline void expect_same(const surface3d::Numerics& a, const surface3d::Numerics& b) {
+  const auto tie = [](const surface3d::Numerics& numerics) {
+    const auto& [tolerance, first, smallest, largest, extrapolate, rest] =
+        static_cast<const model::TimeControl&>(numerics);
+    return std::tie(numerics.scheme, numerics.factorisation, tolerance, first, smallest, largest,
                     extrapolate, rest);
   };
   EXPECT_TRUE(tie(a) == tie(b));
@@ -82,6 +93,31 @@ inline void expect_same(const RelaxInput& a, const RelaxInput& b) {
   const auto tie_rest = [](const RelaxInput& input) {
     const auto& [model, start, order, material, numerics, end, output, profiles, rest] = input;
     return std::tie(model, order, end, output, profiles, rest);
+  };
+  EXPECT_TRUE(tie_rest(a) == tie_rest(b));
+  ASSERT_EQ(a.start.index(), b.start.index());
+  std::visit(
+      [&b](const auto& start) {
+        EXPECT_TRUE(tie(start) == tie(std::get<std::decay_t<decltype(start)>>(b.start)));
+      },
+      a.start);
+  expect_same(a.material, b.material);
+  expect_same(a.numerics, b.numerics);
+}
+
+inline auto tie(const Ellipsoid3d& start) {
+  const auto& [reduced_volume, axes, prolate] = start;
+  return std::tie(reduced_volume, axes, prolate);
+}
+inline auto tie(const HarmonicSphere& start) { return std::tie(start.modes); }
+inline auto tie(const MeshFileStart& start) { return std::tie(start.file); }
+inline auto tie(const FrameStart& start) { return std::tie(start.file); }
+
+inline void expect_same(const RunInput& a, const RunInput& b) {
+  const auto tie_rest = [](const RunInput& input) {
+    const auto& [model, start, triangles, order, perturbation, material, numerics, end, output,
+                 frames, rest, checkpoint] = input;
+    return std::tie(model, triangles, order, perturbation, end, output, frames, rest, checkpoint);
   };
   EXPECT_TRUE(tie_rest(a) == tie_rest(b));
   ASSERT_EQ(a.start.index(), b.start.index());

@@ -32,10 +32,29 @@ TEST_F(Check, of_an_evolution_tells_its_start_and_prints_every_parameter) {
   EXPECT_EQ(contents("").size(), 1u);
 }
 
+TEST_F(Check, of_a_3d_run_tells_what_it_costs_and_prints_every_parameter) {
+  write("in.toml",
+        "model = \"SBEH\"\ntime.end = 3\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.8\n"
+        "triangles = 1280\n");
+  const Ended ended = sbeh({"check", "in.toml"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_TRUE(
+      ended.out.starts_with("in.toml: a 3D run of SBEH to t = 3, reduced volume 0.8, 1280 "
+                            "triangles, 25611 unknowns; about "))
+      << ended.out;
+  for (const char* words :
+       {" s a step and ", " MB of memory; 201 lines of history, 8 frames of 0.81 MB\n",
+        "\ntriangles = 1280", "\norder = ", "\nscheme = ", "\ncheckpoint_minutes = 10\n"})
+    EXPECT_NE(ended.out.find(words), std::string::npos) << words;
+  EXPECT_EQ(contents("").size(), 1u);
+}
+
 TEST_F(Check, prints_an_input_that_means_the_same) {
   for (const std::string text :
        {"[scan]\nreduced_volume = {from = 0.6, to = 0.9, count = 40}\nL = 0.1\nmethod = \"flow\"\n",
-        "model = \"SBEH\"\ntime.end = 3\n[start]\nshape = \"harmonics\"\nmodes = [[2, 0.1]]\n"}) {
+        "model = \"SBEH\"\ntime.end = 3\n[start]\nshape = \"harmonics\"\nmodes = [[2, 0.1]]\n",
+        "model = \"SSH\"\ntime.end = 3\n[surface]\nshape = \"harmonics\"\nmodes = [[5, 3, "
+        "0.1]]\n"}) {
     write("in.toml", text);
     const std::string once = resolved(sbeh({"check", "in.toml"}));
     write("again.toml", once);

@@ -103,6 +103,14 @@ void Program::pause() const {
   waitpid(pid_, &ignored, WUNTRACED);
 }
 
+long Program::resident_kilobytes() const {
+  std::ifstream status("/proc/" + std::to_string(pid_) + "/status");
+  const std::string key = "VmRSS:";
+  for (std::string line; std::getline(status, line);)
+    if (line.starts_with(key)) return std::stol(line.substr(key.size()));
+  return 0;
+}
+
 Ended Program::wait() {
   if (!wait_until([this] { return !is_running(); })) {
     ADD_FAILURE() << "the program did not end in time; it said: " << text_of(err_);

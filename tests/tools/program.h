@@ -38,6 +38,8 @@ class Program {
   /// Stops it where it is, as Ctrl-Z does; returns when it stands.
   void pause() const;
   Ended wait();
+  /// Memory it has now, in kB; 0 once it has ended.
+  long resident_kilobytes() const;
 
  private:
   void collect(int options);

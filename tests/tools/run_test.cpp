@@ -38,7 +38,7 @@ class Run3d : public Workplace {
       EXPECT_EQ(ended.exit_code, 128 + signal) << ended.err;
       EXPECT_TRUE(ended.err.ends_with(
           "sbeh: interrupted; the same command with --resume goes on from here\n"));
-      EXPECT_TRUE(exists(path(results + "/interrupted.vtu")));
+      EXPECT_TRUE(exists(path(results + "/checkpoint.vtu")));
     }
   }
 };
@@ -81,7 +81,7 @@ TEST_F(Run3d, goes_back_to_the_frame_before_a_damaged_one) {
   const Ended ended = sbeh(resumed("out"));
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_NE(ended.err.find("0002.vtu"), std::string::npos);
-  EXPECT_NE(ended.err.find("going back to the frame before it"), std::string::npos);
+  EXPECT_NE(ended.err.find("going back to the state before it"), std::string::npos);
   EXPECT_EQ(contents("out"), contents("whole"));
 }
 
@@ -98,6 +98,9 @@ TEST_F(Run3d, is_not_overwritten_and_not_resumed_with_other_parameters) {
   must_refuse(resumed("out"), "out: holds a run of another version of sbeh");
   write("out/run.toml", text);
   EXPECT_EQ(contents("out"), before);
+  fs::remove(path("out/run.toml"));
+  for (const auto& arguments : {into("out", "run"), resumed("out")})
+    must_refuse(arguments, "out: already holds a run, but without its run.toml");
 }
 
 TEST_F(Run3d, starts_from_a_frame_a_mesh_and_a_row_of_a_scan) {
@@ -144,7 +147,17 @@ TEST_F(Run3d, refuses_what_is_wrong_with_file_line_and_reason) {
        "in.toml:5: [surface] triangles = 10"},
       {head + "shape = \"harmonics\"\nmodes = [[2, 3, 0.1]]\n" + time,
        "in.toml:4: [surface] modes"},
-      {head + "shape = \"harmonics\"\nmodes = [[2, 0, 9.0]]\n" + time, "[surface] r = "},
+      {head + "shape = \"harmonics\"\nmodes = [[2, 0, 9.0]]\n" + time, "in.toml: [surface] r = "},
+      {head + "shape = \"ellipsoid\"\nreduced_volume = 0.01\n" + time,
+       "in.toml: [surface] ellipsoid: reduced volume 0.01: must be >= "},
+      {head + "shape = \"ellipsoid\"\naxes = [1, 1, 0.05]\ntriangles = 80\n" + time,
+       "in.toml: [surface] the shape bends too sharply for 80 triangles"},
+      {head + "shape = \"ellipsoid\"\nreduced_volume = 0.8\nperturbation = [[2, 0, -3]]\n" + time,
+       "in.toml: [surface] perturbation: is too large: the curved triangles "},
+      {head + "shape = \"scan\"\nfolder = \"none\"\nreduced_volume = 0.8\nL = 0.05\n" + time,
+       "none/points/SSH_oblate_v0.8_L0.05.csv: is not there"},
+      {head + "shape = \"frame\"\nfile = \"plain.vtu\"\n" + time,
+       "plain.vtu: is no frame of a run: it lacks the field order"},
       {head + "shape = \"mesh\"\nfile = \"none.obj\"\n" + time, "none.obj"},
       {head + "shape = \"frame\"\nfile = \"in.toml\"\n" + time, "in.toml: "},
       {head + "shape = \"ellipsoid\"\nreduced_volume = 0.8\norder = 0.5\n" + time,
@@ -152,15 +165,21 @@ TEST_F(Run3d, refuses_what_is_wrong_with_file_line_and_reason) {
       {head + "shape = \"ellipsoid\"\nreduced_volume = 0.8\n[numerics]\nelements = 3\n" + time,
        "in.toml:6: [numerics] elements"},
   };
+  must({"mesh", "sphere", "--triangles", "80", "-o", "plain.vtu"});
   for (const Case& wrong : cases) {
     write("in.toml", wrong.text);
     must_refuse(into("out", "run"), wrong.message);
+    must_refuse({"check", "in.toml"}, wrong.message);
     EXPECT_FALSE(exists(path("out"))) << wrong.message;
   }
   std::ofstream(path("open.obj"))
       << "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\n";
   write("in.toml", head + "shape = \"mesh\"\nfile = \"open.obj\"\n" + time);
   must_refuse(into("out", "run"), "open.obj: ");
+  std::string frame = read("plain.vtu");
+  write("cut.vtu", frame.substr(0, frame.size() / 2));
+  write("in.toml", head + "shape = \"frame\"\nfile = \"cut.vtu\"\n" + time);
+  must_refuse(into("out", "run"), "cut.vtu: is cut off");
 }
 
 }  // namespace

@@ -114,7 +114,7 @@ TEST_F(WrongInput, that_is_no_readable_file_is_refused_with_the_reason) {
   write("in.toml", scan);
   std::filesystem::create_directory(path("folder"));
   const Contents before = contents("");
-  for (const std::string command : {"scan", "relax", "check"}) {
+  for (const std::string command : {"scan", "relax", "run", "check"}) {
     must_refuse({command, "missing.toml"},
                 "missing.toml: cannot be read: No such file or directory");
     must_refuse({command, "in.toml/x"}, "in.toml/x: cannot be read: Not a directory");
