@@ -203,7 +203,7 @@ TEST(Momentum, of_the_coupled_system_contains_the_stress_and_nothing_else_that_d
   const State& s = d.surface.state;
   const auto curvature = curvature_of(d.mesh(), s.X);
   CoupledSystem system(d.mesh(), general_material(), Scheme::monolithic);
-  system.assemble(d.mesh(), s, *curvature, 1e-3,
+  system.assemble(d.mesh(), s, *curvature, {s.X, curvature->H}, 1e-3,
                   {.area_rate = 0.3, .volume_rate = 0.2, .keep_volume = true});
   const int N = d.mesh().nodes;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(system.flow().rhs.size());
