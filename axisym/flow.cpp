@@ -36,8 +36,10 @@ class Solver {
   Energy energy(const State& state) const {
     return axisym::energy(material_, state, mean_curvature(state.X));
   }
-  bool resolved(const State& state) const {
-    return diagnose(material_, state).resolution <= resolution_limit;
+  bool renew(State&) const { return false; }
+  std::optional<model::FlowStop> obstacle(const State& state) const {
+    if (diagnose(material_, state).resolution <= resolution_limit) return {};
+    return FlowStop::unresolved;
   }
 
  private:

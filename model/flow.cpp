@@ -45,6 +45,8 @@ std::string describe(FlowStop stop) {
       return "at rest";
     case FlowStop::unresolved:
       return "curvature falls below the mesh scale";
+    case FlowStop::self_contact:
+      return "the surface touches itself";
     case FlowStop::step_too_small:
       return "time step too small";
     case FlowStop::interrupted:

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -49,6 +50,10 @@ struct TimeControl {
   void validate() const;
 };
 
+enum class FlowStop { end_time, at_rest, unresolved, self_contact, step_too_small, interrupted };
+/// Words for tables and messages.
+std::string describe(FlowStop stop);
+
 /// One accepted step as observers see it.
 struct FlowRecord {
   double time = 0;       ///< at its end
@@ -62,6 +67,7 @@ struct FlowRecord {
   double lambda = 0;          ///< volume multiplier
   double next_step = 0;       ///< τ of the next try: with the state all that a run needs to go on
   int rejected = 0;           ///< steps rejected so far
+  std::optional<FlowStop> ends = {};  ///< why the run ends with this step, if it does
 };
 
 /// Relative difference below which two output times are one.
@@ -74,10 +80,6 @@ struct FlowSchedule {
                              ///< those that differ by less than same_time are met once
   bool stop_at_rest = true;  ///< at TimeControl::rest_speed
 };
-
-enum class FlowStop { end_time, at_rest, unresolved, step_too_small, interrupted };
-/// Words for tables and messages.
-std::string describe(FlowStop stop);
 
 /// Why a step was not accepted.
 enum class FlowFault {
@@ -127,10 +129,13 @@ std::vector<double> stops_of(const FlowSchedule& schedule);
 /// Runs a flow from `from` on. A Solver has a type State (a value, with X and beta) and
 ///   Distance distance(const State& a, const State& b)   along the normals of a
 ///   Energy energy(const State&)
-///   bool resolved(const State&)                         whether the mesh resolves the curvature
+///   bool renew(State&)                                  gives an accepted state a new mesh; true if so
+///   std::optional<FlowStop> obstacle(const State&)      what makes an accepted state the last one
+/// of which `energy` is asked before the other two;
 /// and an Integrator
 ///   FlowStep<State> advance(const State& old, double tau)   with its error, area and volume kept
 ///   void accept(const State& old, const FlowStep<State>&, double tau)
+///   void forget()                                           the past, which lived on another mesh
 ///   static constexpr double largest_growth                  of τ from one step to the next
 /// A step is rejected and tried with a smaller τ when its error exceeds the tolerance, when a solve
 /// fails, or when the energy rises and the step's error is not negligible; rejection leaves no trace
@@ -150,6 +155,8 @@ class Flow {
   FlowFault fault_of(const FlowStep<State>& step, const Energy& before, const Energy& after) const;
   FlowRecord record_of(const FlowStep<State>& step, const State& old, double tau,
                        const Energy& before, const Energy& after);
+  void renew_mesh(FlowResult<State>& run, double& tau);
+  std::optional<FlowStop> end_of(const FlowResult<State>& run, const FlowSchedule& schedule);
 
   // A rise of the energy is the time step's fault when it is more than rounding and when the step's
   // error is not negligible; otherwise it is the mesh's, whose motion moves the discrete energy.
@@ -228,20 +235,39 @@ FlowResult<typename Solver::State> Flow<Solver, Integrator>::run(
     FlowRecord record = record_of(step, run.state, used, before, after);
     record.time = exact ? *next : run.last.time + used;
     record.rejected = run.last.rejected;
-    record.next_step = tau;
     integrator_.accept(run.state, step, used);
     run.last = record;
     run.state = step.state;
+    run.fault = FlowFault::none;
     ++run.steps;
     if (exact) ++next;
+    renew_mesh(run, tau);
+    run.last.next_step = tau;
+    run.last.ends = end_of(run, schedule);
     if (observe && !observe(run.last, run.state, exact))
       return run.stop = FlowStop::interrupted, run;
-    if (!solver_.resolved(run.state)) return run.stop = FlowStop::unresolved, run;
-    if (schedule.stop_at_rest
-        && std::max(run.last.normal_speed, run.last.order_speed) < control_.rest_speed)
-      return run.stop = FlowStop::at_rest, run;
+    if (run.last.ends) return run.stop = *run.last.ends, run;
   }
   return run;
+}
+
+template <class Solver, class Integrator>
+void Flow<Solver, Integrator>::renew_mesh(FlowResult<State>& run, double& tau) {
+  if (!solver_.renew(run.state)) return;
+  integrator_.forget();
+  run.last.energy = solver_.energy(run.state);
+  tau = std::max(tau / 10, control_.smallest_step);  // the new mesh settles
+}
+
+template <class Solver, class Integrator>
+std::optional<FlowStop> Flow<Solver, Integrator>::end_of(const FlowResult<State>& run,
+                                                         const FlowSchedule& schedule) {
+  if (const auto obstacle = solver_.obstacle(run.state)) return obstacle;
+  if (schedule.stop_at_rest
+      && std::max(run.last.normal_speed, run.last.order_speed) < control_.rest_speed)
+    return FlowStop::at_rest;
+  if (run.last.time >= schedule.end_time) return FlowStop::end_time;
+  return {};
 }
 
 }  // namespace sbeh::model

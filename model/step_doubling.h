@@ -23,6 +23,7 @@ class StepDoubling {
 
   FlowStep<State> advance(const State& old, double tau);
   void accept(const State&, const FlowStep<State>&, double) {}
+  void forget() {}
 
  private:
   Solver& solver_;

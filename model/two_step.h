@@ -36,6 +36,8 @@ class TwoStep {
     past_ = Past{old, tau, rates_};
   }
 
+  void forget() { past_.reset(); }
+
   const std::optional<Past>& past() const { return past_; }
   void recall(const std::optional<Past>& past) { past_ = past; }
 

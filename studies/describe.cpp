@@ -259,6 +259,8 @@ std::string describe(const RunInput& input, std::string_view version) {
   toml.value("integrator", std::string(name(input.numerics.integrator)));
   toml.value("scheme", std::string(name(input.numerics.scheme)));
   toml.value("factorisation", std::string(name(input.numerics.factorisation)));
+  toml.value("remesh", input.numerics.remesh);
+  toml.value("most_triangles", input.numerics.most_triangles);
   write_time(toml, input, "frames", input.frame_times);
   toml.value("checkpoint_minutes", input.checkpoint_minutes);
   return toml.text();

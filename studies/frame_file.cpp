@@ -14,9 +14,9 @@ Eigen::VectorXd number(double value) { return Eigen::VectorXd::Constant(1, value
 
 // What a record tells of the step that led to the state, besides its energy.
 Eigen::VectorXd of_step(const surface3d::FlowRecord& r) {
-  return (Eigen::VectorXd(9) << r.time_step, r.dissipation.friction, r.dissipation.order,
+  return (Eigen::VectorXd(10) << r.time_step, r.dissipation.friction, r.dissipation.order,
           r.dissipation.viscous, r.energy_balance, r.normal_speed, r.order_speed, r.speed_max,
-          r.lambda)
+          r.lambda, r.ends ? int(*r.ends) : -1)
       .finished();
 }
 void set_step(surface3d::FlowRecord& r, const Eigen::VectorXd& step) {
@@ -27,6 +27,7 @@ void set_step(surface3d::FlowRecord& r, const Eigen::VectorXd& step) {
   r.order_speed = step[6];
   r.speed_max = step[7];
   r.lambda = step[8];
+  if (step[9] >= 0) r.ends = surface3d::FlowStop(int(step[9]));
 }
 
 // Of a frame; throws when the file has it not, or not of this size.
@@ -92,6 +93,7 @@ void write_frame(const std::filesystem::path& path, const Frame& frame, const Fr
                   {"rejected_steps", number(r.rejected)},
                   {"step", of_step(r)},
                   {"target", Eigen::Vector2d(frame.target.area, frame.target.volume)}};
+  globals["remeshing_over"] = number(frame.memory.remeshing_over);
   remember(frame.memory.stepper, at_nodes, globals);
   if (const auto& past = frame.memory.past) {
     at_nodes["past"] = past->state.X;
@@ -113,9 +115,10 @@ Frame read_frame(const std::filesystem::path& path) {
   frame.record.time = part(curved->globals, "TimeValue", 1, path)[0];
   frame.record.next_step = part(curved->globals, "next_step", 1, path)[0];
   frame.record.rejected = int(part(curved->globals, "rejected_steps", 1, path)[0]);
-  set_step(frame.record, part(curved->globals, "step", 9, path));
+  set_step(frame.record, part(curved->globals, "step", 10, path));
   const Eigen::VectorXd& target = part(curved->globals, "target", 2, path);
   frame.target = {target[0], target[1]};
+  frame.memory.remeshing_over = part(curved->globals, "remeshing_over", 1, path)[0] != 0;
   frame.memory.stepper = memory_of(*curved, path);
   if (curved->globals.contains("past_step")) {
     const Eigen::VectorXd& step = part(curved->globals, "past_step", 4, path);

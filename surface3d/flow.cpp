@@ -1,5 +1,11 @@
 #include "surface3d/flow.h"
 
+#include "surface3d/self_contact.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <stdexcept>
 #include <utility>
 
 namespace sbeh::surface3d {
@@ -15,6 +21,8 @@ class Solver {
          model::Model model, const Numerics& numerics)
       : mesh_(std::move(mesh)),
         material_(material),
+        model_(model),
+        numerics_(numerics),
         stepper_(mesh_, material, model, numerics.scheme, numerics.factorisation) {}
 
   model::FlowStep<State> step(const State& old, const Target& target, double tau) {
@@ -31,9 +39,6 @@ class Solver {
             .lambda = fields_.lambda,
             .speed_max = fields_.V.colwise().norm().maxCoeff()};
   }
-  const StepFields& fields() const { return fields_; }
-  const StepperMemory& memory() const { return stepper_.memory(); }
-  bool recall(const StepperMemory& memory) { return stepper_.recall(memory); }
   Target measure(const State& state) const {
     return {area(*mesh_, state.X), volume(*mesh_, state.X)};
   }
@@ -45,24 +50,74 @@ class Solver {
     return {(b.X - a.X).cwiseProduct(n).colwise().sum().cwiseAbs().maxCoeff(),
             (b.beta - a.beta).cwiseAbs().maxCoeff()};
   }
-  Energy energy(const State& state) const {
-    const auto curvature = curvature_of(*mesh_, state.X);
+  Energy energy(const State& state) {
+    curvature_ = curvature_of(*mesh_, state.X);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    return curvature ? surface3d::energy(*mesh_, material_, state, *curvature)
-                     : Energy{nan, nan, nan};
+    return curvature_ ? surface3d::energy(*mesh_, material_, state, *curvature_)
+                      : Energy{nan, nan, nan};
   }
-  bool resolved(const State& state) const {
-    return mesh_quality(*mesh_, state.X) > degenerate_quality;
+  bool renew(State& state);
+  std::optional<FlowStop> obstacle(const State& state) const {
+    if (!(mesh_quality(*mesh_, state.X) > degenerate_quality)) return FlowStop::unresolved;
+    if (!self_contacts(*mesh_, state.X).empty()) return FlowStop::self_contact;
+    return {};
+  }
+
+  bool recall(const FlowMemory& memory) {
+    remeshing_over_ = memory.remeshing_over;
+    return stepper_.recall(memory.stepper);
+  }
+  StepView view(const std::optional<model::Past<State>>& past) const {
+    return {.fields = fields_,
+            .memory = {stepper_.memory(), past, remeshing_over_},
+            .mesh = mesh_,
+            .resolution = resolution_,
+            .remeshed = remeshed_};
+  }
+  /// Before the first step.
+  void look_at(const State& state) {
+    if (!curvature_) curvature_ = curvature_of(*mesh_, state.X);
+    if (curvature_) resolution_ = resolution_of(*mesh_, state.X, *curvature_);
   }
 
  private:
   std::shared_ptr<const Triangulation> mesh_;
   model::Material material_;
+  model::Model model_;
+  Numerics numerics_;
   TimeStepper stepper_;
   StepFields fields_;
+  std::optional<Curvature> curvature_;  // of the state whose energy was asked for last
+  Resolution resolution_{};
+  std::optional<RemeshResult> remeshed_;
+  bool remeshing_over_ = false;
 };
 
+bool Solver::renew(State& state) {
+  remeshed_.reset();
+  look_at(state);
+  if (!numerics_.remesh || remeshing_over_ || resolved(resolution_)) return false;
+  const int triangles = std::min(numerics_.most_triangles, mesh_->count() * 3 / 2);
+  remeshed_ = remesh(*mesh_, state, material_, {.triangles = triangles});
+  if (!remeshed_->mesh) return remeshing_over_ = true, false;
+  mesh_ = remeshed_->mesh;
+  state = remeshed_->state;
+  stepper_ = TimeStepper(mesh_, material_, model_, numerics_.scheme, numerics_.factorisation);
+  fields_ = {};
+  const auto curvature = curvature_of(*mesh_, state.X);
+  remeshing_over_ = triangles == numerics_.most_triangles
+                 && !(curvature && resolved(resolution_of(*mesh_, state.X, *curvature)));
+  return true;
+}
+
 }  // namespace
+
+void Numerics::validate() const {
+  TimeControl::validate();
+  if (most_triangles < 20 || most_triangles > 200'000)
+    throw std::invalid_argument(
+        fmt::format("most_triangles = {}: must be in 20 ... 200000", most_triangles));
+}
 
 const char* name(Integrator integrator) {
   return integrator == Integrator::two_step ? "two-step" : "step-doubling";
@@ -74,7 +129,7 @@ FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
                     const FlowObserver& observe) {
   Solver solver(mesh, material, model, numerics);
   model::TwoStep<Solver> two_step(solver, target);
-  if (!solver.recall(start.memory.stepper))
+  if (!solver.recall(start.memory))
     return {.stop = FlowStop::step_too_small,
             .state = start.state,
             .last = start.record,
@@ -84,7 +139,8 @@ FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
   model::FlowObserver<State> observer;
   if (observe)
     observer = [&](const FlowRecord& record, const State& state, bool exact) {
-      return observe(record, state, {solver.fields(), {solver.memory(), two_step.past()}}, exact);
+      if (record.time_step == 0) solver.look_at(state);
+      return observe(record, state, solver.view(two_step.past()), exact);
     };
   const auto run = [&](auto& integrator) {
     return model::Flow(solver, integrator, numerics)

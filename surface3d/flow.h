@@ -4,6 +4,8 @@
 #include "model/two_step.h"
 #include "surface3d/diagnostics.h"
 #include "surface3d/options.h"
+#include "surface3d/remesh.h"
+#include "surface3d/resolution.h"
 #include "surface3d/time_step.h"
 
 namespace sbeh::surface3d {
@@ -17,11 +19,15 @@ using model::same_time;
 struct FlowMemory {
   StepperMemory stepper;
   std::optional<model::Past<State>> past;  ///< of the two-step method
+  bool remeshing_over = false;             ///< no new mesh is tried any more
 };
 /// What an observer sees besides the state.
 struct StepView {
-  const StepFields& fields;  ///< of the last solve; empty at the start
+  const StepFields& fields;  ///< of the last solve; empty at the start and on a new mesh
   FlowMemory memory;
+  const std::shared_ptr<const Triangulation>& mesh;  ///< of the state
+  const Resolution& resolution;                      ///< of the state, on the mesh before a new one
+  const std::optional<RemeshResult>& remeshed;       ///< when that was tried after this step
 };
 /// Sees every accepted step; `exact` tells that the time is one of the output times. Returning false
 /// interrupts the run.
@@ -36,7 +42,10 @@ struct FlowStart {
   FlowMemory memory = {};
 };
 
-/// Runs the flow on a triangulation, keeping area and volume at `target` to rounding.
+/// Runs the flow on a triangulation, keeping area and volume at `target` to rounding. A run whose mesh
+/// does not resolve the surface (see resolution.h) goes on, on a new mesh with half as many triangles
+/// more where Numerics::remesh allows it. It ends where the mesh degenerates or the surface touches
+/// itself (see self_contact.h).
 FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
                     const model::Material& material, model::Model model, const FlowStart& start,
                     const Target& target, const Numerics& numerics, const FlowSchedule& schedule,

@@ -22,9 +22,11 @@ struct Numerics : model::TimeControl {
   Integrator integrator = Integrator::two_step;
   Scheme scheme = Scheme::split;
   Factorisation factorisation = Factorisation::lagged;
+  bool remesh = false;        ///< make new triangles where they do not resolve the surface
+  int most_triangles = 5120;  ///< not more than so many, 20 … 200000
 
   /// Throws std::invalid_argument with name, value and constraint.
-  using TimeControl::validate;
+  void validate() const;
 };
 
 }  // namespace sbeh::surface3d

@@ -148,18 +148,23 @@ int run_3d(const Arguments& a) {
     complain("interrupted; the same command with --resume goes on from here");
     return exit_code_of_interrupt();
   }
-  if (s.run.stop == model::FlowStop::step_too_small)
+  if (s.unresolved_from)
     complain(
-        "no time step is small enough: the mesh may be too coarse for this shape (more triangles), "
-        "or "
-        "the tolerance too small for the mesh; the last good state is the last frame");
+        fmt::format("unresolved from t = {:.6g}: what comes later is not to be trusted, see {}",
+                    *s.unresolved_from, (folder / "events.csv").string()));
+  if (s.run.stop == model::FlowStop::step_too_small) complain(model::describe(s.run.fault));
   if (s.run.stop == model::FlowStop::unresolved)
     complain(
-        "the triangles degenerate; the last frame is the last state: try more triangles, or a "
-        "residual_stiffness where the order vanishes");
+        "the triangles degenerate; the last frame is the last state: try more triangles, remesh = "
+        "true in [numerics], or a residual_stiffness where the order vanishes");
+  if (s.run.stop == model::FlowStop::self_contact)
+    complain(
+        "the surface comes nearer to itself than its nodes are to each other; nothing in the model "
+        "keeps it from passing through, so that the run ends here");
   draw_results(a, "run", folder);
-  const bool wrong =
-      s.run.stop == model::FlowStop::step_too_small || s.run.stop == model::FlowStop::unresolved;
+  const bool wrong = s.run.stop == model::FlowStop::step_too_small
+                  || s.run.stop == model::FlowStop::unresolved
+                  || s.run.stop == model::FlowStop::self_contact;
   return wrong ? 1 : exit_code_of_success();
 }
 

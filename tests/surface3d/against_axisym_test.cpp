@@ -68,7 +68,7 @@ History axisymmetric_history(Model model, int steps) {
   int output = 0;
   for (int k = 1; k <= steps; ++k) {
     const axisym::StepResult r = stepper.step(s, target, duration / steps);
-    EXPECT_TRUE(r.ok());
+    EXPECT_TRUE(r.ok);
     s = r.state;
     if (is_output(k, steps)) U[output++] = axisym::test::energy_of(material, s).total();
   }

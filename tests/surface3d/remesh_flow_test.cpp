@@ -11,7 +11,8 @@ TEST(RemeshedRun, goes_on_downhill_to_the_energy_of_the_run_with_the_old_triangl
   const Material material = paper_material(0.05);
   const auto go_on = [&](const Surface& from, double duration, int steps) -> Surface {
     return {from.mesh,
-            run_of_equal_steps(from, material, Model::SBEH, duration, steps, true).state};
+            run_of_equal_steps(from, material, Model::SBEH, duration, steps, Method::extrapolated)
+                .state};
   };
   const Surface old = go_on(ordered_spheroid(0.8, 320), 0.02, 20);
   const RemeshResult fresh =
