@@ -41,9 +41,10 @@ TEST(RunCost, is_near_what_was_measured) {
     double seconds, megabytes;
   };
   using enum surface3d::Scheme;
-  for (const Measured& run : {Measured{80, split, 0.016, 48}, Measured{320, split, 0.07, 110},
-                              Measured{1280, split, 0.36, 312}, Measured{1280, monolithic, 0.55, 470},
-                              Measured{5120, split, 1.9, 1207}}) {
+  for (const Measured& run :
+       {Measured{80, split, 0.016, 48}, Measured{320, split, 0.07, 110},
+        Measured{1280, split, 0.36, 312}, Measured{1280, monolithic, 0.55, 470},
+        Measured{5120, split, 1.9, 1207}}) {
     RunInput input;
     input.numerics.scheme = run.scheme;
     const RunCost cost = cost_of(input, run.triangles);

@@ -227,10 +227,13 @@ TEST(RunInput, with_wrong_numerics_is_refused_with_line_key_and_value) {
        ":8: [numerics] largest_step = 0.1: must be >= first_step and smallest_step"},
       {"elements = 48",
        ":7: [numerics] elements: unknown key. Known: tolerance, first_step, smallest_step, "
-       "largest_step, extrapolate, rest_speed, scheme, factorisation"},
+       "largest_step, extrapolate, rest_speed, scheme, integrator, factorisation, "
+       "remesh, most_triangles"},
       {"factorization = 'lagged'",
        ":7: [numerics] factorization: unknown key; did you mean 'factorisation'? Known: tolerance, "
-       "first_step, smallest_step, largest_step, extrapolate, rest_speed, scheme, factorisation"},
+       "first_step, smallest_step, largest_step, extrapolate, rest_speed, scheme, integrator, "
+       "factorisation, "
+       "remesh, most_triangles"},
   };
   for (const std::string key :
        {"tolerance", "first_step", "smallest_step", "largest_step", "rest_speed"}) {

@@ -51,8 +51,9 @@ double observed_order(Model model, Method method) {
     return moments(start,
                    run_of_equal_steps(start, material, model, duration, steps, method).state);
   };
-  Eigen::Array2d before = end(4);
-  for (const int steps : {8, 16}) {
+  const int fewest = method == Method::two_halves ? 8 : 4;
+  Eigen::Array2d before = end(fewest);
+  for (const int steps : {2 * fewest, 4 * fewest}) {
     const Eigen::Array2d now = end(steps);
     table.add(duration / steps, (now - before).matrix().norm());
     before = now;

@@ -43,7 +43,7 @@ TEST_F(Check, of_a_3d_run_tells_what_it_costs_and_prints_every_parameter) {
                             "triangles, 25611 unknowns; about "))
       << ended.out;
   for (const char* words :
-       {" s a step and ", " MB of memory; 201 lines of history, 8 frames of 0.81 MB\n",
+       {" s a step and ", " MB of memory; 201 lines of history, 8 frames of 1.79 MB\n",
         "\ntriangles = 1280", "\norder = ", "\nscheme = ", "\ncheckpoint_minutes = 10\n"})
     EXPECT_NE(ended.out.find(words), std::string::npos) << words;
   EXPECT_EQ(contents("").size(), 1u);

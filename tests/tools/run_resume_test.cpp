@@ -18,9 +18,9 @@ namespace fs = std::filesystem;
 // Small steps on a small mesh: most of the time goes into files.
 const std::string start =
     "model = \"SBEH\"\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.97\ntriangles = 20\n"
-    "[numerics]\ntolerance = 0.01\n[time]\nend = 0.02\n";
-const std::string many_rows = "output = {from = 0.0005, to = 0.02, count = 40}\n";
-const std::string many_frames = "frames = {from = 0.001, to = 0.02, count = 20}\n";
+    "[numerics]\ntolerance = 0.01\n[time]\nend = 0.08\n";
+const std::string many_rows = "output = {from = 0.0005, to = 0.08, count = 160}\n";
+const std::string many_frames = "frames = {from = 0.004, to = 0.08, count = 20}\n";
 const std::string every_step = "checkpoint_minutes = 1e-9\n";
 
 class ResumeRun : public Workplace {
@@ -201,9 +201,9 @@ TEST_F(ResumeRun, after_a_frame_had_no_room_finds_the_older_ones_intact) {
 }
 
 TEST_F(ResumeRun, after_the_history_had_no_room_goes_on_with_it) {
-  input(start + many_rows + "frames = [0, 0.01]\n");
+  input(start + "output = {from = 0.0001, to = 0.02, count = 200}\nframes = [0, 0.01]\n");
   Surroundings full = here();
-  full.largest_file = 16000;  // more than a frame
+  full.largest_file = 50000;  // more than a frame, less than the history
   for (const auto& arguments : {into("out", "run"), resumed("out")}) {
     const Ended ended = run(full, arguments);
     EXPECT_EQ(ended.exit_code, 2) << ended.signal;
