@@ -157,7 +157,8 @@ void RunRecorder::note_events(const FlowRecord& record, const surface3d::StepVie
       say(fmt::format("t = {:.6g}: no new triangles: {}", t, made->refusal));
     if (made->mesh) return;
   }
-  if (unresolved_from_ || surface3d::resolved(r)) return;
+  const bool may_change = input_.numerics.remesh && !view.memory.remeshing_over;
+  if (unresolved_from_ || may_change || surface3d::resolved(r)) return;
   unresolved_from_ = t;
   events_->append(event_line(t, "unresolved", view.mesh->count(), r, {}));
   say(fmt::format(

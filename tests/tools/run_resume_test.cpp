@@ -107,7 +107,8 @@ TEST_F(ResumeRun, goes_on_from_the_newest_of_frames_and_checkpoint) {
   input(start + many_rows + "frames = [0]\n" + every_step);
   kill_when(into("out", "run"), [&] { return lines("out/series.csv") > 20; });
   ASSERT_TRUE(exists(path("out/checkpoint.vtu")));
-  const double before = table("out/series.csv").numbers("time").at(19);
+  // It may have been killed between a row and the checkpoint of the same step.
+  const double before = table("out/series.csv").numbers("time").at(18);
   fs::copy(path("out"), path("damaged"), fs::copy_options::recursive);
   const Ended ended = sbeh(resumed("out"));
   const std::string from = "resumed from t = ";

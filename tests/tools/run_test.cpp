@@ -73,6 +73,45 @@ TEST_F(Run3d, that_was_interrupted_or_killed_is_resumed_to_the_same_bits) {
   }
 }
 
+TEST_F(Run3d, with_new_triangles_logs_them_and_is_resumed_to_the_same_bits) {
+  const std::string flat =
+      "model = \"SSH\"\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.7\n"
+      "triangles = 180\n[numerics]\nremesh = true\nmost_triangles = 270\n[time]\nend = 0.001\n"
+      "output = {from = 0.0001, to = 0.001, count = 10}\nframes = {from = 0, to = 0.001, count = "
+      "11}\n";
+  write("in.toml", flat);
+  const Ended ended = sbeh(into("whole", "run"));
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_NE(ended.err.find(" new triangles for 180, smallest angle "), std::string::npos)
+      << ended.err;
+  const Table events = table("whole/events.csv");
+  ASSERT_FALSE(events.rows.empty());
+  EXPECT_EQ(events.text(0, "event"), "remeshed");
+  EXPECT_EQ(events.number(0, "triangles"), 180);
+  EXPECT_GT(events.number(0, "curvature_gap"), 0.1);
+  EXPECT_LT(std::abs(events.number(0, "energy_change")), 5e-3);
+  stop_with_frames("out", 6, SIGKILL);
+  must(resumed("out"));
+  EXPECT_EQ(contents("out"), contents("whole"));
+}
+
+TEST_F(Run3d, whose_mesh_is_too_coarse_says_from_when) {
+  write("in.toml",
+        "model = \"SSH\"\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.65\n"
+        "triangles = 180\n[time]\nend = 0.0002\nframes = [0]\noutput = [0.0002]\n");
+  const Ended ended = sbeh(into("out", "run"));
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_NE(ended.err.find("sbeh: unresolved from t = 0: |B| times the node spacing "),
+            std::string::npos)
+      << ended.err;
+  EXPECT_TRUE(ended.err.ends_with("what comes later is not to be trusted, see out/events.csv\n"))
+      << ended.err;
+  const Table events = table("out/events.csv");
+  ASSERT_EQ(events.rows.size(), 1u);
+  EXPECT_EQ(events.text(0, "event"), "unresolved");
+  EXPECT_EQ(events.number(0, "time"), 0);
+}
+
 TEST_F(Run3d, goes_back_to_the_frame_before_a_damaged_one) {
   write("in.toml", ellipsoid + times);
   must(into("whole", "run"));

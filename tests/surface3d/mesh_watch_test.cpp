@@ -1,0 +1,94 @@
+// Runs that watch over their mesh: new triangles, what cannot be resolved, surfaces that touch.
+#include "meshing/revolution.h"
+#include "tests/surface3d/cases.h"
+
+#include <algorithm>
+#include <numbers>
+
+namespace sbeh::surface3d {
+namespace {
+
+using namespace test;
+
+// A flat oblate, of whose rim 180 triangles do not see enough.
+Surface flat(int triangles) {
+  return surface_of(meshing::ellipsoid(0.7, false, {.triangles = triangles}));
+}
+
+struct Watched {
+  FlowResult run;
+  std::vector<int> triangles;  // after each step
+  std::vector<RemeshReport> changes;
+  std::vector<std::string> refusals;
+  bool resolved = false;  // at the end
+};
+
+Watched watch(const Surface& s, const Numerics& numerics, double end) {
+  Watched w{.run = {}, .triangles = {}, .changes = {}, .refusals = {}};
+  const Target target = s.target();
+  w.run = run_flow(s.mesh, paper_material(0.05), Model::SSH, {s.state}, target, numerics,
+                   {.end_time = end, .output_times = {}},
+                   [&](const FlowRecord&, const State& x, const StepView& view, bool) {
+                     EXPECT_EQ(x.X.cols(), view.mesh->nodes);
+                     EXPECT_NEAR(area(*view.mesh, x.X) / target.area, 1, 1e-11);
+                     EXPECT_NEAR(volume(*view.mesh, x.X) / target.volume, 1, 1e-11);
+                     w.triangles.push_back(view.mesh->count());
+                     w.resolved = resolved(view.resolution);
+                     if (view.remeshed && view.remeshed->mesh)
+                       w.changes.push_back(view.remeshed->report);
+                     if (view.remeshed && !view.remeshed->mesh)
+                       w.refusals.push_back(view.remeshed->refusal);
+                     return true;
+                   });
+  return w;
+}
+
+TEST(MeshWatch, makes_new_triangles_where_they_do_not_resolve_the_surface_and_goes_on) {
+  Numerics numerics;
+  numerics.remesh = true;
+  numerics.most_triangles = 620;
+  const Watched w = watch(flat(180), numerics, 4e-5);
+  EXPECT_EQ(w.run.stop, FlowStop::end_time);
+  ASSERT_FALSE(w.changes.empty()) << w.refusals.front();
+  EXPECT_GT(w.triangles.front(), 150);
+  EXPECT_GT(w.triangles.back(), 240);
+  EXPECT_TRUE(w.resolved);
+  for (const RemeshReport& change : w.changes) {
+    EXPECT_LT(std::abs(change.energy_change), RemeshOptions().largest_energy_change);
+    EXPECT_GT(change.min_angle_after, 25);
+  }
+}
+
+TEST(MeshWatch, leaves_the_triangles_alone_unless_it_is_asked) {
+  const Watched w = watch(flat(180), {}, 1e-4);
+  EXPECT_EQ(w.run.stop, FlowStop::end_time);
+  EXPECT_TRUE(w.changes.empty() && w.refusals.empty());
+  EXPECT_EQ(std::count(w.triangles.begin(), w.triangles.end(), 180), long(w.triangles.size()));
+  EXPECT_FALSE(w.resolved);
+}
+
+TEST(MeshWatch, tries_once_where_no_more_triangles_are_allowed) {
+  Numerics numerics;
+  numerics.remesh = true;
+  numerics.most_triangles = 180;
+  const Watched w = watch(flat(180), numerics, 2e-4);
+  EXPECT_EQ(w.run.stop, FlowStop::end_time);
+  EXPECT_LE(w.changes.size() + w.refusals.size(), 2u);
+  EXPECT_NEAR(w.triangles.back(), 180, 18);
+}
+
+TEST(MeshWatch, ends_a_run_whose_surface_touches_itself) {
+  constexpr int nodes = 181;
+  meshing::Profile disc{.X = Eigen::Matrix2Xd(2, nodes), .beta = {}};  // poles 0.02 apart
+  for (int i = 0; i < nodes; ++i) {
+    const double theta = std::numbers::pi * i / (nodes - 1), s = std::sin(theta);
+    disc.X.col(i) << (i == nodes - 1 ? 0 : 1.2 * s), (0.01 + 0.5 * s * s) * std::cos(theta);
+  }
+  const Watched w = watch(surface_of(meshing::revolved(disc, {.triangles = 320}).mesh), {}, 1);
+  EXPECT_EQ(w.run.stop, FlowStop::self_contact);
+  EXPECT_EQ(w.run.steps, 1);
+  EXPECT_EQ(w.run.last.ends, FlowStop::self_contact);
+}
+
+}  // namespace
+}  // namespace sbeh::surface3d
