@@ -9,6 +9,7 @@ namespace {
 
 using namespace test;
 
+using model::FlowFault;
 constexpr auto every_step = Factorisation::every_step;  // equal bits need equal factors
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
 
@@ -21,9 +22,9 @@ TEST(Step, of_a_state_with_a_number_that_is_none_is_not_ok_and_leaves_no_trace) 
     State lost = s.state, disordered = s.state;
     lost.X(2, 17) = nan;
     disordered.beta[5] = nan;
-    EXPECT_FALSE(stepper.step(lost, s.target(), 1e-3).ok());
-    EXPECT_FALSE(stepper.step(disordered, s.target(), 1e-3).ok());
-    EXPECT_FALSE(stepper.step(s.state, s.target(), nan).ok());
+    EXPECT_EQ(stepper.step(lost, s.target(), 1e-3).fault, FlowFault::degenerate);
+    EXPECT_EQ(stepper.step(disordered, s.target(), 1e-3).fault, FlowFault::linear_solve);
+    EXPECT_EQ(stepper.step(s.state, s.target(), nan).fault, FlowFault::linear_solve);
     const StepResult a = stepper.step(s.state, s.target(), 1e-3),
                      b = fresh.step(s.state, s.target(), 1e-3);
     ASSERT_TRUE(a.ok() && b.ok());
@@ -37,7 +38,7 @@ TEST(Step, of_a_collapsed_surface_is_not_ok) {
   State flat = s.state;
   flat.X.setZero();
   TimeStepper stepper(s.mesh, paper_material(0.05), Model::SSH);
-  EXPECT_FALSE(stepper.step(flat, s.target(), 1e-3).ok());
+  EXPECT_EQ(stepper.step(flat, s.target(), 1e-3).fault, FlowFault::degenerate);
 }
 
 TEST(Step, that_turns_triangles_over_is_not_ok) {
@@ -106,6 +107,7 @@ TEST(Flow, stops_when_the_step_it_may_take_is_too_large_for_the_tolerance) {
   const FlowResult run = run_flow(s.mesh, paper_material(0.05), Model::SSH, {s.state}, s.target(),
                                   numerics, {.end_time = 1, .output_times = {}});
   EXPECT_EQ(run.stop, FlowStop::step_too_small);
+  EXPECT_EQ(run.fault, FlowFault::error);
   EXPECT_EQ(run.steps, 0);
   EXPECT_TRUE(run.state.X == s.state.X);
 }

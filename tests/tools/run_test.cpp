@@ -95,6 +95,20 @@ TEST_F(Run3d, with_new_triangles_logs_them_and_is_resumed_to_the_same_bits) {
   EXPECT_EQ(contents("out"), contents("whole"));
 }
 
+TEST_F(Run3d, whose_steps_are_too_large_ends_with_the_reason_and_its_last_state) {
+  write("in.toml", ellipsoid
+                       + "[numerics]\ntolerance = 1e-9\nfirst_step = 0.01\nsmallest_step = 0.005\n"
+                         "[time]\nend = 0.1\nframes = [0]\noutput = [0]\n");
+  const Ended ended = sbeh(into("out", "run"));
+  EXPECT_EQ(ended.exit_code, 1);
+  EXPECT_TRUE(ended.out.starts_with("time step too small at t = 0 after 0 steps")) << ended.out;
+  EXPECT_NE(ended.err.find("sbeh: the error of a step stays above the tolerance, however small: "),
+            std::string::npos)
+      << ended.err;
+  EXPECT_EQ(table("out/series.csv").rows.size(), 1u);
+  EXPECT_TRUE(exists(path("out/frames/0000.vtu")));
+}
+
 TEST_F(Run3d, whose_mesh_is_too_coarse_says_from_when) {
   write("in.toml",
         "model = \"SSH\"\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.65\n"
