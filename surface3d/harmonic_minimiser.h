@@ -40,8 +40,8 @@ struct HarmonicShape {
   int iterations = 0;    ///< of Ceres and Newton's method together
 };
 
-/// The stationary shape of A = 4π and this reduced volume next to the start, which need not have them:
-/// downhill from there, so that a saddle is found only where the start has its symmetry or nearly so.
+/// The stationary shape of A = 4π and this reduced volume next to the start, which need not have them. Of a
+/// saddle near by Newton's method finds the saddle: see negative_directions.
 /// Harmonics of l <= degree; the time grows like degree⁶.
 /// Throws std::invalid_argument unless 0 < V_r < 1 and 4 <= degree <= 32.
 HarmonicShape minimise_harmonics(const HarmonicSurface& start, double reduced_volume,
