@@ -53,6 +53,12 @@ WitnessState harmonic_state(const CompareInput& input,
     const Vector3d x = shape.surface.at(omega.col(i)) - axis.centre;
     found.points.col(i) << z.cross(x).norm(), z.dot(x);
   }
+  const bool prolate = found.points.row(1).cwiseAbs().maxCoeff() > found.points.row(0).maxCoeff();
+  if (prolate != (input.branch == "prolate")) {
+    found = {.witness = Witness::harmonics};
+    found.failure = fmt::format("has come to the {} instead", prolate ? "prolate" : "oblate");
+    return found;
+  }
   found.order = Eigen::VectorXd::Constant(omega.cols(), model::full_order);
   return found;
 }

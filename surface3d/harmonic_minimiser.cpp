@@ -159,6 +159,7 @@ struct Stationary {
   VectorXd curvatures;  ///< eigenvalues of the second variation, ascending
 };
 
+// Newton's method to the stationary shape that is next, be it a saddle.
 HarmonicStop settle(const HarmonicEnergy& energy, const Vector2d& target, VectorXd a,
                     Stationary& found, int& iterations) {
   constexpr int most_iterations = 20;
