@@ -22,7 +22,8 @@ namespace {
 // ---- the methods --------------------------------------------------------------------------------
 
 WitnessState state_of(Witness witness, const CompareInput& input,
-                      std::optional<axisym::State>& newton, const fs::path& frame) {
+                      const std::vector<WitnessState>& before, std::optional<axisym::State>& newton,
+                      const fs::path& frame) {
   const auto by_newton = [&] {
     NewtonState found = newton_state(input);
     newton = found.state;
@@ -42,6 +43,11 @@ WitnessState state_of(Witness witness, const CompareInput& input,
       if (input.surface3d.revolved && !newton)
         return {.witness = witness, .failure = "newton has no state to revolve"};
       return surface_state(input, newton, frame);
+    case Witness::harmonics: {
+      const auto start =
+          std::find_if(before.begin(), before.end(), [](const auto& s) { return s.mesh; });
+      return harmonic_state(input, start == before.end() ? std::nullopt : start->mesh);
+    }
   }
   return {};
 }
@@ -51,7 +57,7 @@ std::vector<WitnessState> states_of(const CompareInput& input, const fs::path& f
   std::optional<axisym::State> newton;
   for (const Witness witness : input.methods) {
     const auto start = std::chrono::steady_clock::now();
-    states.push_back(state_of(witness, input, newton, frame));
+    states.push_back(state_of(witness, input, states, newton, frame));
     states.back().seconds =
         std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
     if (interrupt_signal()) throw Interrupted("interrupted");
@@ -129,7 +135,8 @@ std::vector<PlacedPoint> placed(const WitnessState& state, const Meridian& refer
 // ---- comparisons --------------------------------------------------------------------------------
 
 std::optional<double> tolerance_of(const CompareInput& input, const Comparison& of) {
-  const bool in_3d = of.first == Witness::surface3d || of.second == Witness::surface3d;
+  const auto is_3d = [](Witness w) { return w == Witness::surface3d || w == Witness::harmonics; };
+  const bool in_3d = is_3d(of.first) || is_3d(of.second);
   const Tolerances& tolerances = in_3d ? input.tolerance_3d : input.tolerance;
   const auto at = tolerances.find(of.quantity);
   return at == tolerances.end() ? std::nullopt : std::optional(at->second);
@@ -146,9 +153,11 @@ std::vector<Comparison> compare(const CompareInput& input, const WitnessState& a
     if (quantity.is_energy) one.relative_difference = one.difference / std::abs(a.measures.energy);
     all.push_back(one);
   }
-  Comparison profiles{.quantity = "distance", .first = a.witness, .second = b.witness};
-  profiles.difference = distance_of(a, b);
-  all.push_back(profiles);
+  if (a.meridian || b.meridian) {
+    Comparison profiles{.quantity = "distance", .first = a.witness, .second = b.witness};
+    profiles.difference = distance_of(a, b);
+    all.push_back(profiles);
+  }
   if (!a.history.empty() && !b.history.empty()) {
     Comparison history{.quantity = "history", .first = a.witness, .second = b.witness};
     history.difference = history_difference(a, b);

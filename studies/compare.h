@@ -5,7 +5,7 @@
 //   to the total energy of the first), tolerance (empty: none is stated), agrees (yes, no or empty)
 // methods.csv, a row per method:
 //   method, status (found or failed), the quantities of witness_state.h, seconds, remark
-// profiles.csv, a row per point of every method's meridian, of surface3d per node:
+// profiles.csv, a row per point of every method's meridian, of surface3d and harmonics per node:
 //   method, arc_length (of the nearest point of the first method's curve), r, z, order, distance (from that
 //   curve along its outward normal; 0 for the first method itself)
 // histories.csv, of flow and of surface3d from the ellipsoid:
@@ -24,8 +24,9 @@
 namespace sbeh::studies {
 
 /// One quantity of two methods. Two have no values, only the difference: "distance", the largest of either
-/// profile's points (of surface3d: its nodes) from the other curve, and "history", the largest difference of
-/// the energies at equal times, of flow and surface3d alone.
+/// profile's points (of surface3d and harmonics: nodes) from the other curve, which these two do not have
+/// from each other, and "history", the largest difference of the energies at equal times, of flow and
+/// surface3d alone.
 struct Comparison {
   std::string quantity;
   Witness first, second;

@@ -15,9 +15,23 @@ namespace sbeh::studies {
 
 namespace {
 
-constexpr std::array<const char*, 5> witness_names{"newton", "shooting", "minimiser", "flow",
-                                                   "surface3d"};
+constexpr std::array<const char*, 6> witness_names{"newton", "shooting",  "minimiser",
+                                                   "flow",   "surface3d", "harmonics"};
+constexpr double least_harmonic_volume = 0.65;
 constexpr int fewest_triangles = 20, most_triangles = 200'000;
+
+// The surface must be near enough to an ellipsoid.
+void require_harmonic_shape(const TomlTable& table, const CompareInput& input) {
+  if (!input.has(Witness::harmonics)) return;
+  if (input.model != model::Model::SSH)
+    table.fail("methods",
+               "must not contain \"harmonics\" for model = \"SBEH\": it has full order only");
+  if (input.branch == "stomatocyte" || input.reduced_volume < least_harmonic_volume)
+    table.fail("methods",
+               fmt::format("must not contain \"harmonics\" but for oblates and prolates with "
+                           "reduced_volume >= {}",
+                           least_harmonic_volume));
+}
 
 void read_case(const TomlTable& table, CompareInput& input) {
   input.model = model_of(table.word("model", scan_model_words()));
@@ -38,7 +52,15 @@ void read_case(const TomlTable& table, CompareInput& input) {
     table.fail("methods",
                "must not contain \"flow\" for branch = \"stomatocyte\": an ellipsoid does "
                "not go there");
+  require_harmonic_shape(table, input);
   table.reject_unknown_keys();
+}
+
+HarmonicMethod read_harmonic_method(const TomlTable& table) {
+  HarmonicMethod method;
+  method.degree = table.integer("degree", 8, 24, method.degree);
+  table.reject_unknown_keys();
+  return method;
 }
 
 SurfaceMethod read_surface_method(const TomlTable& table, const CompareInput& input) {
@@ -78,7 +100,7 @@ Tolerances read_tolerances(const TomlTable& table) {
 // Only flow and surface3d have histories, and from a revolved state there is none to tell of.
 void require_histories(const TomlTable& tolerance_3d, const CompareInput& input) {
   if (!input.tolerance_3d.contains("history")) return;
-  if (!input.has(Witness::flow) || input.surface3d.revolved)
+  if (!input.has(Witness::flow) || !input.has(Witness::surface3d) || input.surface3d.revolved)
     tolerance_3d.fail("history",
                       "needs the methods \"flow\" and \"surface3d\", both from an ellipsoid");
 }
@@ -86,7 +108,7 @@ void require_histories(const TomlTable& tolerance_3d, const CompareInput& input)
 // With a spontaneous curvature the classical shapes are others.
 void refuse_spontaneous_curvature(const TomlTable& material, const CompareInput& input) {
   if (input.material.spontaneous_curvature == 0 || input.model != model::Model::SSH) return;
-  for (const Witness witness : {Witness::shooting, Witness::minimiser})
+  for (const Witness witness : {Witness::shooting, Witness::minimiser, Witness::harmonics})
     if (input.has(witness))
       material.fail(
           "spontaneous_curvature",
@@ -118,22 +140,27 @@ CompareInput read_compare(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const TomlTable cases = file.table("compare"), material = file.table("material"),
                   numerics = file.table("numerics");
-  const bool has_surface = file.has("surface3d"), has_tolerance_3d = file.has("tolerance_3d");
-  const TomlTable surface = file.table("surface3d"), tolerance = file.table("tolerance"),
-                  tolerance_3d = file.table("tolerance_3d");
+  const bool has_surface = file.has("surface3d"), has_harmonics = file.has("harmonics"),
+             has_tolerance_3d = file.has("tolerance_3d");
+  const TomlTable surface = file.table("surface3d"), harmonics = file.table("harmonics"),
+                  tolerance = file.table("tolerance"), tolerance_3d = file.table("tolerance_3d");
   file.reject_unknown_keys();
   CompareInput input;
   read_case(cases, input);
-  if (!input.has(Witness::surface3d)) {
-    const char* reason = "has no place without \"surface3d\" among the methods";
-    if (has_surface) file.refuse("surface3d", reason);
-    if (has_tolerance_3d) file.refuse("tolerance_3d", reason);
-  }
+  const bool in_3d = input.has(Witness::surface3d), by_harmonics = input.has(Witness::harmonics);
+  if (!in_3d && has_surface)
+    file.refuse("surface3d", "has no place without \"surface3d\" among the methods");
+  if (!by_harmonics && has_harmonics)
+    file.refuse("harmonics", "has no place without \"harmonics\" among the methods");
+  if (!in_3d && !by_harmonics && has_tolerance_3d)
+    file.refuse("tolerance_3d",
+                "has no place without \"surface3d\" or \"harmonics\" among the methods");
   input.material = read_material_without_L(material, "a comparison, where L comes from [compare]")
                        .with_L(input.L);
   refuse_spontaneous_curvature(material, input);
   input.numerics = read_numerics(numerics);
   input.surface3d = read_surface_method(surface, input);
+  input.harmonics = read_harmonic_method(harmonics);
   tolerance.refuse("history", "has its place in [tolerance_3d]: flow is compared with surface3d");
   input.tolerance = read_tolerances(tolerance);
   input.tolerance_3d = read_tolerances(tolerance_3d);

@@ -18,9 +18,10 @@ enum class Witness {
   shooting,   ///< shape equations by Boost.Odeint; SSH without spontaneous curvature
   minimiser,  ///< spectral curves, Ceres and Newton; SBEH, or SSH without spontaneous curvature
   flow,       ///< the axisymmetric solver, in time from an ellipsoid to rest
-  surface3d   ///< the 3D solver, in time, to rest
+  surface3d,  ///< the 3D solver, in time, to rest
+  harmonics   ///< spherical harmonics without an axis, Ceres and Newton; SSH, V_r >= 0.65
 };
-/// "newton", "shooting", "minimiser", "flow" or "surface3d".
+/// "newton", "shooting", "minimiser", "flow", "surface3d" or "harmonics".
 const char* name(Witness witness);
 
 /// The 3D method: table [surface3d].
@@ -33,6 +34,11 @@ struct SurfaceMethod {
   SurfaceMethod();
 };
 
+/// The 3D minimiser: table [harmonics].
+struct HarmonicMethod {
+  int degree = 16;  ///< largest l, 8 <= degree <= 24
+};
+
 /// Largest differences allowed, by the names of tolerated_quantities(). Energies are relative to the
 /// total energy, all others as they are.
 using Tolerances = std::map<std::string, double>;
@@ -41,8 +47,8 @@ using Tolerances = std::map<std::string, double>;
 std::vector<std::string> tolerated_quantities();
 
 /// Table [compare]: model, branch, reduced_volume, L, methods; optional [material] (without L),
-/// [numerics] (of newton), [surface3d], [tolerance] (pairs of axisymmetric methods) and
-/// [tolerance_3d] (pairs with surface3d).
+/// [numerics] (of newton), [surface3d], [harmonics], [tolerance] (pairs of axisymmetric methods) and
+/// [tolerance_3d] (pairs with surface3d or harmonics).
 struct CompareInput {
   model::Model model = model::Model::SBEH;  ///< SBEH or SSH
   std::string branch = "oblate";            ///< of known_branches() (scan_input.h)
@@ -52,6 +58,7 @@ struct CompareInput {
   model::Material material;                 ///< with this L
   axisym::Numerics numerics;
   SurfaceMethod surface3d;
+  HarmonicMethod harmonics;
   Tolerances tolerance, tolerance_3d;
 
   bool has(Witness witness) const;

@@ -277,6 +277,10 @@ std::string describe(const CompareInput& input, std::string_view version) {
   write_material(toml, input.material, Elasticity::without_L);
   write_numerics(toml, input.numerics);
   if (input.has(Witness::surface3d)) write_surface_method(toml, input.surface3d);
+  if (input.has(Witness::harmonics)) {
+    toml.table("harmonics");
+    toml.value("degree", input.harmonics.degree);
+  }
   write_tolerances(toml, "tolerance", input.tolerance);
   write_tolerances(toml, "tolerance_3d", input.tolerance_3d);
   return toml.text();

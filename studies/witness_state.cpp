@@ -31,20 +31,10 @@ void take_curve(WitnessState& found, const Meridian& curve, const std::array<dou
   found.measures.H_pole = std::max(H_poles[0], H_poles[1]);
 }
 
-// A classical shape in the terms of U: full order, u(2/3) everywhere, and the Gaussian part.
 WitnessState classical_state(const CompareInput& input, Witness witness,
                              const ClassicalShape& shape, Meridian curve) {
-  const model::Material& m = input.material;
-  const double beta = model::full_order, kappa = m.kappa(beta), u = m.potential.value(beta);
   WitnessState found{.witness = witness};
-  Measures& of = found.measures;
-  of.energy_distortion = 0;
-  of.energy_bending = 8 * pi * kappa * shape.energy + 4 * pi * m.kappa_gauss(beta);
-  of.energy_thermotropic = 4 * pi * u;
-  of.energy = of.energy_bending + of.energy_thermotropic;
-  of.pressure = kappa * shape.pressure;
-  of.tension = kappa * shape.tension - u;
-  of.order_min = of.order_mean = of.order_max = beta;
+  found.measures = classical_measures(input, shape.energy, shape.pressure, shape.tension);
   take_curve(found, curve, {shape.H_pole, shape.H_pole});
   return found;
 }
@@ -90,6 +80,21 @@ const std::vector<Quantity>& quantities() {
       {"H_pole", &Measures::H_pole, false},
   };
   return all;
+}
+
+Measures classical_measures(const CompareInput& input, double energy, double pressure,
+                            double tension) {
+  const model::Material& m = input.material;
+  const double beta = model::full_order, kappa = m.kappa(beta), u = m.potential.value(beta);
+  Measures of;
+  of.energy_distortion = 0;
+  of.energy_bending = 8 * pi * kappa * energy + 4 * pi * m.kappa_gauss(beta);
+  of.energy_thermotropic = 4 * pi * u;
+  of.energy = of.energy_bending + of.energy_thermotropic;
+  of.pressure = kappa * pressure;
+  of.tension = kappa * tension - u;
+  of.order_min = of.order_mean = of.order_max = beta;
+  return of;
 }
 
 NewtonState newton_state(const CompareInput& input) {

@@ -1,6 +1,7 @@
 // What one method of a comparison finds: a stationary state, measured in the terms of all of them.
 #pragma once
 
+#include "meshing/curved_mesh.h"
 #include "studies/compare_input.h"
 #include "studies/meridian.h"
 
@@ -48,11 +49,12 @@ struct WitnessState {
   std::string remark{};   ///< what else is to be known
   double seconds = 0;
   Measures measures{};
-  Eigen::Matrix2Xd points{};           // 2 x n: r, z; along the meridian, or all nodes of surface3d
-  Eigen::VectorXd order{};             // n
-  std::vector<EnergyAt> history{};     ///< of flow and surface3d from the same ellipsoid
+  Eigen::Matrix2Xd points{};        // 2 x n: r, z; along the meridian, or nodes of a 3D method
+  Eigen::VectorXd order{};          // n
+  std::vector<EnergyAt> history{};  ///< of flow and surface3d from the same ellipsoid
+  std::optional<meshing::CurvedMesh> mesh{};  ///< of surface3d
   std::optional<Meridian> meridian{};  ///< through the points, from the pole of H_pole on, z = 0
-                                       ///< halfway between the poles; none of surface3d
+                                       ///< halfway between the poles; none of the 3D methods
 };
 
 /// A signal came while a method was at work.
@@ -102,5 +104,14 @@ Measures measures_of_flow(const model::Material& material, const Diagnostics& d,
 /// case), OutputError, and Interrupted.
 WitnessState surface_state(const CompareInput& input, const std::optional<axisym::State>& start,
                            const std::filesystem::path& keep);
+
+/// A classical shape in the terms of U: full order, u(2/3) everywhere, and the Gaussian part; energy is
+/// F/(8πκ), pressure and tension are per κ. SSH without spontaneous curvature.
+Measures classical_measures(const CompareInput& input, double energy, double pressure,
+                            double tension);
+
+/// Minimisation over spherical harmonics, from the 3D solver's surface or else a spheroid; turned like it.
+WitnessState harmonic_state(const CompareInput& input,
+                            const std::optional<meshing::CurvedMesh>& start);
 
 }  // namespace sbeh::studies

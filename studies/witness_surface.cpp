@@ -271,6 +271,7 @@ WitnessState surface_state(const CompareInput& input, const std::optional<axisym
   found.points.row(0) = X.topRows<2>().colwise().norm();
   found.points.row(1) = (above < below ? -1 : 1) * X.row(2);
   found.order = rest.beta;
+  found.mesh = rest.mesh;
   return found;
 }
 

@@ -66,6 +66,25 @@ TEST(Surface, relaxed_from_an_ellipsoid_agrees_with_the_three_other_methods) {
       "pressure = 1e-3\ntension = 1e-3\nH_pole = 1e-2\ndistance = 1e-3\n"));
 }
 
+// Without an axis; from the 3D solver's surface or an ellipsoid.
+TEST(Harmonics, agree_with_the_axisymmetric_methods_and_the_3D_solver) {
+  const std::string head = "[compare]\nmodel = 'SSH'\nL = 0.05\nreduced_volume = ";
+  expect_agreement(compared(
+      "harmonics", head
+                       + "0.8\nmethods = ['minimiser', 'surface3d', 'harmonics']\n"
+                         "[surface3d]\ntriangles = 80\nend = 3\n[tolerance_3d]\nenergy = 1e-4\n"
+                         "pressure = 1e-3\ntension = 1e-3\nH_pole = 1e-2\ndistance = 1e-3\n"));
+  for (const auto& [branch, volume] :
+       {std::pair{"oblate", "0.8"}, {"oblate", "0.65"}, {"prolate", "0.8"}, {"prolate", "0.65"}}) {
+    SCOPED_TRACE(std::string(branch) + " " + volume);
+    expect_agreement(compared(std::string("harmonics_") + branch + volume,
+                              head + volume + "\nbranch = '" + branch
+                                  + "'\nmethods = ['minimiser', 'harmonics']\n"
+                                    "[tolerance_3d]\nenergy = 1e-6\npressure = 1e-4\n"
+                                    "tension = 1e-4\nH_pole = 2e-2\ndistance = 1e-4\n"));
+  }
+}
+
 TEST(Flow, to_rest_agrees_with_newton_and_has_the_history_of_the_3D_solver) {
   const CompareSummary summary =
       compared("flow",

@@ -121,6 +121,18 @@ TEST_F(Compare, refuses_what_is_wrong_with_file_line_and_reason) {
        "in.toml:6: surface3d = { triangles = 80 }: has no place without \"surface3d\""},
       {head + two + "[tolerance_3d]\nenergy = 1\n",
        "in.toml:6: tolerance_3d = { energy = 1 }: has no place without \"surface3d\""},
+      {head + two + "[harmonics]\ndegree = 16\n",
+       "in.toml:6: harmonics = { degree = 16 }: has no place without \"harmonics\""},
+      {head + "methods = [\"newton\", \"harmonics\"]\n[harmonics]\ndegree = 40\n",
+       "in.toml:7: [harmonics] degree = 40: must be"},
+      {head + "methods = [\"newton\", \"harmonics\"]\nbranch = \"stomatocyte\"\n",
+       "in.toml:5: [compare] methods = "},
+      {"[compare]\nmodel = \"SBEH\"\nreduced_volume = 0.8\nL = 0.05\nmethods = [\"newton\", "
+       "\"harmonics\"]\n",
+       "in.toml:5: [compare] methods = "},
+      {"[compare]\nmodel = \"SSH\"\nreduced_volume = 0.6\nL = 0.05\nmethods = [\"newton\", "
+       "\"harmonics\"]\n",
+       "in.toml:5: [compare] methods = "},
       {head + two + "[tolerance]\nhistory = 1\n",
        "in.toml:7: [tolerance] history = 1: has its place in [tolerance_3d]"},
       {head + "methods = [\"newton\", \"surface3d\"]\n[tolerance_3d]\nhistory = 1\n",

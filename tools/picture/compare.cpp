@@ -21,8 +21,12 @@ const std::vector<Look> looks{
     {"minimiser", {.colour = {0, 92, 70}, .width = 1.6}},
     {"flow", {.colour = {138, 60, 220}, .width = 1.6, .dashed = true}},
     {"surface3d", {.colour = {0, 0, 0}, .width = 1.0}},
+    {"harmonics", {.colour = {200, 30, 60}, .width = 1.0}},
 };
-constexpr const char* marked = "surface3d";  // its nodes are no curve
+// Methods whose nodes are no curve.
+bool has_nodes_only(const std::string& method) {
+  return method == "surface3d" || method == "harmonics";
+}
 
 // One method's points, in the order of the file.
 struct Curve {
@@ -31,7 +35,7 @@ struct Curve {
   Points distance{};  // (arc length, |distance|)
   double largest = 0.0;
 
-  bool is_marked() const { return method == marked; }
+  bool is_marked() const { return has_nodes_only(method); }
   LineStyle style() const {
     const auto at = std::ranges::find(looks, method, &Look::method);
     return at == looks.end() ? LineStyle{} : at->style;
@@ -134,9 +138,9 @@ void draw_compared_profiles(Canvas& canvas, const Options& options) {
   const double text = options.text_size();
   std::vector<LegendEntry> legend;
   for (const Curve& curve : curves)
-    legend.push_back(curve.is_marked()
-                         ? marker_entry(Marker::full, curve.style().colour, "surface3d (nodes)")
-                         : line_entry(curve.style(), curve.method));
+    legend.push_back(curve.is_marked() ? marker_entry(Marker::full, curve.style().colour,
+                                                      curve.method + " (nodes)")
+                                       : line_entry(curve.style(), curve.method));
   const Box box = box_of(curves);
   const double left = 5.6 * text, right = 1.6 * text, below = below_axis(text);
   const double width = options.size ? options.size->width : 1000.0;
