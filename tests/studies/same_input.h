@@ -68,8 +68,9 @@ inline void expect_same(const SurfaceMethod& a, const SurfaceMethod& b) {
 inline void expect_same(const CompareInput& a, const CompareInput& b) {
   const auto tie = [](const CompareInput& input) {
     const auto& [model, branch, reduced_volume, L, methods, material, numerics, surface3d,
-                 tolerance, tolerance_3d] = input;
-    return std::tie(model, branch, reduced_volume, L, methods, tolerance, tolerance_3d);
+                 harmonics, tolerance, tolerance_3d] = input;
+    return std::tie(model, branch, reduced_volume, L, methods, harmonics.degree, tolerance,
+                    tolerance_3d);
   };
   EXPECT_TRUE(tie(a) == tie(b));
   expect_same(a.material, b.material);
