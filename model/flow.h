@@ -65,7 +65,7 @@ struct FlowRecord {
   double order_speed = 0;     ///< largest change of order per time
   double speed_max = 0;       ///< largest speed of the material, |V|
   double lambda = 0;          ///< volume multiplier
-  double next_step = 0;       ///< τ of the next try: with the state all that a run needs to go on
+  double next_step = 0;       ///< τ of the next try; 0 before a run has begun
   int rejected = 0;           ///< steps rejected so far
   std::optional<FlowStop> ends = {};  ///< why the run ends with this step, if it does
 };

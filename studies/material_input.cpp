@@ -150,6 +150,9 @@ surface3d::Numerics read_numerics_3d(const TomlTable& table) {
       table.word("factorisation", {lagged, every_step}, name(numerics.factorisation)) == lagged
           ? surface3d::Factorisation::lagged
           : surface3d::Factorisation::every_step;
+  if (numerics.integrator == surface3d::Integrator::two_step && !numerics.extrapolate)
+    table.fail("extrapolate",
+               "must be true with integrator = \"two-step\", which is of second order");
   numerics.remesh = table.boolean("remesh", numerics.remesh);
   constexpr int any = std::numeric_limits<int>::max();
   numerics.most_triangles = table.integer("most_triangles", -any, any, numerics.most_triangles);

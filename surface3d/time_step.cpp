@@ -36,8 +36,8 @@ Dissipation dissipation_of(const Triangulation& mesh, const model::Material& m, 
   return d;
 }
 
-// A tangential flow at the scale of the mesh enters the curvature equation of the split scheme: without
-// viscosity, which damps it, that scheme is unstable.
+// Without viscosity, which damps tangential flow at the scale of the mesh, the split scheme was seen to be
+// unstable; see README.md.
 Scheme stable_scheme(const model::Material& m, model::AreaConstraint area, Scheme wanted) {
   const bool damped = m.viscosity > 0 || area == model::AreaConstraint::global;
   return damped ? wanted : Scheme::monolithic;

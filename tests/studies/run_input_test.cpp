@@ -213,6 +213,9 @@ TEST(RunInput, with_wrong_times_is_refused_with_line_key_and_value) {
 TEST(RunInput, with_wrong_numerics_is_refused_with_line_key_and_value) {
   std::vector<Case> cases{
       {"extrapolate = 1", ":7: [numerics] extrapolate = 1: must be true or false"},
+      {"extrapolate = false",
+       ":7: [numerics] extrapolate = false: must be true with integrator = 'two-step', which is of "
+       "second order"},
       {"scheme = 'spilt'", ":7: [numerics] scheme = 'spilt': must be one of 'split', 'monolithic'"},
       {"scheme = 1", ":7: [numerics] scheme = 1: must be one of 'split', 'monolithic'"},
       {"factorisation = 'never'",
