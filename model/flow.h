@@ -59,14 +59,14 @@ struct FlowRecord {
   double time = 0;       ///< at its end
   double time_step = 0;  ///< τ, 0 for the start
   Energy energy;
-  Dissipation dissipation;    ///< mean rates over the step
-  double energy_balance = 1;  ///< (U_old − U_new)/(τ · dissipation): 1 + O(τ)
-  double normal_speed = 0;    ///< largest normal displacement per time
-  double order_speed = 0;     ///< largest change of order per time
-  double speed_max = 0;       ///< largest speed of the material, |V|
-  double lambda = 0;          ///< volume multiplier
-  double next_step = 0;       ///< τ of the next try; 0 before a run has begun
-  int rejected = 0;           ///< steps rejected so far
+  Dissipation dissipation;            ///< mean rates over the step
+  double energy_balance = 1;          ///< (U_old − U_new)/(τ · dissipation): 1 + O(τ)
+  double normal_speed = 0;            ///< largest normal displacement per time
+  double order_speed = 0;             ///< largest change of order per time
+  double speed_max = 0;               ///< largest speed of the material, |V|
+  double lambda = 0;                  ///< volume multiplier
+  double next_step = 0;               ///< τ of the next try; 0 before a run has begun
+  int rejected = 0;                   ///< steps rejected so far
   std::optional<FlowStop> ends = {};  ///< why the run ends with this step, if it does
 };
 
