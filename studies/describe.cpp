@@ -259,6 +259,7 @@ std::string describe(const RunInput& input, std::string_view version) {
   toml.value("integrator", std::string(name(input.numerics.integrator)));
   toml.value("scheme", std::string(name(input.numerics.scheme)));
   toml.value("factorisation", std::string(name(input.numerics.factorisation)));
+  toml.value("solver_tolerance", input.numerics.solver_tolerance);
   toml.value("remesh", input.numerics.remesh);
   toml.value("most_triangles", input.numerics.most_triangles);
   write_time(toml, input, "frames", input.frame_times);

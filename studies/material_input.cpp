@@ -150,6 +150,7 @@ surface3d::Numerics read_numerics_3d(const TomlTable& table) {
       table.word("factorisation", {lagged, every_step}, name(numerics.factorisation)) == lagged
           ? surface3d::Factorisation::lagged
           : surface3d::Factorisation::every_step;
+  numerics.solver_tolerance = table.number("solver_tolerance", {}, numerics.solver_tolerance);
   if (numerics.integrator == surface3d::Integrator::two_step && !numerics.extrapolate)
     table.fail("extrapolate",
                "must be true with integrator = \"two-step\", which is of second order");

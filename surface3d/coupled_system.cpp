@@ -1,8 +1,9 @@
 #include "surface3d/coupled_system.h"
 
-#include <tbb/parallel_for.h>
+#include <tbb/parallel_pipeline.h>
 
 #include <algorithm>
+#include <array>
 
 namespace sbeh::surface3d {
 
@@ -163,11 +164,35 @@ ElementNodes foot_points(const ElementNodes& X, const ElementNodes& from, const 
   return X + n * n.cwiseProduct(from - X).colwise().sum().asDiagonal();
 }
 
+// Computes the pieces of all elements in parallel, and adds them one after the other in their order.
+template <class Piece, class Compute, class Add>
+void add_in_order(int elements, Compute&& compute, Add&& add) {
+  constexpr int chunk = 16, in_flight = 8;
+  const int chunks = (elements + chunk - 1) / chunk;
+  std::vector<std::array<Piece, chunk>> pieces(in_flight);  // of chunk k at k mod in_flight
+  const auto visit = [&](int k, auto&& work) {
+    auto& places = pieces[std::size_t(k % in_flight)];
+    for (int e = k * chunk; e < std::min((k + 1) * chunk, elements); ++e)
+      work(e, places[std::size_t(e % chunk)]);
+  };
+  int next = 0;
+  using tbb::filter_mode;
+  tbb::parallel_pipeline(
+      in_flight,
+      tbb::make_filter<void, int>(filter_mode::serial_in_order, [&](tbb::flow_control& control) {
+        if (next == chunks) control.stop();
+        return next < chunks ? next++ : next;
+      }) & tbb::make_filter<int, int>(filter_mode::parallel, [&](int k) {
+        return visit(k, compute), k;
+      }) & tbb::make_filter<int, void>(filter_mode::serial_in_order, [&](int k) {
+        visit(k, add);
+      }));
+}
+
 }  // namespace
 
-// An element's system, and the parts of it that go into the global ones.
+// What of an element's system goes into the global ones.
 struct CoupledSystem::Piece {
-  ElementSystem whole;
   Eigen::MatrixXd flow;
   Eigen::VectorXd flow_rhs;
   Eigen::Matrix<double, motion_size, motion_size> motion;
@@ -188,8 +213,8 @@ CoupledSystem::CoupledSystem(const Triangulation& mesh, const model::Material& m
 
 // n: node normals of the triangle. A test field Z = φ_a n_a gives the row a of G.
 void CoupledSystem::cut(const ElementNodes& n, const ElementNodes& foot, double tau,
-                        bool keep_volume, Piece& piece) const {
-  const auto& [A, rhs, constraints] = piece.whole;
+                        bool keep_volume, const ElementSystem& element, Piece& piece) const {
+  const auto& [A, rhs, constraints] = element;
   const int size = head + (scheme_ == Scheme::split ? 10 : motion_size);
   piece.flow.setZero(size + multipliers_, size + multipliers_);
   piece.flow_rhs.setZero(size + multipliers_);
@@ -236,40 +261,34 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
   normals_ = curvature.node_normals;
   const StepParameters step{.tau = tau, .area_rate = constraints.area_rate, .area = area_};
 
-  constexpr int chunk = 64;  // in parallel; then one after the other into the matrices
-  std::vector<Piece> pieces(chunk);
-  for (int begin = 0; begin < mesh.count(); begin += chunk) {
-    const int end = std::min(begin + chunk, mesh.count());
-    tbb::parallel_for(begin, end, [&](int e) {
-      Piece& piece = pieces[std::size_t(e - begin)];
-      const ElementNodes old_X = on_element(mesh, e, old.X), origin = on_element(mesh, e, from.X);
-      assemble_element(material_,
-                       {.X = old_X,
-                        .from = origin,
-                        .normals = on_element(mesh, e, curvature.normals),
-                        .beta = on_element(mesh, e, old.beta),
-                        .H = on_element(mesh, e, curvature.H)},
-                       step, piece.whole);
-      slow_down_mesh(on_element(mesh, e, from.H), tau, piece.whole);
-      const ElementNodes n = on_element(mesh, e, normals_);
-      cut(n, foot_points(old_X, origin, n), tau, constraints.keep_volume, piece);
-      if (along_normals()) {
-        const Eigen::MatrixXd T = normal_motion(n, int(piece.flow.rows()));
-        piece.flow = (T.transpose() * piece.flow * T).eval();
-        piece.flow_rhs = (T.transpose() * piece.flow_rhs).eval();
-      }
-      if (split)
-        normal_motion_[std::size_t(e)] = -piece.whole.matrix.block<10, 30>(local::H, local::V);
-    });
-    for (int e = begin; e < end; ++e) {
-      const Piece& piece = pieces[std::size_t(e - begin)];
-      flow_pattern_.add(e, piece.flow, flow_.matrix);
-      flow_pattern_.add(e, piece.flow_rhs, flow_.rhs);
-      if (!split) continue;
-      motion_pattern_.add(e, piece.motion, motion_.matrix);
-      motion_pattern_.add(e, piece.motion_rhs, motion_.rhs);
+  const auto compute = [&](int e, Piece& piece) {
+    static thread_local ElementSystem element;
+    const ElementNodes old_X = on_element(mesh, e, old.X), origin = on_element(mesh, e, from.X);
+    assemble_element(material_,
+                     {.X = old_X,
+                      .from = origin,
+                      .normals = on_element(mesh, e, curvature.normals),
+                      .beta = on_element(mesh, e, old.beta),
+                      .H = on_element(mesh, e, curvature.H)},
+                     step, element);
+    slow_down_mesh(on_element(mesh, e, from.H), tau, element);
+    const ElementNodes n = on_element(mesh, e, normals_);
+    cut(n, foot_points(old_X, origin, n), tau, constraints.keep_volume, element, piece);
+    if (along_normals()) {
+      const Eigen::MatrixXd T = normal_motion(n, int(piece.flow.rows()));
+      piece.flow = (T.transpose() * piece.flow * T).eval();
+      piece.flow_rhs = (T.transpose() * piece.flow_rhs).eval();
     }
-  }
+    if (split) normal_motion_[std::size_t(e)] = -element.matrix.block<10, 30>(local::H, local::V);
+  };
+  const auto add = [&](int e, const Piece& piece) {
+    flow_pattern_.add(e, piece.flow, flow_.matrix);
+    flow_pattern_.add(e, piece.flow_rhs, flow_.rhs);
+    if (!split) return;
+    motion_pattern_.add(e, piece.motion, motion_.matrix);
+    motion_pattern_.add(e, piece.motion_rhs, motion_.rhs);
+  };
+  add_in_order<Piece>(mesh.count(), compute, add);
   flow_.rhs[first_multiplier()] = constraints.keep_volume ? constraints.volume_rate : 0;
 }
 

@@ -82,7 +82,7 @@ class CoupledSystem {
  private:
   struct Piece;
   void cut(const ElementNodes& normals, const ElementNodes& foot, double tau, bool keep_volume,
-           Piece& piece) const;
+           const ElementSystem& element, Piece& piece) const;
   bool along_normals() const { return area_ == model::AreaConstraint::global; }
   // Where H and λ begin among the unknowns of the flow:
   int first_curvature() const;

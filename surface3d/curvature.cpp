@@ -1,10 +1,11 @@
 #include "surface3d/curvature.h"
 
 #include "model/numerics/area_volume.h"
+#include "surface3d/parallel.h"
 
 #include <Eigen/IterativeLinearSolvers>
 
-#include <cmath>
+#include <limits>
 
 namespace sbeh::surface3d {
 
@@ -16,8 +17,6 @@ constexpr double mass_tolerance = 1e-14;
 constexpr int mass_iterations = 300;
 constexpr double mass_accepted = 1e-11;  // rounding may keep the residual above the tolerance
 
-using ElementMass = Eigen::Matrix<double, 10, 10>;
-
 }  // namespace
 
 Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& n) {
@@ -26,13 +25,10 @@ Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& n) 
 
 Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& n,
                      const Nodes& position) {
-  SparseMatrix mass = mesh.scalars.zero();
-  Field rhs = Field::Zero(mesh.nodes);
-  for (int e = 0; e < mesh.count(); ++e) {
+  using System = ScalarSystem<1>;
+  const System system(mesh, [&](int e, System::Matrix& matrix, System::Vectors& vector) {
     const ElementNodes local = on_element(mesh, e, X), local_n = on_element(mesh, e, n),
                        local_position = on_element(mesh, e, position);
-    ElementMass matrix = ElementMass::Zero();
-    ElementField vector = ElementField::Zero();
     for (const ShapeValues& s : assembly_points()) {
       const SurfacePoint p = surface_point(local, s);
       const Shapes phi(s.phi.data());
@@ -44,43 +40,37 @@ Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& n,
                 * Shapes(p.grad[std::size_t(k)].data())
                       .cwiseProduct(local_n.transpose() * slope.col(k));
     }
-    mesh.scalars.add(e, matrix, mass);
-    mesh.scalars.add(e, vector, rhs);
-  }
-  if (!rhs.allFinite()) return {};
-  Eigen::BiCGSTAB<SparseMatrix> solver(mass);
+  });
+  if (!system.rhs.allFinite()) return {};
+  Eigen::BiCGSTAB<SparseMatrix> solver(system.matrix);
   solver.setTolerance(mass_tolerance);
   solver.setMaxIterations(mass_iterations);
-  Field H = solver.solve(rhs);
+  Field H = solver.solve(system.rhs);
   if (!H.allFinite() || !(solver.error() < mass_accepted)) return {};
   return H;
 }
 
 Nodes projected_normals(const Triangulation& mesh, const Nodes& X) {
-  SparseMatrix mass = mesh.scalars.zero();
-  Eigen::MatrixX3d rhs = Eigen::MatrixX3d::Zero(mesh.nodes, 3);
-  for (int e = 0; e < mesh.count(); ++e) {
+  using System = ScalarSystem<3>;
+  const System system(mesh, [&](int e, System::Matrix& matrix, System::Vectors& vectors) {
     const ElementNodes local = on_element(mesh, e, X);
-    ElementMass matrix = ElementMass::Zero();
-    ElementNodes vector = ElementNodes::Zero();
     for (const ShapeValues& s : assembly_points()) {
       const SurfacePoint p = surface_point(local, s);
       const Shapes phi(s.phi.data());
       matrix += (p.dS * phi) * phi.transpose();
-      vector += p.nu() * (p.dS * phi).transpose();
+      vectors += (p.dS * phi) * p.nu().transpose();
     }
-    mesh.scalars.add(e, matrix, mass);
-    for (int a = 0; a < 10; ++a) rhs.row(mesh.triangles(a, e)) += vector.col(a).transpose();
-  }
-  if (!rhs.allFinite()) return {};
-  Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver(mass);
-  solver.setTolerance(mass_tolerance);
-  solver.setMaxIterations(mass_iterations);
+  });
+  if (!system.rhs.allFinite()) return {};
+  const Nodes guess = node_normals(mesh, X);
   Nodes n(3, mesh.nodes);
-  for (int k = 0; k < 3; ++k) {
-    n.row(k) = solver.solve(rhs.col(k)).transpose();
-    if (!(solver.error() < mass_accepted)) return {};
-  }
+  in_parallel(3, [&](int k) {
+    Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver(system.matrix);
+    solver.setTolerance(mass_tolerance);
+    solver.setMaxIterations(mass_iterations);
+    n.row(k) = solver.solveWithGuess(system.rhs.col(k), guess.row(k).transpose()).transpose();
+    if (!(solver.error() < mass_accepted)) n(k, 0) = std::numeric_limits<double>::quiet_NaN();
+  });
   n.colwise().normalize();
   if (!n.allFinite()) return {};
   return n;
@@ -110,27 +100,25 @@ bool correct_area_volume(const Triangulation& mesh, Nodes& X, double area_asked,
   const Nodes shift = n * H.asDiagonal();
   const auto moved = [&](const Eigen::Vector2d& c) -> Nodes { return X + c[0] * n + c[1] * shift; };
   const auto miss = [&](const Eigen::Vector2d& c) -> Eigen::Vector2d {
-    const Nodes Y = moved(c);
-    return {area(mesh, Y) / area_asked - 1, volume(mesh, Y) / volume_asked - 1};
+    const AreaVolume now = area_and_volume(mesh, moved(c));
+    return {now.area / area_asked - 1, now.volume / volume_asked - 1};
   };
   const auto slope = [&](const Eigen::Vector2d& c) -> Eigen::Matrix2d {
-    const Nodes Y = moved(c);
-    Eigen::Matrix2d J = Eigen::Matrix2d::Zero();
-    for_each_point(
-        mesh, Y, diagnostic_points(), [&](int e, const ShapeValues& s, const SurfacePoint& p) {
+    const Eigen::Array4d sum = integrate<4>(
+        mesh, moved(c), assembly_points(), [&](int e, const ShapeValues& s, const SurfacePoint& p) {
+          Eigen::Array4d rates;  // of A and V
           int k = 0;
           for (const Nodes* direction : {&n, &shift}) {
             const ElementNodes W = on_element(mesh, e, *direction);
-            const double divergence = p.frame.leftCols<2>().cwiseProduct(gradient_at(W, p)).sum();
-            J.col(k++) += p.dS
-                        * Eigen::Vector2d(divergence / area_asked,
-                                          value_at(W, s).dot(p.nu()) / volume_asked);
+            rates[k++] = p.frame.leftCols<2>().cwiseProduct(gradient_at(W, p)).sum() / area_asked;
+            rates[k++] = value_at(W, s).dot(p.nu()) / volume_asked;
           }
+          return rates;
         });
-    return J;
+    return Eigen::Map<const Eigen::Matrix2d>(sum.data());
   };
-  const auto c =
-      model::solve_area_volume(miss, slope, is_sphere(mesh, area(mesh, X), volume(mesh, X)));
+  const AreaVolume now = area_and_volume(mesh, X);
+  const auto c = model::solve_area_volume(miss, slope, is_sphere(mesh, now.area, now.volume));
   if (c) X = moved(*c);
   return c.has_value();
 }

@@ -1,6 +1,7 @@
 #include "surface3d/diagnostics.h"
 
 #include "model/energy_density.h"
+#include "surface3d/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,8 +12,7 @@ namespace sbeh::surface3d {
 
 Energy energy(const Triangulation& mesh, const model::Material& material, const State& state,
               const Curvature& curvature) {
-  Energy sum;
-  for_each_point(
+  const auto sum = integrate<3>(
       mesh, state.X, diagnostic_points(), [&](int e, const ShapeValues& s, const SurfacePoint& p) {
         const double H = value_at(on_element(mesh, e, curvature.H), s);
         const ElementField beta = on_element(mesh, e, state.beta);
@@ -20,11 +20,10 @@ Energy energy(const Triangulation& mesh, const model::Material& material, const 
         const auto density =
             model::energy_density(material, value_at(beta, s), gradient_at(beta, p).squaredNorm(),
                                   H, model::gauss_curvature(B));
-        sum.distortion += p.dS * density.distortion;
-        sum.bending += p.dS * (density.bending + density.gaussian);
-        sum.thermotropic += p.dS * density.thermotropic;
+        return Eigen::Array3d(density.distortion, density.bending + density.gaussian,
+                              density.thermotropic);
       });
-  return sum;
+  return {.distortion = sum[0], .bending = sum[1], .thermotropic = sum[2]};
 }
 
 double mesh_quality(const Triangulation& mesh, const Nodes& X) {

@@ -2,6 +2,7 @@
 
 #include <dmumps_c.h>
 #include <metis.h>
+#include <smumps_c.h>
 
 #include <cassert>
 #include <cmath>
@@ -43,24 +44,40 @@ std::vector<int> elimination_order(const SparseMatrix& matrix) {
 
 }  // namespace
 
-struct DirectSolver::Mumps {
-  DMUMPS_STRUC_C id{};
-  bool symmetric = false, analysed = false;
-  std::vector<int> rows, columns, order;
-  std::vector<double> values;
+class DirectSolver::Factors {
+ public:
+  virtual ~Factors() = default;
+  virtual bool factor(const SparseMatrix& A) = 0;
+  virtual void solve(Eigen::Ref<Eigen::MatrixXd> rhs) = 0;
+  virtual double flops() const = 0;
+  virtual double entries() const = 0;
+  virtual double megabytes() const = 0;
+};
 
-  // MUMPS's manual counts from 1.
-  int& control(int i) { return id.icntl[i - 1]; }
-  bool run(int job) {
-    id.job = job;
-    dmumps_c(&id);
-    return id.infog[0] >= 0;
-  }
+namespace {
 
-  explicit Mumps(bool is_symmetric) : symmetric(is_symmetric) {
-    id.par = 1;
-    id.sym = symmetric ? 2 : 0;
-    id.comm_fortran = -987654;  // MPI_COMM_WORLD of the sequential library
+template <class Number>
+struct Library;
+template <>
+struct Library<double> {
+  using Data = DMUMPS_STRUC_C;
+  static void call(Data& data) { dmumps_c(&data); }
+};
+template <>
+struct Library<float> {
+  using Data = SMUMPS_STRUC_C;
+  static void call(Data& data) { smumps_c(&data); }
+};
+
+}  // namespace
+
+template <class Number>
+class DirectSolver::Mumps : public Factors {
+ public:
+  explicit Mumps(Symmetry symmetry) : symmetric_(symmetry == Symmetry::symmetric) {
+    id_.par = 1;
+    id_.sym = symmetric_ ? 2 : 0;
+    id_.comm_fortran = -987654;  // MPI_COMM_WORLD of the sequential library
     run(-1);
     for (const int stream : {1, 2, 3}) control(stream) = -1;
     control(4) = 0;    // silent
@@ -68,74 +85,108 @@ struct DirectSolver::Mumps {
     control(7) = 1;    // our ordering
     control(14) = 60;  // per cent of memory more than estimated, for pivoting
   }
-  ~Mumps() { run(-2); }
+  ~Mumps() override { run(-2); }
   Mumps(const Mumps&) = delete;
   Mumps& operator=(const Mumps&) = delete;
 
-  bool stored(Eigen::Index row, Eigen::Index column) const { return !symmetric || column <= row; }
+  bool factor(const SparseMatrix& A) override;
+  void solve(Eigen::Ref<Eigen::MatrixXd> rhs) override;
 
-  void set_structure(const SparseMatrix& A) {
-    rows.clear();
-    columns.clear();
-    for (Eigen::Index i = 0; i < A.outerSize(); ++i)
-      for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
-        if (stored(i, entry.col())) {
-          rows.push_back(int(i) + 1);
-          columns.push_back(int(entry.col()) + 1);
-        }
-    values.resize(rows.size());
-    id.n = int(A.rows());
-    id.nnz = MUMPS_INT8(rows.size());
-    id.irn = rows.data();
-    id.jcn = columns.data();
-    id.a = values.data();
-    order = elimination_order(A);
-    id.perm_in = order.data();
+  double flops() const override { return double(id_.rinfog[2]); }
+  double entries() const override {
+    const int entries = id_.infog[28];
+    return entries < 0 ? -1e6 * entries : entries;  // large numbers are given in millions
   }
-  void set_values(const SparseMatrix& A) {
-    auto value = values.begin();
-    for (Eigen::Index i = 0; i < A.outerSize(); ++i)
-      for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
-        if (stored(i, entry.col())) *value++ = entry.value();
-    assert(value == values.end());
+  double megabytes() const override { return id_.infog[21]; }
+
+ private:
+  // MUMPS's manual counts from 1.
+  int& control(int i) { return id_.icntl[i - 1]; }
+  bool run(int job) {
+    id_.job = job;
+    Library<Number>::call(id_);
+    return id_.infog[0] >= 0;
   }
+  bool stored(Eigen::Index row, Eigen::Index column) const { return !symmetric_ || column <= row; }
+  void set_structure(const SparseMatrix& A);
+  void set_values(const SparseMatrix& A);
+
+  typename Library<Number>::Data id_{};
+  bool symmetric_, analysed_ = false;
+  std::vector<int> rows_, columns_, order_;
+  std::vector<Number> values_;
+  Eigen::Matrix<Number, Eigen::Dynamic, Eigen::Dynamic> rhs_;
 };
 
-DirectSolver::DirectSolver(Symmetry symmetry)
-    : mumps_(std::make_unique<Mumps>(symmetry == Symmetry::symmetric)) {}
-DirectSolver::~DirectSolver() = default;
-DirectSolver::DirectSolver(DirectSolver&&) noexcept = default;
-DirectSolver& DirectSolver::operator=(DirectSolver&&) noexcept = default;
+template <class Number>
+void DirectSolver::Mumps<Number>::set_structure(const SparseMatrix& A) {
+  rows_.clear();
+  columns_.clear();
+  for (Eigen::Index i = 0; i < A.outerSize(); ++i)
+    for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
+      if (stored(i, entry.col())) {
+        rows_.push_back(int(i) + 1);
+        columns_.push_back(int(entry.col()) + 1);
+      }
+  values_.resize(rows_.size());
+  id_.n = int(A.rows());
+  id_.nnz = MUMPS_INT8(rows_.size());
+  id_.irn = rows_.data();
+  id_.jcn = columns_.data();
+  id_.a = values_.data();
+  order_ = elimination_order(A);
+  id_.perm_in = order_.data();
+}
 
-bool DirectSolver::factor(const SparseMatrix& A) {
-  Mumps& m = *mumps_;
-  if (!m.analysed) m.set_structure(A);
-  m.set_values(A);
-  for (const double value : m.values)
+template <class Number>
+void DirectSolver::Mumps<Number>::set_values(const SparseMatrix& A) {
+  auto value = values_.begin();
+  for (Eigen::Index i = 0; i < A.outerSize(); ++i)
+    for (SparseMatrix::InnerIterator entry(A, i); entry; ++entry)
+      if (stored(i, entry.col())) *value++ = Number(entry.value());
+  assert(value == values_.end());
+}
+
+template <class Number>
+bool DirectSolver::Mumps<Number>::factor(const SparseMatrix& A) {
+  if (!analysed_) set_structure(A);
+  set_values(A);
+  for (const Number value : values_)
     if (!std::isfinite(value)) return false;
-  if (!m.analysed && !(m.analysed = m.run(1))) return false;
+  if (!analysed_ && !(analysed_ = run(1))) return false;
   constexpr int out_of_workspace = -9;
-  bool ok = m.run(2);
-  for (int more = 0; !ok && m.id.infog[0] == out_of_workspace && more < 3; ++more) {
-    m.control(14) *= 2;
-    ok = m.run(2);
+  bool ok = run(2);
+  for (int more = 0; !ok && id_.infog[0] == out_of_workspace && more < 3; ++more) {
+    control(14) *= 2;
+    ok = run(2);
   }
   return ok;
 }
 
-void DirectSolver::solve(Eigen::Ref<Eigen::MatrixXd> rhs) const {
-  Mumps& m = *mumps_;
-  m.id.rhs = rhs.data();
-  m.id.nrhs = int(rhs.cols());
-  m.id.lrhs = int(rhs.outerStride());
-  m.run(3);
+template <class Number>
+void DirectSolver::Mumps<Number>::solve(Eigen::Ref<Eigen::MatrixXd> rhs) {
+  rhs_ = rhs.cast<Number>();
+  id_.rhs = rhs_.data();
+  id_.nrhs = int(rhs_.cols());
+  id_.lrhs = int(rhs_.rows());
+  run(3);
+  rhs = rhs_.template cast<double>();
 }
 
-double DirectSolver::flops() const { return mumps_->id.rinfog[2]; }
-double DirectSolver::entries() const {
-  const int entries = mumps_->id.infog[28];
-  return entries < 0 ? -1e6 * entries : entries;  // large numbers are given in millions
+DirectSolver::DirectSolver(Symmetry symmetry, Precision precision) {
+  if (precision == Precision::full)
+    factors_ = std::make_unique<Mumps<double>>(symmetry);
+  else
+    factors_ = std::make_unique<Mumps<float>>(symmetry);
 }
-double DirectSolver::megabytes() const { return mumps_->id.infog[21]; }
+DirectSolver::~DirectSolver() = default;
+DirectSolver::DirectSolver(DirectSolver&&) noexcept = default;
+DirectSolver& DirectSolver::operator=(DirectSolver&&) noexcept = default;
+
+bool DirectSolver::factor(const SparseMatrix& A) { return factors_->factor(A); }
+void DirectSolver::solve(Eigen::Ref<Eigen::MatrixXd> rhs) const { factors_->solve(rhs); }
+double DirectSolver::flops() const { return factors_->flops(); }
+double DirectSolver::entries() const { return factors_->entries(); }
+double DirectSolver::megabytes() const { return factors_->megabytes(); }
 
 }  // namespace sbeh::surface3d

@@ -8,11 +8,13 @@
 namespace sbeh::surface3d {
 
 enum class Symmetry { general, symmetric };
+/// Of the factors: double or float.
+enum class Precision { full, single };
 
 /// LU (or LDLᵀ) of a sparse matrix whose structure stays the same from one factorisation to the next.
 class DirectSolver {
  public:
-  explicit DirectSolver(Symmetry symmetry);
+  explicit DirectSolver(Symmetry symmetry, Precision precision = Precision::full);
   ~DirectSolver();
   DirectSolver(DirectSolver&&) noexcept;
   DirectSolver& operator=(DirectSolver&&) noexcept;
@@ -29,8 +31,10 @@ class DirectSolver {
   double megabytes() const;
 
  private:
-  struct Mumps;
-  std::unique_ptr<Mumps> mumps_;
+  class Factors;
+  template <class Number>
+  class Mumps;
+  std::unique_ptr<Factors> factors_;
 };
 
 }  // namespace sbeh::surface3d

@@ -23,7 +23,8 @@ class Solver {
         material_(material),
         model_(model),
         numerics_(numerics),
-        stepper_(mesh_, material, model, numerics.scheme, numerics.factorisation) {}
+        stepper_(mesh_, material, model, numerics.scheme, numerics.factorisation,
+                 numerics.solver_tolerance) {}
 
   model::FlowStep<State> step(const State& old, const Target& target, double tau) {
     return step(old, old, target, tau);
@@ -40,7 +41,8 @@ class Solver {
             .speed_max = fields_.V.colwise().norm().maxCoeff()};
   }
   Target measure(const State& state) const {
-    return {area(*mesh_, state.X), volume(*mesh_, state.X)};
+    const auto [A, V] = area_and_volume(*mesh_, state.X);
+    return {A, V};
   }
   bool restore(State& state, const Target& target) const {
     return correct_area_volume(*mesh_, state.X, target.area, target.volume);
@@ -102,7 +104,8 @@ bool Solver::renew(State& state) {
   if (!remeshed_->mesh) return remeshing_over_ = true, false;
   mesh_ = remeshed_->mesh;
   state = remeshed_->state;
-  stepper_ = TimeStepper(mesh_, material_, model_, numerics_.scheme, numerics_.factorisation);
+  stepper_ = TimeStepper(mesh_, material_, model_, numerics_.scheme, numerics_.factorisation,
+                         numerics_.solver_tolerance);
   fields_ = {};
   const auto curvature = curvature_of(*mesh_, state.X);
   remeshing_over_ = triangles == numerics_.most_triangles
@@ -114,6 +117,9 @@ bool Solver::renew(State& state) {
 
 void Numerics::validate() const {
   TimeControl::validate();
+  if (!(solver_tolerance >= 1e-12 && solver_tolerance <= 1e-2))
+    throw std::invalid_argument(
+        fmt::format("solver_tolerance = {}: must be in 1e-12 ... 0.01", solver_tolerance));
   if (most_triangles < 20 || most_triangles > 200'000)
     throw std::invalid_argument(
         fmt::format("most_triangles = {}: must be in 20 ... 200000", most_triangles));

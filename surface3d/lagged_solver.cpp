@@ -16,7 +16,8 @@ int LaggedSolver::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::
   };
   std::vector<Eigen::VectorXd> basis{preconditioned(b - A * x)};
   const double start = basis[0].norm(), size = x.norm() > 0 ? x.norm() : start;
-  const double enough = std::min(tolerance * size, std::max(reduction * start, floor * size));
+  const double enough =
+      std::min(tolerance_ * size, std::max(reduction * tolerance_ * start, floor * size));
   if (!std::isfinite(start)) return 0;
   if (start <= enough) return x += basis[0], 1;
   basis[0] /= start;

@@ -6,26 +6,31 @@
 namespace sbeh::surface3d {
 
 /// Solves A x = b by GMRES with the factors of an earlier matrix as left preconditioner, so that the
-/// residual measures the error of the solution.
+/// residual measures the error of the solution. The factors are in single precision unless the tolerance
+/// is below `coarse`.
 class LaggedSolver {
  public:
-  explicit LaggedSolver(Symmetry symmetry) : direct_(symmetry) {}
+  LaggedSolver(Symmetry symmetry, double tolerance)
+      : direct_(symmetry, tolerance < coarse ? Precision::full : Precision::single),
+        tolerance_(tolerance) {}
 
   [[nodiscard]] bool factor(const SparseMatrix& A) { return direct_.factor(A); }
 
   /// Improves the guess x, which may be 0, until the preconditioned residual is `tolerance` of x; and
-  /// where the guess is good, `reduction` of that of the guess, but no less than `floor` of x. Returns
-  /// the number of times the factors were applied; 0 when that did not suffice, and then x is as it was.
+  /// where the guess is good, `reduction` times the tolerance of that of the guess, but no less than
+  /// `floor` of x. Returns the number of times the factors were applied; 0 when `most_iterations` did not
+  /// suffice, and then x is as it was.
   int solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
 
   /// What a factorisation costs, in applications of its factors.
   double cost_of_factoring() const;
 
-  static constexpr double tolerance = 1e-8, reduction = 1e-5, floor = 1e-11;
+  static constexpr double coarse = 1e-6, exact = 1e-8, reduction = 1e3, floor = 1e-11;
   static constexpr int most_iterations = 30;
 
  private:
   DirectSolver direct_;
+  double tolerance_;
 };
 
 }  // namespace sbeh::surface3d

@@ -22,6 +22,7 @@ struct Numerics : model::TimeControl {
   Integrator integrator = Integrator::two_step;
   Scheme scheme = Scheme::split;
   Factorisation factorisation = Factorisation::lagged;
+  double solver_tolerance = default_solver_tolerance;  ///< of the linear systems, 1e-12 … 1e-2
   bool remesh = false;        ///< make new triangles where they do not resolve the surface
   int most_triangles = 5120;  ///< not more than so many, 20 … 200000
 

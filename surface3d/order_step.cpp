@@ -1,6 +1,7 @@
 #include "surface3d/order_step.h"
 
 #include "model/order_step.h"
+#include "surface3d/parallel.h"
 
 #include <Eigen/IterativeLinearSolvers>
 
@@ -8,16 +9,13 @@ namespace sbeh::surface3d {
 
 Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
                  const Field& from, const Curvature& curvature, const Nodes& slip, double tau) {
-  SparseMatrix A = mesh.scalars.zero();
-  Field rhs = Field::Zero(mesh.nodes);
-  for (int e = 0; e < mesh.count(); ++e) {
+  using System = ScalarSystem<1>;
+  const System system(mesh, [&](int e, System::Matrix& matrix, System::Vectors& vector) {
     const ElementNodes X = on_element(mesh, e, at.X),
                        normals = on_element(mesh, e, curvature.normals),
                        local_slip = on_element(mesh, e, slip);
     const ElementField beta = on_element(mesh, e, at.beta), old = on_element(mesh, e, from),
                        H = on_element(mesh, e, curvature.H);
-    Eigen::Matrix<double, 10, 10> matrix = Eigen::Matrix<double, 10, 10>::Zero();
-    ElementField vector = ElementField::Zero();
     for (const ShapeValues& s : assembly_points()) {
       const SurfacePoint x = surface_point(X, s);
       const double h = value_at(H, s);
@@ -38,14 +36,12 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
       matrix += (x.dS * d.diffusion * grad_2) * grad_2.transpose();
       vector += x.dS * d.rhs * phi;
     }
-    mesh.scalars.add(e, matrix, A);
-    mesh.scalars.add(e, vector, rhs);
-  }
+  });
   // Dominated by the mass matrix: a few dozen iterations to rounding.
-  Eigen::BiCGSTAB<SparseMatrix> solver(A);
+  Eigen::BiCGSTAB<SparseMatrix> solver(system.matrix);
   solver.setTolerance(1e-13);
   solver.setMaxIterations(2000);
-  const Field beta = solver.solveWithGuess(rhs, at.beta);
+  const Field beta = solver.solveWithGuess(system.rhs, at.beta);
   if (!beta.allFinite() || !(solver.error() < 1e-10)) return {};
   return beta;
 }

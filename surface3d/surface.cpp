@@ -2,6 +2,7 @@
 
 #include "model/numerics/lagrange.h"
 #include "model/numerics/quadrature.h"
+#include "surface3d/parallel.h"
 
 #include <cmath>
 #include <numbers>
@@ -86,20 +87,28 @@ SurfacePoint surface_point(const ElementNodes& X, const ShapeValues& s) {
   return p;
 }
 
-double area(const Triangulation& mesh, const Nodes& X) {
-  double sum = 0;
-  for_each_point(mesh, X, diagnostic_points(),
-                 [&](int, const ShapeValues&, const SurfacePoint& p) { sum += p.dS; });
+AreaVolume area_and_volume(const Triangulation& mesh, const Nodes& X) {
+  std::vector<AreaVolume> parts(std::size_t(mesh.count()), AreaVolume{});
+  in_parallel(mesh.count(), [&](int e) {
+    const ElementNodes local = on_element(mesh, e, X);
+    AreaVolume& part = parts[std::size_t(e)];
+    for (const ShapeValues& s : diagnostic_points()) {
+      const Eigen::Vector3d a1 = local * Shapes(s.dphi[0].data()),
+                            a2 = local * Shapes(s.dphi[1].data()), normal = a1.cross(a2);
+      part.area += s.weight * normal.norm();
+      part.volume += s.weight * value_at(local, s).dot(normal) / 3;
+    }
+  });
+  AreaVolume sum{};
+  for (const auto& [area, volume] : parts) {
+    sum.area += area;
+    sum.volume += volume;
+  }
   return sum;
 }
 
-double volume(const Triangulation& mesh, const Nodes& X) {
-  double sum = 0;  // the integrand is a polynomial of degree 7: exact
-  for_each_point(mesh, X, assembly_points(), [&](int, const ShapeValues&, const SurfacePoint& p) {
-    sum += p.x.dot(p.nu()) / 3 * p.dS;
-  });
-  return sum;
-}
+double area(const Triangulation& mesh, const Nodes& X) { return area_and_volume(mesh, X).area; }
+double volume(const Triangulation& mesh, const Nodes& X) { return area_and_volume(mesh, X).volume; }
 
 bool is_sphere(const Triangulation& mesh, double area, double volume) {
   return reduced_volume(area, volume) > 1 - 1e-7 - 32 / std::pow(mesh.count(), 3);

@@ -3,6 +3,7 @@
 #include "surface3d/diagnostics.h"
 #include "surface3d/lagged_solver.h"
 #include "surface3d/order_step.h"
+#include "surface3d/parallel.h"
 
 #include <utility>
 
@@ -13,10 +14,9 @@ namespace {
 Dissipation dissipation_of(const Triangulation& mesh, const model::Material& m, const State& old,
                            const StepFields& f, const Field& beta_new, const Field& beta_from,
                            double tau) {
-  Dissipation d;
   const Field rate = (beta_new - beta_from) / tau;
   const Nodes slip = f.V - f.Y / tau;
-  for_each_point(
+  const auto sum = integrate<3>(
       mesh, old.X, assembly_points(), [&](int e, const ShapeValues& s, const SurfacePoint& p) {
         const ElementNodes local_V = on_element(mesh, e, f.V);
         const Eigen::Vector3d V = value_at(local_V, s);
@@ -27,13 +27,12 @@ Dissipation dissipation_of(const Triangulation& mesh, const model::Material& m, 
                               + local_slip.dot(gradient_at(on_element(mesh, e, beta_new), p));
         const double V_n = V.dot(p.nu());
         const model::Gradient<double> grad_V = p.frame.transpose() * gradient_at(local_V, p);
-        d.friction += p.dS
-                    * (m.friction_tangential * (V.squaredNorm() - V_n * V_n)
-                       + m.friction_normal * V_n * V_n);
-        d.order += p.dS * m.order_drag() * beta_dot * beta_dot;
-        d.viscous += p.dS * m.eta(beta) / 2 * model::rate_of_strain(grad_V).squaredNorm();
+        return Eigen::Array3d(
+            m.friction_tangential * (V.squaredNorm() - V_n * V_n) + m.friction_normal * V_n * V_n,
+            m.order_drag() * beta_dot * beta_dot,
+            m.eta(beta) / 2 * model::rate_of_strain(grad_V).squaredNorm());
       });
-  return d;
+  return {.friction = sum[0], .order = sum[1], .viscous = sum[2]};
 }
 
 // Without viscosity, which damps tangential flow at the scale of the mesh, the split scheme was seen to be
@@ -48,6 +47,11 @@ CoupledSystem system_of(const Triangulation& mesh, const model::Material& materi
   const model::Material m = effective(material, model);
   const model::AreaConstraint area = area_constraint(model);
   return CoupledSystem(mesh, m, stable_scheme(m, area, scheme), area);
+}
+
+// Solutions with fresh factors are exact to rounding.
+double allowed(Factorisation factorisation, double solver_tolerance) {
+  return factorisation == Factorisation::every_step ? LaggedSolver::exact : solver_tolerance;
 }
 
 }  // namespace
@@ -75,11 +79,11 @@ struct TimeStepper::Workspace {
 void TimeStepper::Workspace::assemble(const State& at, const Origin& from,
                                       const Curvature& curvature, const Target& target,
                                       double tau) {
-  const double A = area(*mesh, at.X), volume_now = volume(*mesh, at.X);
+  const auto [A, V] = area_and_volume(*mesh, at.X);
   system.assemble(*mesh, at, curvature, from, tau,
                   {.area_rate = (target.area - A) / (tau * A),
-                   .volume_rate = (target.volume - volume_now) / tau,
-                   .keep_volume = !is_sphere(*mesh, A, volume_now)});
+                   .volume_rate = (target.volume - V) / tau,
+                   .keep_volume = !is_sphere(*mesh, A, V)});
 }
 
 // When the next solve is likely to cost more than the mean of all since the last factorisation,
@@ -162,16 +166,18 @@ const char* name(Factorisation factorisation) {
 }
 
 TimeStepper::TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
-                         model::Model model, Scheme scheme, Factorisation factorisation)
-    : work_(new Workspace{.mesh = mesh,
-                          .material = effective(material, model),
-                          .model = model,
-                          .factorisation = factorisation,
-                          .system = system_of(*mesh, material, model, scheme),
-                          .flow = LaggedSolver(Symmetry::general),
-                          .motion = LaggedSolver(Symmetry::symmetric),
-                          .memory = {},
-                          .counts = {}}) {}
+                         model::Model model, Scheme scheme, Factorisation factorisation,
+                         double solver_tolerance)
+    : work_(new Workspace{
+        .mesh = mesh,
+        .material = effective(material, model),
+        .model = model,
+        .factorisation = factorisation,
+        .system = system_of(*mesh, material, model, scheme),
+        .flow = LaggedSolver(Symmetry::general, allowed(factorisation, solver_tolerance)),
+        .motion = LaggedSolver(Symmetry::symmetric, allowed(factorisation, solver_tolerance)),
+        .memory = {},
+        .counts = {}}) {}
 TimeStepper::~TimeStepper() = default;
 TimeStepper::TimeStepper(TimeStepper&&) noexcept = default;
 TimeStepper& TimeStepper::operator=(TimeStepper&&) noexcept = default;
@@ -184,8 +190,8 @@ bool TimeStepper::recall(const StepperMemory& memory) {
     const State& at = memory.factored_at;
     const auto curvature = curvature_of(*work_->mesh, at.X);
     if (!curvature) return false;
-    const Target target{area(*work_->mesh, at.X), volume(*work_->mesh, at.X)};
-    work_->assemble(at, {at.X, curvature->H}, *curvature, target, memory.factored_tau);
+    const auto [A, V] = area_and_volume(*work_->mesh, at.X);
+    work_->assemble(at, {at.X, curvature->H}, *curvature, {A, V}, memory.factored_tau);
     if (!work_->factor(at, memory.factored_tau)) return false;
   }
   work_->memory = memory;

@@ -34,10 +34,12 @@ struct StepResult {
 /// How a step solves its linear systems.
 enum class Factorisation {
   lagged,     ///< factors of an earlier step, refactored when that is cheaper
-  every_step  ///< the reference
+  every_step  ///< the reference: exact solutions
 };
 /// "lagged" or "every-step".
 const char* name(Factorisation factorisation);
+
+inline constexpr double default_solver_tolerance = 1e-5;
 
 /// Solutions of the linear systems of a step, in their numbering; displacements by τ.
 struct Solution {
@@ -63,12 +65,14 @@ struct SolverCounts {
 
 /// First-order semi-implicit step (coupled step, then the order with its velocity, so that a step
 /// is a function of position and order alone). Keeps its matrices between steps. A flow that keeps area
-/// locally and has no viscosity is always solved by the monolithic scheme.
+/// locally and has no viscosity is always solved by the monolithic scheme. The linear systems are solved
+/// to `solver_tolerance`, see LaggedSolver.
 class TimeStepper {
  public:
   TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
               model::Model model, Scheme scheme = Scheme::split,
-              Factorisation factorisation = Factorisation::lagged);
+              Factorisation factorisation = Factorisation::lagged,
+              double solver_tolerance = default_solver_tolerance);
   ~TimeStepper();
   TimeStepper(TimeStepper&&) noexcept;
   TimeStepper& operator=(TimeStepper&&) noexcept;

@@ -218,6 +218,7 @@ TEST(RunInput, with_wrong_numerics_is_refused_with_line_key_and_value) {
        "second order"},
       {"scheme = 'spilt'", ":7: [numerics] scheme = 'spilt': must be one of 'split', 'monolithic'"},
       {"scheme = 1", ":7: [numerics] scheme = 1: must be one of 'split', 'monolithic'"},
+      {"solver_tolerance = 1", ":7: [numerics] solver_tolerance = 1: must be in 1e-12 ... 0.01"},
       {"factorisation = 'never'",
        ":7: [numerics] factorisation = 'never': must be one of 'lagged', 'every-step'"},
       {"tolerance = 0.2", ":7: [numerics] tolerance = 0.2: must be in 1e-12 ... 0.1"},
@@ -231,12 +232,12 @@ TEST(RunInput, with_wrong_numerics_is_refused_with_line_key_and_value) {
       {"elements = 48",
        ":7: [numerics] elements: unknown key. Known: tolerance, first_step, smallest_step, "
        "largest_step, extrapolate, rest_speed, scheme, integrator, factorisation, "
-       "remesh, most_triangles"},
+       "solver_tolerance, remesh, most_triangles"},
       {"factorization = 'lagged'",
        ":7: [numerics] factorization: unknown key; did you mean 'factorisation'? Known: tolerance, "
        "first_step, smallest_step, largest_step, extrapolate, rest_speed, scheme, integrator, "
        "factorisation, "
-       "remesh, most_triangles"},
+       "solver_tolerance, remesh, most_triangles"},
   };
   for (const std::string key :
        {"tolerance", "first_step", "smallest_step", "largest_step", "rest_speed"}) {

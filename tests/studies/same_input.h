@@ -39,9 +39,9 @@ inline void expect_same(const surface3d::Numerics& a, const surface3d::Numerics&
   const auto tie = [](const surface3d::Numerics& numerics) {
     const auto& [tolerance, first, smallest, largest, extrapolate, rest] =
         static_cast<const model::TimeControl&>(numerics);
-    return std::tie(numerics.integrator, numerics.scheme, numerics.factorisation, numerics.remesh,
-                    numerics.most_triangles, tolerance, first, smallest, largest, extrapolate,
-                    rest);
+    return std::tie(numerics.integrator, numerics.scheme, numerics.factorisation,
+                    numerics.solver_tolerance, numerics.remesh, numerics.most_triangles, tolerance,
+                    first, smallest, largest, extrapolate, rest);
   };
   EXPECT_TRUE(tie(a) == tie(b));
 }

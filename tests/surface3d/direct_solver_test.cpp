@@ -44,6 +44,19 @@ TEST(DirectSolver, solves_like_a_dense_factorisation) {
   }
 }
 
+TEST(DirectSolver, has_factors_in_single_precision_too) {
+  const SparseMatrix A = saddle_point(false, 1);
+  const Eigen::MatrixXd dense(A), rhs = Eigen::MatrixXd::Random(n, 2);
+  DirectSolver single(Symmetry::general, Precision::single);
+  ASSERT_TRUE(single.factor(A));
+  Eigen::MatrixXd x = rhs;
+  single.solve(x);
+  const Eigen::MatrixXd exact = dense.partialPivLu().solve(rhs);
+  const double coarser = std::numeric_limits<float>::epsilon() / epsilon;
+  EXPECT_LT((x - exact).norm(), coarser * allowed(dense) * exact.norm());
+  EXPECT_GT((x - exact).norm(), epsilon * exact.norm());
+}
+
 TEST(DirectSolver, takes_new_values_in_the_same_structure) {
   const SparseMatrix A = saddle_point(false, 2);
   SparseMatrix B = A;
