@@ -1,29 +1,19 @@
 // The documents stay true: their inputs are accepted, their links lead somewhere, their tables are complete.
 #include "studies/csv_line.h"
 #include "studies/describe.h"
-#include "studies/output.h"
 #include "studies/relax.h"
 #include "studies/run_start.h"
 #include "studies/series_file.h"
+#include "tests/studies/document.h"
 #include "tests/studies/input_file.h"
 
 #include <set>
-#include <sstream>
 
 namespace sbeh::studies {
 namespace {
 
 using namespace test;
 namespace fs = std::filesystem;
-
-using Lines = std::vector<std::string>;
-
-Lines lines_of(const fs::path& path) {
-  std::istringstream text(read_file(path));
-  Lines lines;
-  for (std::string line; std::getline(text, line);) lines.push_back(line);
-  return lines;
-}
 
 // All *.md below the repository root, but for what is built or computed there.
 const std::vector<fs::path>& documents() {
