@@ -52,15 +52,16 @@ inline std::vector<std::vector<std::string>> table_below(const std::filesystem::
 struct Printed {
   double value, rounding;
 };
-inline Printed printed(std::string text) {
+inline Printed printed(const std::string& text) {
   const std::string minus = "−";
-  if (text.starts_with(minus)) text.replace(0, minus.size(), "-");
-  const std::size_t point = text.find('.');
-  const double digits = point == std::string::npos ? 0 : double(text.size() - point - 1);
+  const bool negative = text.starts_with(minus);
+  const std::string number = negative ? text.substr(minus.size()) : text;
+  const std::size_t point = number.find('.');
+  const double digits = point == std::string::npos ? 0 : double(number.size() - point - 1);
   char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
+  const double value = std::strtod(number.c_str(), &end);
   EXPECT_EQ(*end, 0) << text << " is no number";
-  return {value, 0.5 * std::pow(10, -digits)};
+  return {negative ? -value : value, 0.5 * std::pow(10, -digits)};
 }
 
 /// Computed with an error of `accuracy` at most, then rounded.

@@ -100,7 +100,8 @@ TEST(RivalsTable, has_smooth_and_sharp_energies_at_the_papers_points) {
     input.reduced_volume = {v};
     input.L = {L};
     input.models = {Model::SBEH};
-    const CsvTable scan = read_csv(scanned("smooth" + row[0] + row[1], input) / "scan.csv");
+    const CsvTable scan =
+        read_csv(scanned(std::string("smooth").append(row[0]).append(row[1]), input) / "scan.csv");
     expect_printed(row[2], scan.number(0, "energy"), 1e-8);
     const auto states = axisym::beyond_fold({}, v, std::vector{L});
     const RimRecord* sharp = find(states, RimKind::sharp);
