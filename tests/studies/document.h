@@ -8,11 +8,30 @@
 #include <cmath>
 #include <cstdlib>
 #include <filesystem>
+#include <set>
 #include <sstream>
 #include <string>
 #include <vector>
 
 namespace sbeh::studies::test {
+
+/// All *.md below the repository root, but for what is built or computed there.
+inline const std::vector<std::filesystem::path>& documents() {
+  namespace fs = std::filesystem;
+  static const std::vector<fs::path> all = [] {
+    std::vector<fs::path> found;
+    const std::set<fs::path> skipped{"build", "results"};
+    for (fs::recursive_directory_iterator at("."), end; at != end; ++at) {
+      const fs::path name = at->path().filename();
+      if (at->is_directory() && (skipped.contains(name) || name.string().starts_with('.')))
+        at.disable_recursion_pending();
+      else if (name.extension() == ".md")
+        found.push_back(at->path().lexically_normal());
+    }
+    return found;
+  }();
+  return all;
+}
 
 inline std::vector<std::string> lines_of(const std::filesystem::path& path) {
   std::istringstream text(read_file(path));

@@ -7,30 +7,11 @@
 #include "tests/studies/document.h"
 #include "tests/studies/input_file.h"
 
-#include <set>
-
 namespace sbeh::studies {
 namespace {
 
 using namespace test;
 namespace fs = std::filesystem;
-
-// All *.md below the repository root, but for what is built or computed there.
-const std::vector<fs::path>& documents() {
-  static const std::vector<fs::path> all = [] {
-    std::vector<fs::path> found;
-    const std::set<fs::path> skipped{"build", "results"};
-    for (fs::recursive_directory_iterator at("."), end; at != end; ++at) {
-      const fs::path name = at->path().filename();
-      if (at->is_directory() && (skipped.contains(name) || name.string().starts_with('.')))
-        at.disable_recursion_pending();
-      else if (name.extension() == ".md")
-        found.push_back(at->path().lexically_normal());
-    }
-    return found;
-  }();
-  return all;
-}
 
 struct Block {
   std::string where, text;
