@@ -12,20 +12,32 @@ namespace {
 
 Agreement agrees(bool it_does) { return it_does ? Agreement::yes : Agreement::no; }
 
+// In the first row of a model.
+std::string text_of(const CsvTable& table, const char* model, const char* column) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    if (table.text(row, "model") == model) return table.text(row, column);
+  return "";
+}
+
 // ---- figure 3 -----------------------------------------------------------------------------------
 
-struct Moments {
-  double time, least, middle, largest;
-  // Two equal moments and a smaller one.
-  bool oblate() const { return largest < 1.02 * middle && least < 0.9 * middle; }
+// How far a state is from the stationary oblate, whose two larger principal moments are equal.
+struct LastState {
+  double instant, time, energy, oblate, least, middle, largest;
+  double above() const { return std::abs(energy / oblate - 1); }
+  bool is_oblate() const { return above() < 1e-3 && largest / middle < middle / least; }
 };
 
-std::optional<Moments> last_moments(const CsvTable& evolution, const char* model) {
-  for (std::size_t row = evolution.rows.size(); row-- > 0;)
-    if (evolution.text(row, "model") == model)
-      return Moments{evolution.number(row, "time"), evolution.number(row, "moment_1"),
-                     evolution.number(row, "moment_2"), evolution.number(row, "moment_3")};
-  return {};
+// Of the last of all instants, if the run has come so far.
+std::optional<LastState> last_state(const CsvTable& evolution, const char* model) {
+  std::optional<LastState> last;
+  for (std::size_t row = 0; row < evolution.rows.size(); ++row) {
+    const auto at = [&](const char* column) { return evolution.number(row, column); };
+    if (evolution.text(row, "model") == model && (!last || at("instant") > last->instant))
+      last = {at("instant"),  at("time"),     at("energy"),  at("energy_oblate"),
+              at("moment_1"), at("moment_2"), at("moment_3")};
+  }
+  return last && std::isfinite(last->time) ? last : std::nullopt;
 }
 
 // ---- figure 4 -----------------------------------------------------------------------------------
@@ -38,12 +50,6 @@ History history_of(const CsvTable& measures, const char* model, const char* colu
       h.value.push_back(measures.number(row, column));
     }
   return h;
-}
-
-std::string residual_stiffness_of(const CsvTable& table, const char* model) {
-  for (std::size_t row = 0; row < table.rows.size(); ++row)
-    if (table.text(row, "model") == model) return table.text(row, "residual_stiffness");
-  return "";
 }
 
 Finding falling(const History& energy, const char* model) {
@@ -76,33 +82,46 @@ Finding who_is_lower(const History& sbeh, const History& ssh) {
       agrees(above(worst) > 0 && at_end < 0)};
 }
 
-// W₂ is largest on the way from the threefold shape to the oblate.
-Finding who_is_earlier(const History& sbeh, const History& ssh) {
-  const auto time = [](const History& h) {
-    const std::size_t i = h.largest(threefold_from, h.end());
-    return i < h.size() ? h.time[i] : std::nan("");
-  };
-  const double late = time(sbeh), early = time(ssh);
-  const bool seen = late < 0.99 * sbeh.end() && early < 0.99 * ssh.end();
-  return {fmt::format("the threefold shape is left, by the largest W2 after t = {}, at t = {:.4g} "
-                      "(SSH) and {:.4g} (SBEH){}",
-                      threefold_from, early, late, seen ? "" : ", where a run ends"),
-          "SSH changes its shape earlier; SBEH is threefold from about 0.6 to 2.4",
-          seen ? agrees(early < late) : Agreement::open};
+// W₂ is largest on the way from the threefold shape to the oblate; empty where a run ends before.
+std::optional<double> time_of_change(const History& W2) {
+  const std::size_t i = W2.largest(threefold_from, W2.end());
+  if (i + 1 >= W2.size()) return {};
+  return W2.time[i];
 }
 
-Finding spread(const History& std_of_order) {
-  const std::size_t top = std_of_order.largest(0, std_of_order.end());
-  const std::size_t low = std_of_order.smallest(std_of_order.time[top], std_of_order.end());
-  const bool rises_again = std_of_order.last() > 1.01 * std_of_order.value[low];
-  return {fmt::format("std of the order: {:.4f} at t = {:.3g} (largest), {:.4f} at 1, {:.4f} at 2, "
-                      "{:.4f} at {:.3g} (smallest later), {:.4f} at {:.4g}",
-                      std_of_order.value[top], std_of_order.time[top], std_of_order.at(1),
-                      std_of_order.at(2), std_of_order.value[low], std_of_order.time[low],
-                      std_of_order.last(), std_of_order.end()),
-          "rises up to the first change, then a lower plateau, falls with the next change, and "
-          "rises at the end",
-          agrees(rises_again && std_of_order.at(1) < std_of_order.value[top])};
+std::vector<Finding> changes(const std::optional<double>& sbeh, const std::optional<double>& ssh) {
+  std::vector<Finding> findings;
+  if (sbeh && ssh)
+    findings.push_back(
+        {fmt::format("the threefold shape is left (W2 is largest) at t = {:.3g} by SSH, at t = "
+                     "{:.3g} by SBEH",
+                     *ssh, *sbeh),
+         "SSH leaves it earlier", agrees(*ssh < *sbeh)});
+  if (sbeh)  // within a fifth
+    findings.push_back({fmt::format("SBEH leaves it at t = {:.3g}", *sbeh), "between 2.4 and 2.6",
+                        agrees(std::abs(*sbeh / 2.5 - 1) <= 0.2)});
+  return findings;
+}
+
+// `change` is when the threefold shape is left; std, β̄ and W₂ have the same times.
+Finding spread(const History& std_of_order, double change) {
+  const auto at = [&](std::size_t i) {
+    return fmt::format("{:.4f} at t = {:.3g}", std_of_order.value[i], std_of_order.time[i]);
+  };
+  const std::size_t last = std_of_order.size() - 1, top = std_of_order.largest(0, change),
+                    low = std_of_order.smallest(change, std_of_order.end());
+  const double before = std_of_order.at(change);
+  const bool seen = low < last;
+  const bool as_said = std_of_order.time[top] < change && before < std_of_order.value[top]
+                    && std_of_order.value[low] < before
+                    && std_of_order.last() > std_of_order.value[low];
+  return {fmt::format(
+              "standard deviation of the order: at first largest, {}; {:.4f} when the threefold "
+              "shape is left; then {}{}",
+              at(top), before, at(low), seen ? ", and at the end " + at(last) : ""),
+          "rises up to the first change, has a lower plateau, falls with the next change and rises "
+          "at the end",
+          seen ? agrees(as_said) : Agreement::open};
 }
 
 }  // namespace
@@ -115,12 +134,14 @@ std::vector<Finding> evolution_findings(const CsvTable& evolution) {
         {fmt::format("reduced volume {:.4f}", v), "0.738", agrees(std::abs(v - 0.738) <= 0.0005)});
   }
   for (const char* model : {"SBEH", "SSH"})
-    if (const auto m = last_moments(evolution, model))
+    if (const auto s = last_state(evolution, model))
       findings.push_back(
-          {fmt::format("{} (k0 = {}) at t = {:.4g}: principal moments {:.3f}, {:.3f}, {:.3f}: {}",
-                       model, residual_stiffness_of(evolution, model), m->time, m->least, m->middle,
-                       m->largest, m->oblate() ? "an oblate" : "not an oblate, or not yet"),
-           "ends as an oblate", agrees(m->oblate())});
+          {fmt::format(
+               "{} (k0 = {}) at t = {:.4g}: U = {:.6f}, that of the stationary oblate {:.6f}; "
+               "principal moments {:.3f}, {:.3f}, {:.3f}",
+               model, text_of(evolution, model, "residual_stiffness"), s->time, s->energy,
+               s->oblate, s->least, s->middle, s->largest),
+           "ends as an oblate", agrees(s->is_oblate())});
   return findings;
 }
 
@@ -132,17 +153,24 @@ std::vector<Finding> measures_findings(const CsvTable& measures) {
   std::vector<Finding> findings;
   if (sbeh.size() > 1) findings.push_back(falling(sbeh, "SBEH"));
   if (ssh.size() > 1) findings.push_back(falling(ssh, "SSH"));
-  if (sbeh.size() > 1 && ssh.size() > 1) {
-    findings.push_back(who_is_lower(sbeh, ssh));
-    findings.push_back(who_is_earlier(of("SBEH", "W2"), of("SSH", "W2")));
-  }
-  if (sbeh.size() > 1) findings.push_back(spread(of("SBEH", "order_std")));
+  if (sbeh.size() > 1 && ssh.size() > 1) findings.push_back(who_is_lower(sbeh, ssh));
+  const auto change = time_of_change(of("SBEH", "W2"));
+  for (const Finding& finding : changes(change, time_of_change(of("SSH", "W2"))))
+    findings.push_back(finding);
+  if (change) findings.push_back(spread(of("SBEH", "order_std"), *change));
   if (ssh.size() > 1) {
     const History none = of("SSH", "order_std");
     const double largest = none.value[none.largest(0, none.end())];
     findings.push_back({fmt::format("SSH: std of the order {:.1e} at most", largest), "zero",
                         agrees(largest < 1e-12)});
   }
+  for (const char* model : {"SBEH", "SSH"})
+    if (const std::string from = text_of(measures, model, "unresolved_from"); !from.empty())
+      findings.push_back(
+          {fmt::format("{}: the triangles do not resolve the surface from t = {} on; "
+                       "numbers after that are not to be trusted",
+                       model, from),
+           "", Agreement::open});
   return findings;
 }
 

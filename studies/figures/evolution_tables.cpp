@@ -2,6 +2,7 @@
 #include "studies/csv_table.h"
 #include "studies/figures/tables.h"
 #include "studies/output.h"
+#include "studies/witness_state.h"
 #include "surface3d/diagnostics.h"
 
 #include <Eigen/Eigenvalues>
@@ -45,17 +46,24 @@ std::optional<std::size_t> nearest_frame(const CsvTable& frames, double instant)
   return nearest;
 }
 
-std::string evolution_row(const FoundRun& run, double instant, double time, const fs::path& file,
+double energy_of_oblate(const RunInput& input, double reduced_volume) {
+  CompareInput oblate;
+  oblate.model = input.model;
+  oblate.reduced_volume = reduced_volume;
+  oblate.L = input.material.L1;
+  oblate.material = input.material;
+  return newton_state(oblate).found.measures.energy;
+}
+
+std::string evolution_row(const FoundRun& run, double time, double oblate, const fs::path& file,
                           const fs::path& folder) {
   const Snapshot frame = read_snapshot(file);
   const surface3d::Triangulation mesh(frame.mesh);
   const auto d = surface3d::diagnose(mesh, run.input.material, {frame.mesh.nodes, frame.beta});
   const Eigen::Vector3d moments = principal_moments(mesh, frame.mesh.nodes);
-  return fmt::format("{},{},{},{},{},{},{},{},{},{:.9g},{:.9g},{:.9g},{}\n",
-                     model::name(run.input.model), run.input.material.residual_stiffness, instant,
-                     time, d.energy.total(), d.reduced_volume, d.order_min, d.order_max,
-                     d.H_abs_max, moments[0], moments[1], moments[2],
-                     file.lexically_relative(folder).string());
+  return fmt::format("{},{},{},{},{},{},{},{:.9g},{:.9g},{:.9g},{}\n", time, d.energy.total(),
+                     oblate, d.reduced_volume, d.order_min, d.order_max, d.H_abs_max, moments[0],
+                     moments[1], moments[2], file.lexically_relative(folder).string());
 }
 
 }  // namespace
@@ -70,19 +78,27 @@ std::vector<std::string> write_evolution(const Sources& sources) {
       missing.push_back(plan.folder);
       continue;
     }
-    const CsvTable frames = read_csv(found->folder / "frames.csv");
+    const CsvTable frames = read_csv(found->folder / "frames.csv"),
+                   series = read_csv(found->folder / "series.csv");
+    const double oblate = energy_of_oblate(
+        found->input, series.rows.empty() ? 1 : series.number(0, "reduced_volume"));
     for (const double instant : instants) {
+      rows += fmt::format("{},{},{},", model::name(model), found->input.material.residual_stiffness,
+                          instant);
       const auto row = nearest_frame(frames, instant);
       if (row)
-        rows += evolution_row(*found, instant, frames.number(*row, "time"),
+        rows += evolution_row(*found, frames.number(*row, "time"), oblate,
                               found->folder / frames.text(*row, "file"), sources.folder);
-      else
+      else {
+        rows += ",,,,,,,,,,\n";
         missing.push_back(fmt::format("{} at t = {} ({})", plan.folder, instant, found->ending));
+      }
     }
   }
   if (!rows.empty())
     write_file(sources.folder / "evolution.csv",
-               "model,residual_stiffness,instant,time,energy,reduced_volume,order_min,order_max,"
+               "model,residual_stiffness,instant,time,energy,energy_oblate,reduced_volume,order_"
+               "min,order_max,"
                "H_abs_max,moment_1,moment_2,moment_3,frame\n"
                    + rows);
   return missing;
@@ -99,7 +115,9 @@ std::vector<std::string> write_measures(const Sources& sources) {
     if (!found || !fs::exists(found->folder / "series.csv")) continue;
     const CsvTable series = read_csv(found->folder / "series.csv");
     for (std::size_t row = 0; row < series.rows.size(); ++row) {
-      rows += fmt::format("{},{}", model::name(model), found->input.material.residual_stiffness);
+      rows +=
+          fmt::format("{},{},{}", model::name(model), found->input.material.residual_stiffness,
+                      found->unresolved_from ? fmt::format("{:.6g}", *found->unresolved_from) : "");
       for (const char* column :
            {"time", "energy", "W2", "order_std", "order_variance", "reduced_volume"})
         rows += fmt::format(",{}", series.text(row, column));
@@ -107,9 +125,10 @@ std::vector<std::string> write_measures(const Sources& sources) {
     }
   }
   if (!rows.empty())
-    write_file(
-        sources.folder / "measures.csv",
-        "model,residual_stiffness,time,energy,W2,order_std,order_variance,reduced_volume\n" + rows);
+    write_file(sources.folder / "measures.csv",
+               "model,residual_stiffness,unresolved_from,time,energy,W2,order_std,order_variance,"
+               "reduced_volume\n"
+                   + rows);
   return missing;
 }
 

@@ -67,13 +67,21 @@ std::string difference(const RunInput& run, const RunInput& plan, std::optional<
   return "";
 }
 
+std::optional<double> unresolved_from(const fs::path& run) {
+  if (!fs::exists(run / "events.csv")) return {};
+  const CsvTable events = read_csv(run / "events.csv");
+  for (std::size_t row = 0; row < events.rows.size(); ++row)
+    if (events.text(row, "event") == "unresolved") return events.number(row, "time");
+  return {};
+}
+
 }  // namespace
 
 std::optional<FoundRun> find_run(const fs::path& folder, const PlannedRun& plan,
                                  std::optional<int> triangles) {
   const fs::path place = folder / plan.folder;
   if (!fs::exists(place / "run.toml")) return {};
-  FoundRun found{place, read_run(place / "run.toml"), false, "not begun"};
+  FoundRun found{place, read_run(place / "run.toml"), false, "not begun", unresolved_from(place)};
   if (const std::string what = difference(found.input, plan.input, triangles); !what.empty())
     throw OutputError(
         fmt::format("{}: holds another run: {} (see its run.toml); choose another "

@@ -9,9 +9,10 @@ namespace sbeh::studies::figures {
 /// A run that is there, be it made here or put there.
 struct FoundRun {
   std::filesystem::path folder;
-  RunInput input;      ///< of its own run.toml
-  bool ended;          ///< by itself: it will not go on
-  std::string ending;  ///< such as "at rest at t = 3.2", or how far it is
+  RunInput input;                         ///< of its own run.toml
+  bool ended;                             ///< by itself: it will not go on
+  std::string ending;                     ///< such as "at rest at t = 3.2", or how far it is
+  std::optional<double> unresolved_from;  ///< time from which its mesh was too coarse, if it was
 };
 
 /// The run at a planned place; empty where there is none. It may differ from the plan in its times, its

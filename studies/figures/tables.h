@@ -31,13 +31,15 @@ std::vector<std::string> write_energy(const Sources& sources);
 /// cuts.csv: model, solver, reduced_volume, L, x, z, order; the points of closed curves
 std::vector<std::string> write_shapes(const Sources& sources);
 
-/// evolution.csv: a row per model and instant, with the frame nearest to it, unless that is farther away
-/// than a tenth of it: model, residual_stiffness, instant, time, energy, reduced_volume, order_min,
-/// order_max, H_abs_max, moment_1 … moment_3 (principal moments of the surface, ascending, of the sphere
-/// 1/3 each), frame
+/// evolution.csv: a row per model and instant, with the frame nearest to it, empty from `time` on where that
+/// is farther away than a tenth of the instant: model, residual_stiffness, instant, time, energy,
+/// energy_oblate (of the stationary oblate of the same reduced volume, by Newton's method), reduced_volume,
+/// order_min, order_max, H_abs_max, moment_1 … moment_3 (principal moments of the surface, ascending, of
+/// the sphere 1/3 each), frame
 std::vector<std::string> write_evolution(const Sources& sources);
 
-/// measures.csv: model, residual_stiffness, time, energy, W2, order_std, order_variance, reduced_volume
+/// measures.csv: model, residual_stiffness, unresolved_from (a time, empty when the mesh was always fine
+/// enough), time, energy, W2, order_std, order_variance, reduced_volume
 std::vector<std::string> write_measures(const Sources& sources);
 
 /// That of the figure.

@@ -22,7 +22,7 @@ struct Histories {
   using Key = std::tuple<double, double, bool, bool>;  // V_r, L, is SSH, in 3D
   std::map<Key, History> of;
   std::vector<double> volumes, lengths;
-  bool in_3d = false;
+  bool sbeh_3d = false, ssh_3d = false;
 };
 
 Histories read_histories(const std::filesystem::path& file) {
@@ -34,10 +34,11 @@ Histories read_histories(const std::filesystem::path& file) {
   std::set<double> volumes, lengths;
   for (std::size_t row = 0; row < table.rows(); ++row) {
     const bool in_3d = table.text(row, solver) == "3D";
-    all.in_3d = all.in_3d || in_3d;
     volumes.insert(v[row]);
     lengths.insert(L[row]);
-    History& h = all.of[{v[row], L[row], table.text(row, model) == "SSH", in_3d}];
+    const bool is_ssh = table.text(row, model) == "SSH";
+    (is_ssh ? all.ssh_3d : all.sbeh_3d) |= in_3d;
+    History& h = all.of[{v[row], L[row], is_ssh, in_3d}];
     if (time[row] < first_time) continue;
     h.time.push_back(time[row]);
     h.value.push_back(energy[row]);
@@ -51,8 +52,12 @@ Histories read_histories(const std::filesystem::path& file) {
 Points thinned(const Points& points) {
   constexpr double distance = 0.25;  // decades
   Points kept;
-  for (const auto& point : points)
-    if (kept.empty() || point[0] - kept.back()[0] > distance) kept.push_back(point);
+  double last = points.empty() ? 0.0 : points.front()[0];  // at the edge a marker would be cut
+  for (const auto& point : points) {
+    if (point[0] - last <= distance) continue;
+    kept.push_back(point);
+    last = point[0];
+  }
   return kept;
 }
 
@@ -60,10 +65,8 @@ std::vector<LegendEntry> legend_of(const Histories& all, const std::vector<Colou
   std::vector<LegendEntry> entries{
       line_entry({.colour = dark_grey, .width = line_width}, "SBEH"),
       line_entry({.colour = dark_grey, .width = line_width, .dashed = true}, "SSH")};
-  if (all.in_3d) {
-    entries.push_back(marker_entry(Marker::full, dark_grey, "SBEH in 3D"));
-    entries.push_back(marker_entry(Marker::hollow, dark_grey, "SSH in 3D"));
-  }
+  if (all.sbeh_3d) entries.push_back(marker_entry(Marker::full, dark_grey, "SBEH in 3D"));
+  if (all.ssh_3d) entries.push_back(marker_entry(Marker::hollow, dark_grey, "SSH in 3D"));
   for (std::size_t l = 0; l < all.lengths.size(); ++l)
     entries.push_back(line_entry({.colour = colours[l], .width = 2 * line_width},
                                  "L = " + short_number(all.lengths[l])));

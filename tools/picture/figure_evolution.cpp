@@ -16,7 +16,7 @@ namespace sbeh::picture {
 
 namespace {
 
-const View from_above{{0.5, -0.8, 0.75}, {0, 0, 1}};
+const View from_above{{-0.9, -0.5, 0.65}, {0, 0, 1}};
 constexpr std::size_t columns = 5;
 
 struct Shape {
@@ -27,6 +27,7 @@ struct Shape {
 // One model: a shape per instant, or none.
 struct Model3d {
   std::string name;  // with k₀ where there is one
+  bool has_free_order;
   std::vector<std::optional<Shape>> shapes;
 };
 
@@ -47,12 +48,14 @@ Evolution read_evolution(const std::filesystem::path& file) {
   const auto repeated = std::ranges::unique(all.instants);
   all.instants.erase(repeated.begin(), repeated.end());
   for (const char* name : {"SBEH", "SSH"}) {
-    Model3d one{name, std::vector<std::optional<Shape>>(all.instants.size())};
+    Model3d one{name, name == std::string("SBEH"),
+                std::vector<std::optional<Shape>>(all.instants.size())};
     bool any = false;
     for (std::size_t row = 0; row < table.rows(); ++row) {
       if (table.text(row, model) != name) continue;
       any = true;
       if (k0[row] > 0) one.name = fmt::format("{} with k₀ = {:.4g}", name, k0[row]);
+      if (table.text(row, frame).empty()) continue;
       auto& shape = one.shapes[std::size_t(std::ranges::find(all.instants, instant[row])
                                            - all.instants.begin())];
       shape = Shape{time[row], read_state(file.parent_path() / table.text(row, frame))};
@@ -91,7 +94,8 @@ void draw_figure_evolution(Canvas& canvas, const Options& options) {
     fmt::print("no evolution: {} has no rows\n", (options.directory / "evolution.csv").string());
     return;
   }
-  const ColourMap colours{Palette::surfaces, all.order_low, all.order_high};
+  const ColourMap colours{Palette::surfaces, all.order_low, all.order_high},
+      plain{Palette::plain, 0, 1};
   const double text = options.text_size();
   const std::size_t rows = (all.instants.size() + columns - 1) / columns;  // of each model
   const double right = 3.0 * text + colour_bar_margin(canvas, colours, true, text);
@@ -109,7 +113,8 @@ void draw_figure_evolution(Canvas& canvas, const Options& options) {
     for (std::size_t i = 0; i < all.instants.size(); ++i) {
       const Rect cell{text + double(i % columns) * side, top - double(i / columns + 1) * row_height,
                       side, row_height};
-      draw_shape(canvas, model.shapes[i], all.instants[i], all, colours, cell, text);
+      draw_shape(canvas, model.shapes[i], all.instants[i], all,
+                 model.has_free_order ? colours : plain, cell, text);
     }
     top -= double(rows) * row_height;
   }

@@ -48,7 +48,7 @@ void read_shapes(const std::filesystem::path& folder, Stationary& all) {
     const auto& nodes = state.mesh.nodes;
     const Eigen::Vector3d middle = (nodes.rowwise().maxCoeff() + nodes.rowwise().minCoeff()) / 2;
     all.half_width =
-        std::max(all.half_width, 1.04 * (nodes.colwise() - middle).colwise().norm().maxCoeff());
+        std::max(all.half_width, 1.12 * (nodes.colwise() - middle).colwise().norm().maxCoeff());
     all.order_low = std::min(all.order_low, state.fields.at("order").minCoeff());
     all.order_high = std::max(all.order_high, state.fields.at("order").maxCoeff());
   }
