@@ -109,7 +109,7 @@ int FiguresCommand::run() const {
   fmt::print("{}tables in {}\n", figures::text_of(studies::read_csv(folder / "figures.csv")),
              folder.string());
   if (studies::interrupt_signal()) return 128 + studies::interrupt_signal();
-  return drawn && summary.complaints.empty() ? 0 : 1;
+  return drawn && !summary.failed ? 0 : 1;
 }
 
 }  // namespace sbeh::tools

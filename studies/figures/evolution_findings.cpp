@@ -19,6 +19,15 @@ std::string text_of(const CsvTable& table, const char* model, const char* column
   return "";
 }
 
+// A number that is the same in all rows of a model that have it.
+double number_of(const CsvTable& table, const char* model, const char* column) {
+  for (std::size_t row = 0; row < table.rows.size(); ++row)
+    if (const double value = table.number(row, column);
+        table.text(row, "model") == model && std::isfinite(value))
+      return value;
+  return std::nan("");
+}
+
 // ---- figure 3 -----------------------------------------------------------------------------------
 
 // How far a state is from the stationary oblate, whose two larger principal moments are equal.
@@ -66,7 +75,8 @@ Finding falling(const History& energy, const char* model) {
 // From here on the first, violent change is over and the shape is threefold.
 constexpr double threefold_from = 0.6;
 
-Finding who_is_lower(const History& sbeh, const History& ssh) {
+Finding who_is_lower(const History& sbeh, const History& ssh,
+                     const std::string& residual_stiffness) {
   const double end = std::min(sbeh.end(), ssh.end());
   std::size_t worst = 0;
   const auto above = [&](std::size_t i) { return sbeh.value[i] - ssh.at(sbeh.time[i]); };
@@ -75,9 +85,10 @@ Finding who_is_lower(const History& sbeh, const History& ssh) {
       worst = i;
   const double at_end = sbeh.at(end) - ssh.at(end);
   return {
-      fmt::format("U(SBEH) − U(SSH): {:+.5f} at t = {:.4g}, where it is largest, {:+.5f} at t = "
-                  "{:.4g}",
-                  above(worst), sbeh.time[worst], at_end, end),
+      fmt::format(
+          "U(SBEH, k0 = {}) − U(SSH): {:+.5f} at t = {:.4g}, where it is largest, {:+.5f} at t = "
+          "{:.4g}",
+          residual_stiffness, above(worst), sbeh.time[worst], at_end, end),
       "SBEH ends lower, but is not always lower on the way",
       agrees(above(worst) > 0 && at_end < 0)};
 }
@@ -142,6 +153,14 @@ std::vector<Finding> evolution_findings(const CsvTable& evolution) {
                model, text_of(evolution, model, "residual_stiffness"), s->time, s->energy,
                s->oblate, s->least, s->middle, s->largest),
            "ends as an oblate", agrees(s->is_oblate())});
+  const double sbeh = number_of(evolution, "SBEH", "energy_oblate_k0_0"),
+               ssh = number_of(evolution, "SSH", "energy_oblate_k0_0");
+  if (std::isfinite(sbeh) && std::isfinite(ssh))
+    findings.push_back(
+        {fmt::format("stationary oblates of this reduced volume with k0 = 0: U = {:.6f} "
+                     "(SBEH), {:.6f} (SSH)",
+                     sbeh, ssh),
+         "SBEH ends with the lower energy", agrees(sbeh < ssh)});
   return findings;
 }
 
@@ -153,7 +172,8 @@ std::vector<Finding> measures_findings(const CsvTable& measures) {
   std::vector<Finding> findings;
   if (sbeh.size() > 1) findings.push_back(falling(sbeh, "SBEH"));
   if (ssh.size() > 1) findings.push_back(falling(ssh, "SSH"));
-  if (sbeh.size() > 1 && ssh.size() > 1) findings.push_back(who_is_lower(sbeh, ssh));
+  if (sbeh.size() > 1 && ssh.size() > 1)
+    findings.push_back(who_is_lower(sbeh, ssh, text_of(measures, "SBEH", "residual_stiffness")));
   const auto change = time_of_change(of("SBEH", "W2"));
   for (const Finding& finding : changes(change, time_of_change(of("SSH", "W2"))))
     findings.push_back(finding);

@@ -46,24 +46,31 @@ std::optional<std::size_t> nearest_frame(const CsvTable& frames, double instant)
   return nearest;
 }
 
-double energy_of_oblate(const RunInput& input, double reduced_volume) {
+double energy_of_oblate(const RunInput& input, double reduced_volume, double residual_stiffness) {
   CompareInput oblate;
   oblate.model = input.model;
   oblate.reduced_volume = reduced_volume;
   oblate.L = input.material.L1;
   oblate.material = input.material;
+  oblate.material.residual_stiffness = residual_stiffness;
   return newton_state(oblate).found.measures.energy;
 }
 
-std::string evolution_row(const FoundRun& run, double time, double oblate, const fs::path& file,
-                          const fs::path& folder) {
+// Energies of the stationary oblate: with the run's residual stiffness and with none.
+struct Oblates {
+  double same = not_known, plain = not_known;
+};
+
+std::string evolution_row(const FoundRun& run, double time, const Oblates& oblates,
+                          const fs::path& file, const fs::path& folder) {
   const Snapshot frame = read_snapshot(file);
   const surface3d::Triangulation mesh(frame.mesh);
   const auto d = surface3d::diagnose(mesh, run.input.material, {frame.mesh.nodes, frame.beta});
   const Eigen::Vector3d moments = principal_moments(mesh, frame.mesh.nodes);
-  return fmt::format("{},{},{},{},{},{},{},{:.9g},{:.9g},{:.9g},{}\n", time, d.energy.total(),
-                     oblate, d.reduced_volume, d.order_min, d.order_max, d.H_abs_max, moments[0],
-                     moments[1], moments[2], file.lexically_relative(folder).string());
+  return fmt::format("{},{},{},{},{},{},{},{},{:.9g},{:.9g},{:.9g},{}\n", time, d.energy.total(),
+                     oblates.same, oblates.plain, d.reduced_volume, d.order_min, d.order_max,
+                     d.H_abs_max, moments[0], moments[1], moments[2],
+                     file.lexically_relative(folder).string());
 }
 
 }  // namespace
@@ -80,24 +87,29 @@ std::vector<std::string> write_evolution(const Sources& sources) {
     }
     const CsvTable frames = read_csv(found->folder / "frames.csv"),
                    series = read_csv(found->folder / "series.csv");
-    const double oblate = energy_of_oblate(
-        found->input, series.rows.empty() ? 1 : series.number(0, "reduced_volume"));
+    Oblates oblates;
+    if (!series.rows.empty()) {
+      const double v = series.number(0, "reduced_volume");
+      oblates.same = energy_of_oblate(found->input, v, found->input.material.residual_stiffness);
+      oblates.plain = energy_of_oblate(found->input, v, 0);
+    }
     for (const double instant : instants) {
       rows += fmt::format("{},{},{},", model::name(model), found->input.material.residual_stiffness,
                           instant);
       const auto row = nearest_frame(frames, instant);
       if (row)
-        rows += evolution_row(*found, frames.number(*row, "time"), oblate,
+        rows += evolution_row(*found, frames.number(*row, "time"), oblates,
                               found->folder / frames.text(*row, "file"), sources.folder);
       else {
-        rows += ",,,,,,,,,,\n";
+        rows += ",,,,,,,,,,,\n";
         missing.push_back(fmt::format("{} at t = {} ({})", plan.folder, instant, found->ending));
       }
     }
   }
   if (!rows.empty())
     write_file(sources.folder / "evolution.csv",
-               "model,residual_stiffness,instant,time,energy,energy_oblate,reduced_volume,order_"
+               "model,residual_stiffness,instant,time,energy,energy_oblate,energy_oblate_k0_0,"
+               "reduced_volume,order_"
                "min,order_max,"
                "H_abs_max,moment_1,moment_2,moment_3,frame\n"
                    + rows);

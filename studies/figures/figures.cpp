@@ -32,7 +32,7 @@ bool make_scan(const Request& request, const Inputs& inputs, std::string_view ve
 }
 
 bool make_run(const Request& request, const PlannedRun& plan, std::string_view version,
-              std::vector<std::string>& complaints) {
+              Summary& summary) {
   const auto found = find_run(request.folder, plan, request.triangles);
   if (found && found->ended) return true;
   const RunSummary s = complete_run(request.folder, plan, found, version);
@@ -40,11 +40,13 @@ bool make_run(const Request& request, const PlannedRun& plan, std::string_view v
   const std::string place = (request.folder / plan.folder).string();
   tell(fmt::format("{}: {} at t = {:.6g}, energy {:.8g}\n", place, model::describe(s.run.stop),
                    s.run.last.time, s.run.last.energy.total()));
-  if (s.run.stop != FlowStop::end_time && s.run.stop != FlowStop::at_rest)
-    complaints.push_back(fmt::format("{}: ended at t = {:.6g}: {}", place, s.run.last.time,
-                                     model::describe(s.run.stop)));
+  if (s.run.stop != FlowStop::end_time && s.run.stop != FlowStop::at_rest) {
+    summary.failed = true;
+    summary.complaints.push_back(fmt::format("{}: ended at t = {:.6g}: {}", place, s.run.last.time,
+                                             model::describe(s.run.stop)));
+  }
   if (s.unresolved_from)
-    complaints.push_back(
+    summary.complaints.push_back(
         fmt::format("{}: unresolved from t = {:.6g}: what comes later is not to be trusted", place,
                     *s.unresolved_from));
   return true;
@@ -117,7 +119,7 @@ Summary make_figures(const Request& request, std::string_view version) {
     if (request.draw_only) break;
     bool done = !needs_scan(figure) || make_scan(request, inputs, version);
     for (const PlannedRun& plan : runs_for(figure, inputs))
-      done = done && !interrupt_signal() && make_run(request, plan, version, summary.complaints);
+      done = done && !interrupt_signal() && make_run(request, plan, version, summary);
     if (done && !interrupt_signal()) continue;
     summary.interrupted = true;
     return summary;

@@ -16,8 +16,10 @@ struct Request {
 struct Summary {
   /// What a figure lacks, by figure as asked for; a phrase for each.
   std::vector<std::pair<Figure, std::vector<std::string>>> missing;
-  std::vector<std::string> complaints;  ///< of runs that ended before their time
-  bool interrupted = false;             ///< then there are no new tables
+  std::vector<std::string>
+      complaints;            ///< of runs made now that are not to be trusted to their end
+  bool failed = false;       ///< one of them ended before its time
+  bool interrupted = false;  ///< then there are no new tables
 };
 
 /// Makes the scan and the 3D runs that are not there or not finished, each in its folder (plan.h), then the

@@ -33,9 +33,10 @@ std::vector<std::string> write_shapes(const Sources& sources);
 
 /// evolution.csv: a row per model and instant, with the frame nearest to it, empty from `time` on where that
 /// is farther away than a tenth of the instant: model, residual_stiffness, instant, time, energy,
-/// energy_oblate (of the stationary oblate of the same reduced volume, by Newton's method), reduced_volume,
-/// order_min, order_max, H_abs_max, moment_1 … moment_3 (principal moments of the surface, ascending, of
-/// the sphere 1/3 each), frame
+/// energy_oblate (of the stationary oblate of the same reduced volume, by Newton's method),
+/// energy_oblate_k0_0 (the same without residual stiffness), reduced_volume, order_min, order_max,
+/// H_abs_max, moment_1 … moment_3 (principal moments of the surface, ascending, of the sphere 1/3 each),
+/// frame
 std::vector<std::string> write_evolution(const Sources& sources);
 
 /// measures.csv: model, residual_stiffness, unresolved_from (a time, empty when the mesh was always fine
