@@ -45,17 +45,23 @@ void complain(const std::string& what) { studies::tell(fmt::format("sbeh: {}\n",
 
 // Draws the figures that have their tables; false when one has none or cannot be drawn.
 bool draw_all(const figures::Summary& summary, const fs::path& folder) {
+  std::vector<std::string> arguments{"figures", folder.string()};
   bool all = true;
   for (const auto& [figure, missing] : summary.missing) {
     const std::string name = figures::name(figure);
-    const bool there = fs::exists(folder / (name + ".csv"));
-    if (!there)
-      complain(
-          fmt::format("figure {} ({}): there is nothing to draw it from", number(figure), name));
-    const bool drawn = there && draw({"figures", folder.string(), "--only", name}) == 0;
-    all = all && drawn;
+    if (fs::exists(folder / (name + ".csv"))) {
+      arguments.insert(arguments.end(), {"--only", name});
+      continue;
+    }
+    complain(fmt::format("figure {} ({}): there is nothing to draw it from", number(figure), name));
+    all = false;
   }
-  return all;
+  if (arguments.size() == 2 || draw(arguments) == 0) return all;
+  complain(
+      fmt::format("not all is drawn; the tables in {0} are complete. Try again with: sbeh figures "
+                  "--draw-only -o {0}",
+                  folder.string()));
+  return false;
 }
 
 void tell_missing(const figures::Summary& summary) {

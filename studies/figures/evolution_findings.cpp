@@ -95,6 +95,7 @@ Finding who_is_lower(const History& sbeh, const History& ssh,
 
 // W₂ is largest on the way from the threefold shape to the oblate; empty where a run ends before.
 std::optional<double> time_of_change(const History& W2) {
+  if (W2.empty()) return {};
   const std::size_t i = W2.largest(threefold_from, W2.end());
   if (i + 1 >= W2.size()) return {};
   return W2.time[i];

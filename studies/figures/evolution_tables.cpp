@@ -7,6 +7,7 @@
 
 #include <Eigen/Eigenvalues>
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <cmath>
 
@@ -93,6 +94,7 @@ std::vector<std::string> write_evolution(const Sources& sources) {
       oblates.same = energy_of_oblate(found->input, v, found->input.material.residual_stiffness);
       oblates.plain = energy_of_oblate(found->input, v, 0);
     }
+    std::vector<double> none;  // instants without a frame
     for (const double instant : instants) {
       rows += fmt::format("{},{},{},", model::name(model), found->input.material.residual_stiffness,
                           instant);
@@ -100,11 +102,13 @@ std::vector<std::string> write_evolution(const Sources& sources) {
       if (row)
         rows += evolution_row(*found, frames.number(*row, "time"), oblates,
                               found->folder / frames.text(*row, "file"), sources.folder);
-      else {
+      else
         rows += ",,,,,,,,,,,\n";
-        missing.push_back(fmt::format("{} at t = {} ({})", plan.folder, instant, found->ending));
-      }
+      if (!row) none.push_back(instant);
     }
+    if (!none.empty())
+      missing.push_back(
+          fmt::format("{} at t = {} ({})", plan.folder, fmt::join(none, ", "), found->ending));
   }
   if (!rows.empty())
     write_file(sources.folder / "evolution.csv",

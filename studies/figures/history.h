@@ -10,6 +10,7 @@ namespace sbeh::studies::figures {
 
 struct History {
   std::vector<double> time, value;  // ascending times
+  bool at_rest = true;              ///< it ends so
 
   bool empty() const { return time.empty(); }
   double last() const { return value.back(); }

@@ -21,6 +21,7 @@ std::map<Key, History> histories_of(const CsvTable& energy) {
     History& h = histories[{energy.text(row, "solver"),
                             energy.text(row, "model"),
                             {energy.number(row, "reduced_volume"), energy.number(row, "L")}}];
+    h.at_rest = energy.text(row, "at_rest") == "yes";
     h.time.push_back(energy.number(row, "time"));
     h.value.push_back(energy.number(row, "energy"));
   }
@@ -94,10 +95,23 @@ std::map<Point, double> gaps_at_rest(const std::map<Key, History>& histories) {
   for (const auto& [key, sbeh] : histories) {
     const auto& [solver, model, point] = key;
     const auto ssh = histories.find({solver, "SSH", point});
-    if (solver == "axisymmetric" && model == "SBEH" && ssh != histories.end())
+    if (solver == "axisymmetric" && model == "SBEH" && ssh != histories.end() && sbeh.at_rest
+        && ssh->second.at_rest)
       gaps[point] = ssh->second.last() - sbeh.last();
   }
   return gaps;
+}
+
+Finding ends_at_rest(const std::map<Key, History>& histories) {
+  int at_rest = 0;
+  double last = 0;
+  for (const auto& [key, h] : histories) {
+    at_rest += h.at_rest;
+    if (h.at_rest) last = std::max(last, h.end());
+  }
+  return {fmt::format("{} of {} runs end at rest, the last at t = {:.3g}", at_rest,
+                      histories.size(), last),
+          "all runs converge to a stationary shape", agrees(at_rest == int(histories.size()))};
 }
 
 Finding order_of_models(const std::map<Key, History>& histories) {
@@ -194,6 +208,7 @@ std::vector<Finding> energy_findings(const CsvTable& energy) {
   const auto gaps = gaps_at_rest(histories);
   if (!gaps.empty()) findings.push_back(falling_energies(histories, "axisymmetric"));
   if (in_3d) findings.push_back(falling_energies(histories, "3D"));
+  if (!histories.empty()) findings.push_back(ends_at_rest(histories));
   if (!gaps.empty()) {
     findings.push_back(order_of_models(histories));
     const Growth growth = growth_of(gaps);

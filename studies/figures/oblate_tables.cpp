@@ -34,6 +34,27 @@ std::string missing_run(const PlannedRun& plan, const std::optional<FoundRun>& f
   return plan.folder + (found ? ": " + found->ending : "");
 }
 
+// The fields of scan.csv by point; empty where there is none.
+class ScanText {
+ public:
+  explicit ScanText(const Sources& sources) {
+    const fs::path file = sources.folder / scan_folder / "scan.csv";
+    if (fs::exists(file)) table_ = read_csv(file);
+  }
+  std::string text(Model model, double v, double L, const char* column) const {
+    for (std::size_t row = 0; row < table_.rows.size(); ++row)
+      if (table_.text(row, "model") == model::name(model)
+          && table_.number(row, "reduced_volume") == v && table_.number(row, "L") == L)
+        return table_.text(row, column);
+    return "";
+  }
+
+ private:
+  CsvTable table_;
+};
+
+const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
+
 // ---- energies -----------------------------------------------------------------------------------
 
 // Adds the history to the text; false when there is none.
@@ -132,21 +153,25 @@ std::string columns_3d(const std::optional<Rest3d>& rest, const Meridian& meridi
 }  // namespace
 
 std::vector<std::string> write_energy(const Sources& sources) {
-  const std::string header = "solver,model,reduced_volume,L,triangles,time,energy\n";
+  const std::string header = "solver,model,reduced_volume,L,triangles,at_rest,time,energy\n";
   std::string text = header;
+  const ScanText scan(sources);
   std::vector<std::string> missing;
   const std::vector<PlannedRun> wanted = runs_for(Figure::energy, sources.inputs);
   for_each_point(sources.inputs.oblates, [&](double v, double L) {
     for (const Model model : {Model::SBEH, Model::SSH}) {
       const std::string point = fmt::format("{},{},{}", model::name(model), v, L);
       const fs::path series = point_file(sources, model, v, L, ".series.csv");
-      if (!add_history(text, series, "axisymmetric," + point + ","))
+      if (!add_history(text, series,
+                       fmt::format("axisymmetric,{},,{}", point,
+                                   yes_or_no(scan.text(model, v, L, "status") == "stationary"))))
         missing.push_back(series.lexically_relative(sources.folder).string());
       const PlannedRun plan = oblate_run(sources.inputs, model, v, L);
       const auto found = sources.find(plan);
       if (found)
         add_history(text, found->folder / "series.csv",
-                    fmt::format("3D,{},{}", point, found->input.triangles));
+                    fmt::format("3D,{},{},{}", point, found->input.triangles,
+                                yes_or_no(found->ending.starts_with("at rest"))));
       const bool is_wanted = std::any_of(
           wanted.begin(), wanted.end(), [&](const auto& run) { return run.folder == plan.folder; });
       if (is_wanted && !(found && found->ended)) missing.push_back(missing_run(plan, found));
@@ -163,16 +188,7 @@ std::vector<std::string> write_shapes(const Sources& sources) {
       "distance_3d,frame\n";
   std::string rows, cuts;
   std::vector<std::string> missing;
-  const fs::path scan_file = sources.folder / scan_folder / "scan.csv";
-  if (!fs::exists(scan_file)) return {scan_file.lexically_relative(sources.folder).string()};
-  const CsvTable scan = read_csv(scan_file);
-  const auto of_scan = [&](Model model, double v, double L, const char* column) {
-    for (std::size_t row = 0; row < scan.rows.size(); ++row)
-      if (scan.text(row, "model") == model::name(model) && scan.number(row, "reduced_volume") == v
-          && scan.number(row, "L") == L)
-        return scan.text(row, column);
-    return std::string();
-  };
+  const ScanText scan(sources);
   for_each_point(sources.inputs.oblates, [&](double v, double L) {
     const PlannedRun plan = oblate_run(sources.inputs, Model::SBEH, v, L);
     const auto found = sources.find(plan);
@@ -186,9 +202,9 @@ std::vector<std::string> write_shapes(const Sources& sources) {
     const Meridian own = Meridian(*sbeh).centred(), classical = Meridian(*ssh).centred();
     std::optional<Rest3d> rest = rest_of(found, sources.folder);
     if (rest) centre(rest->frame.mesh);
-    const auto sbeh_has = [&](const char* column) { return of_scan(Model::SBEH, v, L, column); };
+    const auto sbeh_has = [&](const char* column) { return scan.text(Model::SBEH, v, L, column); };
     rows += fmt::format("{},{},{},{},{},{},{},{:.6g},{:.4g},{:.4g},{}\n", v, L, sbeh_has("energy"),
-                        of_scan(Model::SSH, v, L, "energy"), sbeh_has("order_min"),
+                        scan.text(Model::SSH, v, L, "energy"), sbeh_has("order_min"),
                         sbeh_has("order_max"), sbeh_has("H_abs_max"), order_min_radius(*sbeh),
                         distance(own, classical), distance(classical, Meridian(*first).centred()),
                         columns_3d(rest, own));

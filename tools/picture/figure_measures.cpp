@@ -15,7 +15,10 @@ namespace {
 
 const LineStyle sbeh_style{.colour = {0, 84, 159}, .width = 2.6};
 const LineStyle ssh_style{.colour = red, .width = 2.6, .dashed = true};
-constexpr double first_time = 1e-2;  // shown
+// What is earlier looks like the start.
+double first_shown(const std::vector<double>& time) {
+  return time.empty() ? 0.0 : std::min(1e-2, std::ranges::max(time) / 100.0);
+}
 
 struct Panel {
   const char* column;
@@ -35,11 +38,12 @@ std::vector<Curve> read_curves(const std::filesystem::path& file) {
   const CsvTable table(file);
   const std::size_t model = table.column("model");
   const auto time = table.numbers("time"), k0 = table.numbers("residual_stiffness");
+  const double first = first_shown(time);
   std::vector<Curve> curves;
   for (const auto& [name, style] : {std::pair("SBEH", sbeh_style), std::pair("SSH", ssh_style)}) {
     Curve curve{name, style, {}};
     for (std::size_t row = 0; row < table.rows(); ++row) {
-      if (table.text(row, model) != name || time[row] < first_time) continue;
+      if (table.text(row, model) != name || !(time[row] >= first) || time[row] <= 0) continue;
       if (k0[row] > 0) curve.name = fmt::format("{} with k₀ = {:.4g}", name, k0[row]);
       for (int i = 0; i < 3; ++i)
         curve.points[i].push_back(
@@ -67,16 +71,17 @@ Axis value_axis(const std::vector<Curve>& curves, int panel, double length, doub
 void draw_figure_measures(Canvas& canvas, const Options& options) {
   const std::vector<Curve> curves = read_curves(options.directory / "measures.csv");
   if (curves.empty()) {
-    fmt::print("no measures: no run has come to t = {}\n", first_time);
+    fmt::print("no measures: no run has made two steps\n");
     return;
   }
-  double last = -HUGE_VAL;
+  double first = HUGE_VAL, last = -HUGE_VAL;
   std::vector<LegendEntry> legend;
   for (const Curve& curve : curves) {
+    first = std::min(first, curve.points[0].front()[0]);
     last = std::max(last, curve.points[0].back()[0]);
     legend.push_back(line_entry(curve.style, curve.name));
   }
-  const Axis time = decade_axis(std::log10(first_time), last, "t");
+  const Axis time = decade_axis(first, last, "t");
 
   const double text = options.text_size();
   const double width = options.size ? options.size->width : 1600.0;
