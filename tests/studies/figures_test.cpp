@@ -189,7 +189,7 @@ CsvTable measures(double sbeh_change, double ssh_change, double end) {
                        : t < change     ? 0.7
                        : t < change + 1 ? 0.4 - 0.1 * (t - change)
                                         : 0.5;
-      table.rows.push_back({sbeh ? "SBEH" : "SSH", sbeh ? "0.004" : "0", sbeh ? "0.5" : "", "yes",
+      table.rows.push_back({sbeh ? "SBEH" : "SSH", sbeh ? "0.004" : "0", sbeh ? "0.5" : "",
                             fmt::format("{}", t), fmt::format("{}", energy),
                             fmt::format("{}", -26 - std::abs(t - change)),
                             fmt::format("{}", sbeh ? std : 0.), "0", "0.7376"});
