@@ -9,8 +9,8 @@
 namespace sbeh::studies::figures {
 
 struct History {
-  std::vector<double> time, value;  // ascending times
-  bool at_rest = true;              ///< it ends so
+  std::vector<double> time, value;    // ascending times
+  bool ended = true, at_rest = true;  ///< what it is at its end
 
   bool empty() const { return time.empty(); }
   double last() const { return value.back(); }

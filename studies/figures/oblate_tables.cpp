@@ -169,9 +169,10 @@ std::vector<std::string> write_energy(const Sources& sources) {
       const PlannedRun plan = oblate_run(sources.inputs, model, v, L);
       const auto found = sources.find(plan);
       if (found)
-        add_history(text, found->folder / "series.csv",
-                    fmt::format("3D,{},{},{}", point, found->input.triangles,
-                                yes_or_no(found->ending.starts_with("at rest"))));
+        add_history(
+            text, found->folder / "series.csv",
+            fmt::format("3D,{},{},{}", point, found->input.triangles,
+                        found->ended ? yes_or_no(found->ending.starts_with("at rest")) : ""));
       const bool is_wanted = std::any_of(
           wanted.begin(), wanted.end(), [&](const auto& run) { return run.folder == plan.folder; });
       if (is_wanted && !(found && found->ended)) missing.push_back(missing_run(plan, found));

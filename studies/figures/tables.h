@@ -20,8 +20,8 @@ struct Sources {
 /// nothing to draw it from. Files in them are named relative to the folder. Returns what is missing, a
 /// phrase for each. Throws InputError and OutputError.
 ///
-/// energy.csv: solver (axisymmetric, 3D), model, reduced_volume, L, triangles, at_rest (yes or no: does the
-/// run end so), time, energy
+/// energy.csv: solver (axisymmetric, 3D), model, reduced_volume, L, triangles, at_rest (whether the run
+/// ends so: yes, no, or nothing while it has not ended), time, energy
 std::vector<std::string> write_energy(const Sources& sources);
 
 /// shapes.csv: a row per reduced volume and L. Of the axisymmetric solver: energy, order_min, order_max,

@@ -16,7 +16,7 @@ namespace sbeh::picture {
 
 namespace {
 
-const View from_above{{-0.9, -0.5, 0.65}, {0, 0, 1}};
+const View from_above{{-0.25, -0.75, 0.75}, {0, 0, 1}};
 constexpr std::size_t columns = 5;
 
 struct Shape {
