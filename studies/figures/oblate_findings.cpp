@@ -89,7 +89,7 @@ Finding falling_energies(const std::map<Key, History>& histories, const char* so
               : fmt::format("{}: the energy falls in {} of {} histories, and rises "
                             "by {:.1e} at most from one time to the next",
                             solver, falling, count, rise),
-          "energies fall in all runs", agrees(falling == count)};
+          "energies fall in all runs", count > 0 ? agrees(falling == count) : Agreement::open};
 }
 
 std::map<Point, double> gaps_at_rest(const std::map<Key, History>& histories) {
@@ -104,15 +104,17 @@ std::map<Point, double> gaps_at_rest(const std::map<Key, History>& histories) {
   return gaps;
 }
 
-Finding ends_at_rest(const std::map<Key, History>& histories) {
+Finding ends_at_rest(const std::map<Key, History>& histories, const char* solver) {
   int ended = 0, at_rest = 0;
   double last = 0;
   for (const auto& [key, h] : histories) {
+    if (std::get<0>(key) != solver) continue;
     ended += h.ended;
     at_rest += h.at_rest;
     if (h.at_rest) last = std::max(last, h.end());
   }
-  return {fmt::format("{} of {} runs end at rest, the last at t = {:.3g}", at_rest, ended, last),
+  return {fmt::format("{}: {} of {} runs end at rest, the last at t = {:.3g}", solver, at_rest,
+                      ended, last),
           "all runs converge to a stationary shape", agrees(at_rest == ended)};
 }
 
@@ -207,12 +209,13 @@ Finding shapes_in_3d(const CsvTable& shapes) {
 std::vector<Finding> energy_findings(const CsvTable& energy) {
   const auto histories = histories_of(energy);
   std::vector<Finding> findings;
-  bool in_3d = false;
-  for (const auto& [key, h] : histories) in_3d = in_3d || std::get<0>(key) == "3D";
+  for (const char* solver : {"axisymmetric", "3D"}) {
+    const auto has = [&](const auto& entry) { return std::get<0>(entry.first) == solver; };
+    if (std::none_of(histories.begin(), histories.end(), has)) continue;
+    findings.push_back(falling_energies(histories, solver));
+    findings.push_back(ends_at_rest(histories, solver));
+  }
   const auto gaps = gaps_at_rest(histories);
-  if (!gaps.empty()) findings.push_back(falling_energies(histories, "axisymmetric"));
-  if (in_3d) findings.push_back(falling_energies(histories, "3D"));
-  if (!histories.empty()) findings.push_back(ends_at_rest(histories));
   if (!gaps.empty()) {
     findings.push_back(order_of_models(histories));
     const Growth growth = growth_of(gaps);
