@@ -105,7 +105,11 @@ int FiguresCommand::run() const {
                                                           .triangles = w.triangles,
                                                           .draw_only = w.draw_only},
                                                          SBEH_VERSION);
-  for (const std::string& sentence : summary.complaints) complain(sentence);
+  for (const std::string& sentence : summary.failed) complain(sentence);
+  if (!summary.unresolved.empty())
+    complain(
+        fmt::format("not resolved by their triangles, what comes later is not to be trusted: {}",
+                    fmt::join(summary.unresolved, "; ")));
   if (summary.interrupted) {
     complain("interrupted; the same command goes on from here");
     return 128 + studies::interrupt_signal();
@@ -115,7 +119,7 @@ int FiguresCommand::run() const {
   fmt::print("{}tables in {}\n", figures::text_of(studies::read_csv(folder / "figures.csv")),
              folder.string());
   if (studies::interrupt_signal()) return 128 + studies::interrupt_signal();
-  return drawn && !summary.failed ? 0 : 1;
+  return drawn && summary.failed.empty() ? 0 : 1;
 }
 
 }  // namespace sbeh::tools

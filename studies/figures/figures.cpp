@@ -10,7 +10,9 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace sbeh::studies::figures {
 
@@ -41,14 +43,26 @@ bool make_run(const Request& request, const PlannedRun& plan, std::string_view v
   tell(fmt::format("{}: {} at t = {:.6g}, energy {:.8g}\n", place, model::describe(s.run.stop),
                    s.run.last.time, s.run.last.energy.total()));
   if (s.run.stop != FlowStop::end_time && s.run.stop != FlowStop::at_rest) {
-    summary.failed = true;
-    summary.complaints.push_back(fmt::format("{}: ended at t = {:.6g}: {}", place, s.run.last.time,
-                                             model::describe(s.run.stop)));
+    summary.failed.push_back(fmt::format("{}: ended at t = {:.6g}: {}", place, s.run.last.time,
+                                         model::describe(s.run.stop)));
   }
   if (s.unresolved_from)
-    summary.complaints.push_back(
-        fmt::format("{}: unresolved from t = {:.6g}: what comes later is not to be trusted", place,
-                    *s.unresolved_from));
+    summary.unresolved.push_back(fmt::format("{} from t = {:.4g}", place, *s.unresolved_from));
+  return true;
+}
+
+// What all figures need, each run once. False when interrupted.
+bool make_all(const Request& request, const Inputs& inputs, std::string_view version,
+              Summary& summary) {
+  const auto& wanted = request.figures;
+  if (std::any_of(wanted.begin(), wanted.end(), needs_scan) && !make_scan(request, inputs, version))
+    return false;
+  std::set<std::string> made;
+  for (const Figure figure : wanted)
+    for (const PlannedRun& plan : runs_for(figure, inputs)) {
+      if (!made.insert(plan.folder).second) continue;
+      if (interrupt_signal() || !make_run(request, plan, version, summary)) return false;
+    }
   return true;
 }
 
@@ -115,12 +129,7 @@ Summary make_figures(const Request& request, std::string_view version) {
         fmt::format("{}: no such folder: there is nothing to draw", request.folder.string()));
   const OutputFolder folder(request.folder);
   Summary summary;
-  for (const Figure figure : request.figures) {
-    if (request.draw_only) break;
-    bool done = !needs_scan(figure) || make_scan(request, inputs, version);
-    for (const PlannedRun& plan : runs_for(figure, inputs))
-      done = done && !interrupt_signal() && make_run(request, plan, version, summary);
-    if (done && !interrupt_signal()) continue;
+  if (!request.draw_only && !make_all(request, inputs, version, summary)) {
     summary.interrupted = true;
     return summary;
   }

@@ -16,9 +16,9 @@ struct Request {
 struct Summary {
   /// What a figure lacks, by figure as asked for; a phrase for each.
   std::vector<std::pair<Figure, std::vector<std::string>>> missing;
+  std::vector<std::string> failed;  ///< runs made now that ended before their time, and why
   std::vector<std::string>
-      complaints;            ///< of runs made now that are not to be trusted to their end
-  bool failed = false;       ///< one of them ended before its time
+      unresolved;            ///< those that their triangles did not resolve, and from when
   bool interrupted = false;  ///< then there are no new tables
 };
 

@@ -150,6 +150,7 @@ std::size_t count(const std::string& text, const std::string& word) {
 
 TEST_F(Figures, draws_all_four) {
   must(figures({}));
+  EXPECT_EQ(table("out/run_times.csv").rows.size(), 4u);  // two oblates, two evolutions, none twice
   for (const char* name : {"energy", "shapes", "evolution", "measures"}) {
     const std::string stem = std::string("out/") + name;
     const auto [width, height] = size_of_png(read(stem + ".png"));
