@@ -14,14 +14,14 @@
 #include "studies/seifert.h"
 #include "studies/spelling.h"
 #include "studies/toml_reader.h"
+#include "tools/figures_command.h"
 #include "tools/mesh_command.h"
+#include "tools/picture_program.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
-#include <sys/wait.h>
 #include <tbb/global_control.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
@@ -37,6 +37,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using namespace sbeh;
+using tools::draw;
 
 struct Arguments {
   std::string input, folder;
@@ -53,28 +54,8 @@ fs::path folder_of(const Arguments& a) {
   return a.folder.empty() ? fs::path("results") / fs::path(a.input).stem() : fs::path(a.folder);
 }
 
-// Runs the picture program, which sits beside this one; 127 when it cannot be started.
-int draw(const std::vector<std::string>& arguments) {
-  const fs::path program = fs::read_symlink("/proc/self/exe").parent_path() / "sbeh-picture";
-  std::vector<std::string> words{program.string()};
-  words.insert(words.end(), arguments.begin(), arguments.end());
-  const pid_t child = fork();
-  if (child == 0) {
-    std::vector<char*> argv;
-    for (std::string& word : words) argv.push_back(word.data());
-    argv.push_back(nullptr);
-    execv(program.c_str(), argv.data());
-    complain(fmt::format("{}: cannot be started", program.string()));
-    _exit(127);
-  }
-  int status = 0;
-  if (child < 0 || waitpid(child, &status, 0) < 0) return 127;
-  return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
-}
-
 void draw_results(const Arguments& a, const std::string& kind, const fs::path& folder) {
   if (a.no_pictures) return;
-  std::fflush(nullptr);
   if (draw({kind, folder.string()}) != 0)
     complain(
         fmt::format("no pictures; the tables in {0} are complete. "
@@ -233,11 +214,9 @@ int report(const Arguments& a) {
   const fs::path folder = a.input;
   const studies::ResultsKind kind = studies::kind_of_results(folder);
   if (!a.no_pictures)
-    for (const std::string& picture : studies::missing_pictures(folder, kind)) {
-      std::fflush(nullptr);
+    for (const std::string& picture : studies::missing_pictures(folder, kind))
       if (draw({studies::name(kind), folder.string(), "--only", picture}) != 0)
         complain(fmt::format("{}: cannot be drawn; the report is without it", picture));
-    }
   const studies::ReportSummary s = studies::write_report(folder, SBEH_VERSION);
   fmt::print("{} {}\n", s.replaced ? "replaced the earlier report" : "wrote", s.file.string());
   return 0;
@@ -301,9 +280,11 @@ int run(int argc, char** argv) {
   report_command->add_option("DIR", a.input, "folder of a scan, run, relax, seifert or compare")
       ->required();
   report_command->add_flag("--no-pictures", a.no_pictures, "do not draw those that are missing");
+  const tools::FiguresCommand figures_command(app);
   const tools::MeshCommand mesh_command(app);
   CLI::App* picture_command = app.add_subcommand(
-      "picture", "draw the pictures of a folder again: picture scan|relax|run|seifert|compare DIR");
+      "picture",
+      "draw the pictures of a folder again: picture scan|relax|run|seifert|compare|figures DIR");
   picture_command->prefix_command();
   picture_command->set_help_flag();  // `sbeh picture --help` is the picture program's
   try {
@@ -314,7 +295,8 @@ int run(int argc, char** argv) {
   if (*picture_command) return draw(picture_command->remaining());
 
   studies::let_writes_fail();
-  if (*scan_command || *relax_command || *run_command || *compare_command)
+  if (*scan_command || *relax_command || *run_command || *compare_command
+      || figures_command.parsed())
     studies::catch_interrupts();
   std::unique_ptr<tbb::global_control> limit;
   if (a.threads > 0)
@@ -328,6 +310,7 @@ int run(int argc, char** argv) {
     if (*check_command) return check(a);
     if (*seifert_command) return seifert(a);
     if (*report_command) return report(a);
+    if (figures_command.parsed()) return figures_command.run();
     if (app.got_subcommand("mesh")) return mesh_command.run();
   } catch (const std::invalid_argument& error) {  // only the start itself could tell
     throw studies::InputError(fmt::format("{}: {}", a.input, error.what()));

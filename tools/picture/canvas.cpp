@@ -1,5 +1,7 @@
 #include "tools/picture/canvas.h"
 
+#include "studies/html.h"
+#include "studies/output.h"
 #include "tools/picture/layer.h"
 
 #include <fmt/format.h>
@@ -9,6 +11,7 @@
 #include <vtkContextScene.h>
 #include <vtkContextView.h>
 #include <vtkGL2PSExporter.h>
+#include <vtkImageData.h>
 #include <vtkMatrix4x4.h>
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
@@ -22,11 +25,13 @@
 #include <vtkStdString.h>
 #include <vtkTextProperty.h>
 #include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
 #include <cmath>
 #include <fstream>
 #include <stdexcept>
+#include <vector>
 
 namespace sbeh::picture {
 namespace fs = std::filesystem;
@@ -63,6 +68,11 @@ vtkStandardNewMacro(Sheet);
 struct Canvas::Window {
   vtkNew<vtkContextView> view;
   vtkSmartPointer<Layer> layer;  // the topmost item, if that is a layer
+  struct Image {
+    vtkSmartPointer<vtkImageData> image;
+    double x, y;
+  };
+  std::vector<Image> images;  // for the SVG
 
   Layer& top() {
     if (!layer) {
@@ -87,6 +97,7 @@ void Canvas::start(double width, double height) {
   window_->view->GetScene()->ClearItems();
   window_->view->GetScene()->AddItem(vtkNew<Sheet>());
   window_->layer = nullptr;
+  window_->images.clear();
   window_->render_window()->SetSize(int(width_), int(height_));
 }
 
@@ -121,7 +132,36 @@ void Canvas::add(vtkContextItem* item) {
   window_->layer = nullptr;
 }
 
+void Canvas::embed(vtkImageData* image, double x, double y) {
+  window_->images.push_back({image, x, y});
+}
+
 namespace {
+
+std::string svg_image(vtkImageData* image, double x, double top) {
+  vtkNew<vtkPNGWriter> writer;
+  writer->WriteToMemoryOn();
+  writer->SetInputData(image);
+  writer->Write();
+  vtkUnsignedCharArray* png = writer->GetResult();
+  const std::string bytes(png->Begin(), png->End());
+  const int* size = image->GetDimensions();
+  return fmt::format(
+      "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
+      "xlink:href=\"data:image/png;base64,{}\"/>\n",
+      x, top, size[0], size[1], studies::html::base64(bytes));
+}
+
+// GL2PS, as Debian builds it, leaves images out: puts them upon the white ground, which comes first.
+void embed_images(const fs::path& svg, const std::string& images) {
+  std::string text = studies::read_file(svg);
+  const std::string ground = "<polygon fill=\"#ffffff\"";
+  std::size_t at = text.find("<g>\n");
+  if (at == std::string::npos) throw std::runtime_error("the SVG has no group to put images into");
+  at += 4;
+  while (text.compare(at, ground.size(), ground) == 0) at = text.find('\n', at) + 1;
+  std::ofstream(svg, std::ios::binary) << text.insert(at, images);
+}
 
 void write_png(vtkRenderWindow* window, const fs::path& file) {
   window->SetMultiSamples(8);
@@ -174,6 +214,10 @@ void Canvas::write(const fs::path& stem, bool with_svg) {
       write_png(window_->render_window(), temporary);
     } else {
       write_svg(window_->render_window(), temporary, name);
+      std::string images;
+      for (const auto& [image, x, y] : window_->images)
+        images += svg_image(image, x, height_ - y - image->GetDimensions()[1]);
+      if (!images.empty()) embed_images(temporary, images);
     }
     std::error_code error;
     const bool complete = is_complete(temporary);

@@ -9,6 +9,7 @@
 #include <string>
 
 class vtkContextItem;
+class vtkImageData;
 class vtkTextProperty;
 
 namespace sbeh::picture {
@@ -74,6 +75,9 @@ class Canvas {
 
   /// An item of VTK's own, for example a chart.
   void add(vtkContextItem* item);
+
+  /// An image that an item shows at (x, y), for the SVG: there it lies below everything that is drawn.
+  void embed(vtkImageData* image, double x, double y);
 
   /// Writes `stem`.png and, unless left out, `stem`.svg, each under a temporary name first; throws
   /// std::runtime_error.

@@ -40,6 +40,7 @@ ColourMap::ColourMap(Palette palette, double low, double high)
       constexpr double white_share = 0.22;
       for (double* channel : {&r, &g, &b}) *channel += white_share * (1 - *channel);
     }
+    if (palette == Palette::plain) r = g = b = 0.82;
     function->AddRGBPoint(double(i) / double(used - 1), r, g, b);
   }
   const unsigned char* table = function->GetTable(0.0, 1.0, table_size);

@@ -9,9 +9,10 @@
 namespace sbeh::picture {
 
 enum class Palette {
-  viridis,  ///< dark for small values: for areas
-  lines,    ///< light for small values, without the palest: for lines on white
-  surfaces  ///< viridis with some white: for shaded surfaces with dark edges
+  viridis,   ///< dark for small values: for areas
+  lines,     ///< light for small values, without the palest: for lines on white
+  surfaces,  ///< viridis with some white: for shaded surfaces with dark edges
+  plain      ///< one light grey: for shaded surfaces without a quantity
 };
 
 class ColourMap {

@@ -1,6 +1,9 @@
 #include "tools/picture/frames.h"
 
+#include "studies/toml_reader.h"
 #include "tools/picture/csv.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -35,6 +38,18 @@ std::vector<Frame> chosen_frames(const std::vector<Frame>& frames, std::size_t m
     next = std::min(next + 1, latest + 1);
   }
   return chosen;
+}
+
+studies::CurvedFile read_state(const std::filesystem::path& frame) {
+  try {
+    studies::MeshFile file = studies::read_mesh(frame);
+    if (auto* curved = std::get_if<studies::CurvedFile>(&file))
+      if (curved->fields.contains("order") && curved->fields.contains("mean_curvature"))
+        return std::move(*curved);
+  } catch (const studies::InputError& error) {
+    throw InputError(error.what());
+  }
+  throw InputError(fmt::format("{}: is no frame of a run", frame.string()));
 }
 
 }  // namespace sbeh::picture

@@ -1,5 +1,7 @@
-// Which of the states of an evolution a picture shows.
+// Which of the states of an evolution a picture shows, and what is in their files.
 #pragma once
+
+#include "studies/mesh_files/mesh_file.h"
 
 #include <filesystem>
 #include <vector>
@@ -17,5 +19,8 @@ std::vector<Frame> read_frames(const std::filesystem::path& table);
 /// At most so many: the first, the last, and between them the frames nearest to times in geometric
 /// progression: an evolution is fast at first.
 std::vector<Frame> chosen_frames(const std::vector<Frame>& frames, std::size_t most);
+
+/// The surface of a frame with its fields `order` and `mean_curvature`. Throws InputError.
+studies::CurvedFile read_state(const std::filesystem::path& frame);
 
 }  // namespace sbeh::picture

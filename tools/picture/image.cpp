@@ -37,6 +37,7 @@ void draw_image(Canvas& canvas, vtkImageData* image, double x, double y) {
   vtkNew<ImageItem> item;
   item->set(image, x, y);
   canvas.add(item);
+  canvas.embed(image, x, y);
 }
 
 }  // namespace sbeh::picture

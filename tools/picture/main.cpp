@@ -1,11 +1,12 @@
-// sbeh-picture: the pictures of a scan, of one evolution, of the classical branches, of a comparison or of a
-// mesh, from the files they leave.
+// sbeh-picture: the pictures of a scan, of one evolution, of the classical branches, of a comparison, of a
+// mesh, and the paper's figures, from the files they leave.
 #include "tools/picture/classical.h"
 #include "tools/picture/compare.h"
 #include "tools/picture/csv.h"
 #include "tools/picture/cuts.h"
 #include "tools/picture/diagram.h"
 #include "tools/picture/energy.h"
+#include "tools/picture/figures.h"
 #include "tools/picture/mesh.h"
 #include "tools/picture/relax.h"
 #include "tools/picture/run.h"
@@ -60,6 +61,17 @@ void picture_run(const Options& options) {
   if (options.wants("shapes")) draw_run_shapes(canvas, options);
 }
 
+void picture_figures(const Options& options) {
+  using Draw = void (*)(Canvas&, const Options&);
+  constexpr std::pair<const char*, Draw> figures[] = {{"energy", draw_figure_energy},
+                                                      {"shapes", draw_figure_shapes},
+                                                      {"evolution", draw_figure_evolution},
+                                                      {"measures", draw_figure_measures}};
+  Canvas canvas;
+  for (const auto& [name, draw] : figures)
+    if (options.wants(name)) draw(canvas, options);
+}
+
 void add_common_options(CLI::App* command, Options& options, std::string& size,
                         std::vector<std::string> pictures) {
   command->add_option("DIR", options.directory, "Folder of the results; the pictures go there")
@@ -93,6 +105,9 @@ int run(int count, char** arguments) {
   CLI::App* compare =
       app.add_subcommand("compare", "profiles of all methods from DIR/profiles.csv");
   add_common_options(compare, options, size, {"profiles"});
+  CLI::App* figures =
+      app.add_subcommand("figures", "the paper's figures from the tables of `sbeh figures` in DIR");
+  add_common_options(figures, options, size, {"energy", "shapes", "evolution", "measures"});
   CLI::App* mesh = app.add_subcommand("mesh", "a curved mesh from FILE.vtu, into FILE.png");
   mesh->add_option("FILE", options.directory, "Mesh with curved triangles, as sbeh mesh writes it")
       ->required();
@@ -115,6 +130,7 @@ int run(int count, char** arguments) {
     Canvas canvas;
     draw_compared_profiles(canvas, options);
   }
+  if (figures->parsed()) picture_figures(options);
   if (mesh->parsed()) {
     Canvas canvas;
     draw_mesh(canvas, options);

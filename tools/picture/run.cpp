@@ -1,8 +1,5 @@
 #include "tools/picture/run.h"
 
-#include "studies/frame_file.h"
-#include "studies/mesh_files/mesh_file.h"
-#include "studies/toml_reader.h"
 #include "tools/picture/csv.h"
 #include "tools/picture/frames.h"
 #include "tools/picture/image.h"
@@ -22,18 +19,6 @@ namespace {
 
 constexpr std::size_t most_shapes = 10, most_in_a_row = 5;
 
-studies::CurvedFile read_state(const Frame& frame) {
-  try {
-    studies::MeshFile file = studies::read_mesh(frame.file);
-    if (auto* curved = std::get_if<studies::CurvedFile>(&file))
-      if (curved->fields.contains("order") && curved->fields.contains("mean_curvature"))
-        return std::move(*curved);
-  } catch (const studies::InputError& error) {
-    throw InputError(error.what());
-  }
-  throw InputError(fmt::format("{}: is no frame of a run", frame.file.string()));
-}
-
 struct Shown {
   std::vector<studies::CurvedFile> states;
   std::string field, title;
@@ -42,7 +27,7 @@ struct Shown {
 
 Shown read_states(const std::vector<Frame>& frames) {
   Shown shown;
-  for (const Frame& frame : frames) shown.states.push_back(read_state(frame));
+  for (const Frame& frame : frames) shown.states.push_back(read_state(frame.file));
   const auto set_range = [&](const char* field, const char* title) {
     shown.field = field;
     shown.title = title;

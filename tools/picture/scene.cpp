@@ -129,15 +129,15 @@ void add_light(vtkRenderer* renderer, const Vector3d& from, double intensity) {
   renderer->AddLight(light);
 }
 
-void set_camera(vtkRenderer* renderer, const Vector3d& middle, const View& view,
-                double half_width) {
+void set_camera(vtkRenderer* renderer, const Vector3d& middle, const View& view, double half_width,
+                double height_by_width) {
   vtkCamera* camera = renderer->GetActiveCamera();
   const Vector3d eye = middle + 10 * half_width * view.from.normalized();
   camera->SetFocalPoint(middle[0], middle[1], middle[2]);
   camera->SetPosition(eye[0], eye[1], eye[2]);
   camera->SetViewUp(view.up[0], view.up[1], view.up[2]);
   camera->ParallelProjectionOn();
-  camera->SetParallelScale(half_width);
+  camera->SetParallelScale(half_width * height_by_width);
   renderer->ResetCameraClippingRange();
 }
 
@@ -145,7 +145,8 @@ void set_camera(vtkRenderer* renderer, const Vector3d& middle, const View& view,
 
 vtkSmartPointer<vtkImageData> render(const meshing::CurvedMesh& mesh, const Eigen::VectorXd& values,
                                      const ColourMap& colours, const View& view, double half_width,
-                                     int pixels, Edges show_edges) {
+                                     int pixels, Edges show_edges, int pixels_high) {
+  const int height = pixels_high > 0 ? pixels_high : pixels;
   vtkNew<vtkPolyDataMapper> surface_mapper, edge_mapper;
   surface_mapper->SetResolveCoincidentTopologyToPolygonOffset();
   surface_mapper->SetInputData(surface_of(mesh, values, colours));
@@ -172,10 +173,10 @@ vtkSmartPointer<vtkImageData> render(const meshing::CurvedMesh& mesh, const Eige
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(8);
-  window->SetSize(pixels, pixels);
+  window->SetSize(pixels, height);
   window->AddRenderer(renderer);
   set_camera(renderer, (mesh.nodes.rowwise().maxCoeff() + mesh.nodes.rowwise().minCoeff()) / 2,
-             view, half_width);
+             view, half_width, double(height) / pixels);
   window->Render();
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(window);

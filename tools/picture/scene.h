@@ -18,10 +18,11 @@ struct View {
 
 enum class Edges { shown, hidden };
 
-/// Square image of `pixels` per side. The surface is coloured by `values`, one per node, and may show
-/// the edges of its triangles; `half_width` is the length from the middle of the image to its side.
+/// Image of `pixels` width, and as much height unless `pixels_high` says otherwise. The surface is coloured
+/// by `values`, one per node, and may show the edges of its triangles; `half_width` is the length from
+/// the middle of the image to its left or right side.
 vtkSmartPointer<vtkImageData> render(const meshing::CurvedMesh& mesh, const Eigen::VectorXd& values,
                                      const ColourMap& colours, const View& view, double half_width,
-                                     int pixels, Edges edges = Edges::shown);
+                                     int pixels, Edges edges = Edges::shown, int pixels_high = 0);
 
 }  // namespace sbeh::picture

@@ -1,0 +1,159 @@
+#include "studies/figures/figures.h"
+
+#include "studies/csv_line.h"
+#include "studies/figures/tables.h"
+#include "studies/interrupt.h"
+#include "studies/output.h"
+#include "studies/progress.h"
+#include "studies/scan.h"
+#include "studies/toml_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace sbeh::studies::figures {
+
+namespace fs = std::filesystem;
+using model::FlowStop;
+
+namespace {
+
+constexpr const char* columns = "figure,command,seconds,result,paper,agreement";
+
+// False when interrupted.
+bool make_scan(const Request& request, const Inputs& inputs, std::string_view version) {
+  const fs::path place = request.folder / scan_folder;
+  const ScanSummary s = run_scan(inputs.oblates, place, version);
+  if (s.computed > 0)
+    tell(
+        fmt::format("{}: {} points computed in {:.1f} s\n", place.string(), s.computed, s.seconds));
+  return !s.interrupted;
+}
+
+bool make_run(const Request& request, const PlannedRun& plan, std::string_view version,
+              Summary& summary) {
+  const auto found = find_run(request.folder, plan, request.triangles);
+  if (found && found->ended) return true;
+  const RunSummary s = complete_run(request.folder, plan, found, version);
+  if (s.run.stop == FlowStop::interrupted) return false;
+  const std::string place = (request.folder / plan.folder).string();
+  tell(fmt::format("{}: {} at t = {:.6g}, energy {:.8g}\n", place, model::describe(s.run.stop),
+                   s.run.last.time, s.run.last.energy.total()));
+  if (s.run.stop != FlowStop::end_time && s.run.stop != FlowStop::at_rest) {
+    summary.failed.push_back(fmt::format("{}: ended at t = {:.6g}: {}", place, s.run.last.time,
+                                         model::describe(s.run.stop)));
+  }
+  if (s.unresolved_from)
+    summary.unresolved.push_back(fmt::format("{} from t = {:.4g}", place, *s.unresolved_from));
+  return true;
+}
+
+// What all figures need, each run once. False when interrupted.
+bool make_all(const Request& request, const Inputs& inputs, std::string_view version,
+              Summary& summary) {
+  const auto& wanted = request.figures;
+  if (std::any_of(wanted.begin(), wanted.end(), needs_scan) && !make_scan(request, inputs, version))
+    return false;
+  std::set<std::string> made;
+  for (const Figure figure : wanted)
+    for (const PlannedRun& plan : runs_for(figure, inputs)) {
+      if (!made.insert(plan.folder).second) continue;
+      if (interrupt_signal() || !make_run(request, plan, version, summary)) return false;
+    }
+  return true;
+}
+
+// Of the scan and the 3D runs together; nan when none of them was made here.
+double seconds_for(Figure figure, const Inputs& inputs, const fs::path& folder) {
+  double sum = 0;
+  bool known = false;
+  const fs::path scan = folder / scan_folder / "scan.csv";
+  if (needs_scan(figure) && fs::exists(scan)) {
+    const CsvTable table = read_csv(scan);
+    for (std::size_t row = 0; row < table.rows.size(); ++row)
+      sum += table.number(row, "wall_seconds");
+    known = true;
+  }
+  for (const PlannedRun& plan : runs_for(figure, inputs))
+    if (const auto seconds = seconds_of(folder, plan)) {
+      sum += *seconds;
+      known = true;
+    }
+  return known ? sum : std::nan("");
+}
+
+void write_findings(const Inputs& inputs, const fs::path& folder) {
+  std::string text = std::string(columns) + "\n";
+  for (const Figure figure : all_figures)
+    for (const Finding& finding : findings_of(figure, folder)) {
+      const double seconds = seconds_for(figure, inputs, folder);
+      text +=
+          fmt::format("{},sbeh figures {},{},{},{},{}\n", number(figure), name(figure),
+                      std::isnan(seconds) ? "" : fmt::format("{:.0f}", seconds),
+                      csv_field(finding.result), csv_field(finding.paper), name(finding.agreement));
+    }
+  write_file(folder / "figures.csv", text);
+}
+
+}  // namespace
+
+const char* name(Agreement agreement) {
+  constexpr const char* names[] = {"yes", "no", "–"};
+  return names[int(agreement)];
+}
+
+std::vector<Finding> findings_of(Figure figure, const fs::path& folder) {
+  const fs::path file = folder / (std::string(name(figure)) + ".csv");
+  if (!fs::exists(file)) return {};
+  const CsvTable table = read_csv(file);
+  switch (figure) {
+    case Figure::energy:
+      return energy_findings(table);
+    case Figure::shapes:
+      return shapes_findings(table);
+    case Figure::evolution:
+      return evolution_findings(table);
+    case Figure::measures:
+      return measures_findings(table);
+  }
+  return {};
+}
+
+Summary make_figures(const Request& request, std::string_view version) {
+  const Inputs inputs = read_inputs(request.inputs, request.triangles);
+  if (request.draw_only && !fs::is_directory(request.folder))
+    throw InputError(
+        fmt::format("{}: no such folder: there is nothing to draw", request.folder.string()));
+  const OutputFolder folder(request.folder);
+  Summary summary;
+  if (!request.draw_only && !make_all(request, inputs, version, summary)) {
+    summary.interrupted = true;
+    return summary;
+  }
+  const Sources sources{request.folder, inputs, request.triangles};
+  for (const Figure figure : request.figures)
+    summary.missing.emplace_back(figure, write_tables(figure, sources));
+  write_findings(inputs, request.folder);
+  return summary;
+}
+
+std::string text_of(const CsvTable& figures) {
+  std::string text, before;
+  for (std::size_t row = 0; row < figures.rows.size(); ++row) {
+    const std::string figure = figures.text(row, "figure"), seconds = figures.text(row, "seconds"),
+                      paper = figures.text(row, "paper");
+    if (figure != before)
+      text += fmt::format("figure {}: {}{}\n", figure, figures.text(row, "command"),
+                          seconds.empty() ? "" : ", " + seconds + " s of runs");
+    before = figure;
+    text +=
+        fmt::format("  {:<4} {}\n", figures.text(row, "agreement"), figures.text(row, "result"));
+    if (!paper.empty()) text += fmt::format("       paper: {}\n", paper);
+  }
+  return text;
+}
+
+}  // namespace sbeh::studies::figures

@@ -1,0 +1,34 @@
+// The paper's figures from their inputs: the runs that are missing, tables, and what came out.
+#pragma once
+
+#include "studies/figures/findings.h"
+
+namespace sbeh::studies::figures {
+
+struct Request {
+  std::vector<Figure> figures;
+  std::filesystem::path folder;  ///< of the results
+  std::filesystem::path inputs;
+  std::optional<int> triangles;
+  bool draw_only = false;  ///< run nothing
+};
+
+struct Summary {
+  /// What a figure lacks, by figure as asked for; a phrase for each.
+  std::vector<std::pair<Figure, std::vector<std::string>>> missing;
+  std::vector<std::string> failed;  ///< runs made now that ended before their time, and why
+  std::vector<std::string>
+      unresolved;            ///< those that their triangles did not resolve, and from when
+  bool interrupted = false;  ///< then there are no new tables
+};
+
+/// Makes the scan and the 3D runs that are not there or not finished, each in its folder (plan.h), then the
+/// tables (tables.h), and figures.csv: figure, command, seconds, result, paper, agreement; a row for each
+/// finding of every figure whose table is there. Progress on standard error. Throws InputError and
+/// OutputError.
+Summary make_figures(const Request& request, std::string_view version);
+
+/// The rows of figures.csv for the screen.
+std::string text_of(const CsvTable& figures);
+
+}  // namespace sbeh::studies::figures

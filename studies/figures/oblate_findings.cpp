@@ -1,0 +1,263 @@
+// The findings of the stationary oblates: figures 1 and 2.
+#include "studies/figures/findings.h"
+#include "studies/figures/history.h"
+
+#include <fmt/format.h>
+
+#include <map>
+#include <optional>
+#include <set>
+#include <tuple>
+
+namespace sbeh::studies::figures {
+
+namespace {
+
+using Point = std::pair<double, double>;                  // V_r, L
+using Key = std::tuple<std::string, std::string, Point>;  // solver, model, point
+
+std::map<Key, History> histories_of(const CsvTable& energy) {
+  std::map<Key, History> histories;
+  for (std::size_t row = 0; row < energy.rows.size(); ++row) {
+    History& h = histories[{energy.text(row, "solver"),
+                            energy.text(row, "model"),
+                            {energy.number(row, "reduced_volume"), energy.number(row, "L")}}];
+    h.ended = !energy.text(row, "at_rest").empty();
+    h.at_rest = energy.text(row, "at_rest") == "yes";
+    h.time.push_back(energy.number(row, "time"));
+    h.value.push_back(energy.number(row, "energy"));
+  }
+  return histories;
+}
+
+Agreement agrees(bool it_does) { return it_does ? Agreement::yes : Agreement::no; }
+
+// How often a quantity over the grid grows from one L to the next, and from one V_r to the next smaller.
+struct Growth {
+  int with_L = 0, of_L = 0, with_volume = 0, of_volume = 0;
+  bool everywhere() const { return with_L == of_L && with_volume == of_volume; }
+  bool any() const { return of_L + of_volume > 0; }
+  std::string text() const {
+    return fmt::format("grows in {} of {} steps of L and {} of {} steps down in V_r", with_L, of_L,
+                       with_volume, of_volume);
+  }
+};
+
+Growth growth_of(const std::map<Point, double>& values) {
+  std::set<double> volumes, lengths;
+  for (const auto& [point, value] : values) {
+    volumes.insert(point.first);
+    lengths.insert(point.second);
+  }
+  Growth growth;
+  for (const auto& [point, value] : values) {
+    const auto [v, L] = point;
+    if (const auto next = lengths.upper_bound(L); next != lengths.end())
+      if (const auto other = values.find({v, *next}); other != values.end()) {
+        ++growth.of_L;
+        growth.with_L += other->second > value;
+      }
+    if (const auto larger = volumes.upper_bound(v); larger != volumes.end())
+      if (const auto other = values.find({*larger, L}); other != values.end()) {
+        ++growth.of_volume;
+        growth.with_volume += value > other->second;
+      }
+  }
+  return growth;
+}
+
+std::string point_text(const Point& at) {
+  return fmt::format("V_r = {:.4g}, L = {:.4g}", at.first, at.second);
+}
+
+// ---- figure 1 -----------------------------------------------------------------------------------
+
+// An energy that falls is written with rounding errors of 1e-13 of itself.
+constexpr double rounding = 1e-12;
+
+Finding falling_energies(const std::map<Key, History>& histories, const char* solver) {
+  int count = 0, falling = 0;
+  double rise = -HUGE_VAL;
+  for (const auto& [key, h] : histories) {
+    if (std::get<0>(key) != solver || h.size() < 2) continue;
+    ++count;
+    falling += h.largest_rise() <= rounding * std::abs(h.last());
+    rise = std::max(rise, h.largest_rise());
+  }
+  return {falling == count
+              ? fmt::format("{}: the energy falls in {} of {} histories", solver, falling, count)
+              : fmt::format("{}: the energy falls in {} of {} histories, and rises "
+                            "by {:.1e} at most from one time to the next",
+                            solver, falling, count, rise),
+          "energies fall in all runs", count > 0 ? agrees(falling == count) : Agreement::open};
+}
+
+std::map<Point, double> gaps_at_rest(const std::map<Key, History>& histories) {
+  std::map<Point, double> gaps;
+  for (const auto& [key, sbeh] : histories) {
+    const auto& [solver, model, point] = key;
+    const auto ssh = histories.find({solver, "SSH", point});
+    if (solver == "axisymmetric" && model == "SBEH" && ssh != histories.end() && sbeh.at_rest
+        && ssh->second.at_rest)
+      gaps[point] = ssh->second.last() - sbeh.last();
+  }
+  return gaps;
+}
+
+Finding ends_at_rest(const std::map<Key, History>& histories, const char* solver) {
+  int ended = 0, at_rest = 0;
+  double last = 0;
+  for (const auto& [key, h] : histories) {
+    if (std::get<0>(key) != solver) continue;
+    ended += h.ended;
+    at_rest += h.at_rest;
+    if (h.at_rest) last = std::max(last, h.end());
+  }
+  return {fmt::format("{}: {} of {} runs end at rest, the last at t = {:.3g}", solver, at_rest,
+                      ended, last),
+          "all runs converge to a stationary shape", agrees(at_rest == ended)};
+}
+
+Finding order_of_models(const std::map<Key, History>& histories) {
+  int times = 0, lower = 0;
+  for (const auto& [key, sbeh] : histories) {
+    const auto& [solver, model, point] = key;
+    const auto ssh = histories.find({solver, "SSH", point});
+    if (model != "SBEH" || ssh == histories.end()) continue;
+    for (std::size_t i = 0; i < sbeh.size(); ++i)
+      if (sbeh.time[i] > 0) {
+        ++times;
+        lower += sbeh.value[i] < ssh->second.at(sbeh.time[i]);
+      }
+  }
+  return {fmt::format("U(SBEH) < U(SSH) at {} of {} times t > 0", lower, times),
+          "SBEH has the lower energy at all times", agrees(lower == times)};
+}
+
+std::optional<Finding> against_axisymmetric(const std::map<Key, History>& histories) {
+  int count = 0;
+  double worst = 0;
+  Point at;
+  for (const auto& [key, h] : histories) {
+    const auto& [solver, model, point] = key;
+    const auto other = histories.find({"axisymmetric", model, point});
+    if (solver != "3D" || other == histories.end() || !h.at_rest) continue;
+    ++count;
+    const double difference = std::abs(h.last() / other->second.last() - 1);
+    if (difference >= worst) {
+      worst = difference;
+      at = point;
+    }
+  }
+  if (count == 0) return {};
+  return Finding{
+      fmt::format("energies at rest of {} runs in 3D: within {:.1e} of the axisymmetric ones, "
+                  "relatively (worst at {})",
+                  count, worst, point_text(at)),
+      "", Agreement::open};
+}
+
+// ---- figure 2 -----------------------------------------------------------------------------------
+
+std::map<Point, double> column(const CsvTable& shapes, const char* name) {
+  std::map<Point, double> values;
+  for (std::size_t row = 0; row < shapes.rows.size(); ++row)
+    if (const double value = shapes.number(row, name); std::isfinite(value))
+      values[{shapes.number(row, "reduced_volume"), shapes.number(row, "L")}] = value;
+  return values;
+}
+
+struct Span {
+  double least = HUGE_VAL, largest = -HUGE_VAL;
+  Point at_least{}, at_largest{};
+};
+Span span_of(const std::map<Point, double>& values) {
+  Span span;
+  for (const auto& [point, value] : values) {
+    if (value < span.least) std::tie(span.least, span.at_least) = std::pair(value, point);
+    if (value > span.largest) std::tie(span.largest, span.at_largest) = std::pair(value, point);
+  }
+  return span;
+}
+
+double largest_difference(const CsvTable& shapes, const char* a, const char* b, bool relative) {
+  double largest = 0;
+  for (std::size_t row = 0; row < shapes.rows.size(); ++row) {
+    const double x = shapes.number(row, a), y = shapes.number(row, b);
+    const double difference = std::abs(x - y) / (relative ? std::abs(y) : 1);
+    if (std::isfinite(difference)) largest = std::max(largest, difference);
+  }
+  return largest;
+}
+
+Finding shapes_in_3d(const CsvTable& shapes) {
+  const auto distances = column(shapes, "distance_3d");
+  int at_rest = 0;
+  for (std::size_t row = 0; row < shapes.rows.size(); ++row)
+    at_rest += shapes.text(row, "ending").starts_with("at rest");
+  return {fmt::format("{} of {} shapes in 3D, {} of them at rest; largest differences from the "
+                      "axisymmetric ones: energy {:.1e}, smallest order {:.1e}, distance {:.1e}",
+                      distances.size(), shapes.rows.size(), at_rest,
+                      largest_difference(shapes, "energy_3d", "energy", true),
+                      largest_difference(shapes, "order_min_3d", "order_min", false),
+                      span_of(distances).largest),
+          "", Agreement::open};
+}
+
+}  // namespace
+
+std::vector<Finding> energy_findings(const CsvTable& energy) {
+  const auto histories = histories_of(energy);
+  std::vector<Finding> findings;
+  for (const char* solver : {"axisymmetric", "3D"}) {
+    const auto has = [&](const auto& entry) { return std::get<0>(entry.first) == solver; };
+    if (std::none_of(histories.begin(), histories.end(), has)) continue;
+    findings.push_back(falling_energies(histories, solver));
+    findings.push_back(ends_at_rest(histories, solver));
+  }
+  const auto gaps = gaps_at_rest(histories);
+  if (!gaps.empty()) {
+    findings.push_back(order_of_models(histories));
+    const Growth growth = growth_of(gaps);
+    const Span span = span_of(gaps);
+    findings.push_back({fmt::format("U(SSH) − U(SBEH) at rest: {:.5f} ({}) to {:.5f} ({}); it {}",
+                                    span.least, point_text(span.at_least), span.largest,
+                                    point_text(span.at_largest), growth.text()),
+                        "the gap widens as L grows and as V_r falls", agrees(growth.everywhere())});
+  }
+  if (const auto in_space = against_axisymmetric(histories)) findings.push_back(*in_space);
+  return findings;
+}
+
+std::vector<Finding> shapes_findings(const CsvTable& shapes) {
+  std::vector<Finding> findings;
+  const auto own = column(shapes, "distance_from_SSH"), same = column(shapes, "SSH_distance"),
+             order = column(shapes, "order_min"), radius = column(shapes, "order_min_radius");
+  if (own.empty() || same.empty() || order.empty() || radius.empty()) return findings;
+  const Span apart = span_of(own);
+  // The last digits depend on when an evolution counts as at rest.
+  findings.push_back(
+      {fmt::format("SSH's shapes for different L are {:.1e} apart at most", span_of(same).largest),
+       "SSH's shapes are the same for all L", agrees(span_of(same).largest < 1e-2 * apart.least)});
+  findings.push_back(
+      {fmt::format("SBEH's shapes are {:.4f} ({}) to {:.4f} ({}) away from SSH's; that {}",
+                   apart.least, point_text(apart.at_least), apart.largest,
+                   point_text(apart.at_largest), growth_of(own).text()),
+       "they differ more as L grows and as V_r falls", agrees(growth_of(own).everywhere())});
+  std::map<Point, double> loss;
+  for (const auto& [point, value] : order) loss[point] = -value;
+  const Span orders = span_of(order);
+  findings.push_back({fmt::format("smallest order {:.4f} ({}) to {:.4f} ({}); its loss {}",
+                                  orders.largest, point_text(orders.at_largest), orders.least,
+                                  point_text(orders.at_least), growth_of(loss).text()),
+                      "order falls with growing L and falling V_r",
+                      agrees(growth_of(loss).everywhere())});
+  const double nearest = span_of(radius).least;
+  findings.push_back(
+      {fmt::format("order is least at {:.3f} of the equator's radius or farther out", nearest),
+       "order is least at the rim", agrees(nearest > 0.95)});
+  if (!column(shapes, "distance_3d").empty()) findings.push_back(shapes_in_3d(shapes));
+  return findings;
+}
+
+}  // namespace sbeh::studies::figures

@@ -1,0 +1,102 @@
+#include "studies/figures/plan.h"
+
+#include "studies/toml_reader.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sbeh::studies::figures {
+
+namespace fs = std::filesystem;
+using model::Model;
+
+namespace {
+
+// Where figure 1 has the 3D solver's energies.
+struct Point {
+  double reduced_volume, L;
+};
+constexpr Point energies_in_3d[] = {{0.7, 0.05}, {0.8, 0.05}};
+
+bool contains(const std::vector<double>& values, double value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
+void require(bool holds, const fs::path& file, const char* what) {
+  if (!holds) throw InputError(fmt::format("{}: {}", file.string(), what));
+}
+
+}  // namespace
+
+const char* name(Figure figure) {
+  constexpr const char* names[] = {"energy", "shapes", "evolution", "measures"};
+  return names[int(figure)];
+}
+
+int number(Figure figure) { return int(figure) + 1; }
+
+std::optional<Figure> figure_of(std::string_view word) {
+  for (const Figure figure : all_figures)
+    if (word == name(figure) || word == std::to_string(number(figure))) return figure;
+  return {};
+}
+
+Inputs read_inputs(const fs::path& folder, std::optional<int> triangles) {
+  if (!fs::is_directory(folder))
+    throw InputError(
+        fmt::format("{}: no such folder: the figures' inputs are in the folder studies of the "
+                    "sources, give its place by --inputs",
+                    folder.string()));
+  const fs::path scan = folder / "paper_flow.toml", oblate = folder / "paper_oblate_3d.toml",
+                 sbeh = folder / "y53_ordered.toml", ssh = folder / "y53.toml";
+  Inputs inputs{read_scan(scan), read_run(oblate), read_run(sbeh), read_run(ssh)};
+  require(inputs.oblates.method == Method::flow && inputs.oblates.models.size() == 2
+              && inputs.oblates.branches == std::vector<std::string>{"oblate"},
+          scan, "must be a scan of the oblates of both models with method = \"flow\"");
+  const auto* ellipsoid = std::get_if<Ellipsoid3d>(&inputs.oblate_3d.start);
+  require(ellipsoid && ellipsoid->reduced_volume, oblate,
+          "must start from an ellipsoid of a reduced volume");
+  require(inputs.sbeh.model == Model::SBEH, sbeh, "must have model = \"SBEH\"");
+  require(inputs.ssh.model == Model::SSH, ssh, "must have model = \"SSH\"");
+  if (triangles)
+    for (RunInput* input : {&inputs.oblate_3d, &inputs.sbeh, &inputs.ssh})
+      input->triangles = *triangles;
+  return inputs;
+}
+
+bool needs_scan(Figure figure) { return figure == Figure::energy || figure == Figure::shapes; }
+
+PlannedRun oblate_run(const Inputs& inputs, Model model, double reduced_volume, double L) {
+  PlannedRun run{
+      fmt::format("oblates_3d/{}_v{:.6g}_L{:.6g}", model::name(model), reduced_volume, L),
+      inputs.oblate_3d};
+  run.input.model = model;
+  run.input.material = run.input.material.with_L(L);
+  std::get<Ellipsoid3d>(run.input.start).reduced_volume = reduced_volume;
+  return run;
+}
+
+PlannedRun evolution_run(const Inputs& inputs, Model model) {
+  return {fmt::format("evolution/{}", model::name(model)),
+          model == Model::SBEH ? inputs.sbeh : inputs.ssh};
+}
+
+std::vector<PlannedRun> runs_for(Figure figure, const Inputs& inputs) {
+  std::vector<PlannedRun> runs;
+  const ScanInput& scan = inputs.oblates;
+  if (figure == Figure::energy)
+    for (const auto& [v, L] : energies_in_3d)
+      if (contains(scan.reduced_volume, v) && contains(scan.L, L))
+        for (const Model model : {Model::SBEH, Model::SSH})
+          runs.push_back(oblate_run(inputs, model, v, L));
+  if (figure == Figure::shapes)
+    for (const double v : scan.reduced_volume)
+      for (const double L : scan.L) runs.push_back(oblate_run(inputs, Model::SBEH, v, L));
+  if (figure == Figure::evolution || figure == Figure::measures)
+    for (const Model model : {Model::SBEH, Model::SSH})
+      runs.push_back(evolution_run(inputs, model));
+  return runs;
+}
+
+}  // namespace sbeh::studies::figures

@@ -1,0 +1,61 @@
+// The paper's figures 1 to 4: what each of them is drawn from.
+#pragma once
+
+#include "studies/run_input.h"
+#include "studies/scan_input.h"
+
+#include <array>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sbeh::studies::figures {
+
+enum class Figure {
+  energy,     ///< 1: energy over time of the oblates
+  shapes,     ///< 2: stationary oblates with their order, and cuts through them
+  evolution,  ///< 3: shapes from the perturbed sphere on
+  measures    ///< 4: energy, W₂ and spread of the order over time in these runs
+};
+inline constexpr std::array all_figures{Figure::energy, Figure::shapes, Figure::evolution,
+                                        Figure::measures};
+
+/// "energy", "shapes", "evolution" or "measures".
+const char* name(Figure figure);
+/// As in the paper: 1 … 4.
+int number(Figure figure);
+/// By name or number; empty for another word.
+std::optional<Figure> figure_of(std::string_view word);
+
+/// The inputs of all figures, from these files of one folder.
+struct Inputs {
+  ScanInput oblates;   ///< paper_flow.toml: axisymmetric, in time
+  RunInput oblate_3d;  ///< paper_oblate_3d.toml; each point of the scan gives it its V_r and L
+  RunInput sbeh, ssh;  ///< y53_ordered.toml, y53.toml
+};
+
+/// `triangles`, where given, replaces those of the 3D inputs. Throws InputError.
+Inputs read_inputs(const std::filesystem::path& folder, std::optional<int> triangles);
+
+/// The scan's place in the folder of the figures.
+inline constexpr const char* scan_folder = "oblates";
+bool needs_scan(Figure figure);
+
+/// A 3D run and its place in the folder of the figures.
+struct PlannedRun {
+  std::string folder;
+  RunInput input;
+};
+PlannedRun oblate_run(const Inputs& inputs, model::Model model, double reduced_volume, double L);
+PlannedRun evolution_run(const Inputs& inputs, model::Model model);
+
+/// The 3D runs without which a figure is not complete. In 3D the energies are asked for at two points of
+/// the scan only; of others they are shown where there are runs.
+std::vector<PlannedRun> runs_for(Figure figure, const Inputs& inputs);
+
+/// The instants of figure 3. The paper names 0.6, 2.1 and 2.4 among its ten.
+inline constexpr std::array instants{0.0, 0.02, 0.1, 0.3, 0.6, 1.2, 2.1, 2.4, 4.0, 10.0};
+
+}  // namespace sbeh::studies::figures

@@ -1,0 +1,139 @@
+#include "studies/figures/runs.h"
+
+#include "studies/csv_table.h"
+#include "studies/frame_file.h"
+#include "studies/mesh_files/mesh_file.h"
+#include "studies/output.h"
+#include "studies/progress.h"
+#include "studies/run_recorder.h"
+#include "studies/toml_reader.h"
+
+#include <fmt/format.h>
+
+#include <chrono>
+
+namespace sbeh::studies::figures {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* times_name = "run_times.csv";
+
+std::string start_text(const RunInput& input) {
+  if (const auto* e = std::get_if<Ellipsoid3d>(&input.start))
+    return e->reduced_volume
+             ? fmt::format("{} ellipsoid of reduced volume {}",
+                           e->prolate ? "a prolate" : "an oblate", *e->reduced_volume)
+             : "an ellipsoid of given axes";
+  if (const auto* h = std::get_if<HarmonicSphere>(&input.start)) {
+    std::string modes;
+    for (const meshing::Harmonic& mode : h->modes)
+      modes += fmt::format(" [{}, {}, {}]", mode.l, mode.m, mode.amplitude);
+    return "a sphere with modes" + modes;
+  }
+  return "a file";
+}
+
+// What makes the run another case than the planned one; empty when it is that.
+std::string difference(const RunInput& run, const RunInput& plan, std::optional<int> triangles) {
+  const auto differ = [](const char* what, const auto& a, const auto& b) {
+    return fmt::format("its {} is {}, that of the figure is {}", what, a, b);
+  };
+  const model::Material &a = run.material, &b = plan.material;
+  if (run.model != plan.model)
+    return differ("model", model::name(run.model), model::name(plan.model));
+  if (start_text(run) != start_text(plan))
+    return differ("start", start_text(run), start_text(plan));
+  if (run.perturbation != plan.perturbation) return "its perturbation is not that of the figure";
+  if (run.initial_order != plan.initial_order)
+    return differ("order", run.initial_order, plan.initial_order);
+  const auto moduli = [](const model::Material& m) {
+    return fmt::format("{}, {}, {}", m.L1, m.L2, m.L3);
+  };
+  if (moduli(a) != moduli(b)) return differ("(L1, L2, L3)", moduli(a), moduli(b));
+  for (const auto& [what, value] :
+       {std::pair("residual_stiffness", &model::Material::residual_stiffness),
+        std::pair("spontaneous_curvature", &model::Material::spontaneous_curvature),
+        std::pair("viscosity", &model::Material::viscosity),
+        std::pair("immobility", &model::Material::immobility),
+        std::pair("friction_tangential", &model::Material::friction_tangential),
+        std::pair("friction_normal", &model::Material::friction_normal),
+        std::pair("order_viscosity", &model::Material::order_viscosity)})
+    if (a.*value != b.*value) return differ(what, a.*value, b.*value);
+  if (!(a.potential == b.potential)) return "its potential is not that of the figure";
+  if (triangles && run.triangles != *triangles)
+    return differ("number of triangles", run.triangles, *triangles);
+  return "";
+}
+
+std::optional<double> unresolved_from(const fs::path& run) {
+  if (!fs::exists(run / "events.csv")) return {};
+  const CsvTable events = read_csv(run / "events.csv");
+  for (std::size_t row = 0; row < events.rows.size(); ++row)
+    if (events.text(row, "event") == "unresolved") return events.number(row, "time");
+  return {};
+}
+
+}  // namespace
+
+std::optional<FoundRun> find_run(const fs::path& folder, const PlannedRun& plan,
+                                 std::optional<int> triangles) {
+  const fs::path place = folder / plan.folder;
+  if (!fs::exists(place / "run.toml")) return {};
+  FoundRun found{place, read_run(place / "run.toml"), false, "not begun", unresolved_from(place)};
+  if (const std::string what = difference(found.input, plan.input, triangles); !what.empty())
+    throw OutputError(
+        fmt::format("{}: holds another run: {} (see its run.toml); choose another "
+                    "folder with -o, or move that run away",
+                    place.string(), what));
+  if (!fs::exists(place / "frames.csv")) return found;
+  const CsvTable frames = read_csv(place / "frames.csv");
+  if (frames.rows.empty()) return found;
+  const std::size_t last = frames.rows.size() - 1;
+  const double time = frames.number(last, "time");
+  std::optional<model::FlowStop> end;
+  if (time >= found.input.end_time * (1 - model::same_time))
+    end = model::FlowStop::end_time;
+  else
+    end = read_frame(place / frames.text(last, "file")).record.ends;
+  found.ended = end.has_value();
+  found.ending = end ? fmt::format("{} at t = {:.6g}", model::describe(*end), time)
+                     : fmt::format("not finished, its last frame at t = {:.6g}", time);
+  return found;
+}
+
+Snapshot read_snapshot(const fs::path& frame) {
+  MeshFile file = read_mesh(frame);
+  if (const auto* curved = std::get_if<CurvedFile>(&file))
+    if (const auto order = curved->fields.find("order");
+        order != curved->fields.end() && curved->mesh.order == 3)
+      return {curved->mesh, order->second.row(0).transpose()};
+  throw InputError(fmt::format("{}: is no frame of a run", frame.string()));
+}
+
+RunSummary complete_run(const fs::path& folder, const PlannedRun& plan,
+                        const std::optional<FoundRun>& found, std::string_view version) {
+  const fs::path place = folder / plan.folder;
+  tell(fmt::format("{}: {}\n", place.string(), found ? "goes on" : "begins"));
+  const bool first = !fs::exists(folder / times_name);
+  AppendFile times(folder / times_name);
+  if (first) times.append("run,seconds");
+  const auto start = std::chrono::steady_clock::now();
+  RunSummary summary =
+      run_surface(found ? found->input : plan.input, place, version, found.has_value());
+  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
+  times.append(fmt::format("{},{:.1f}", plan.folder, seconds.count()));
+  return summary;
+}
+
+std::optional<double> seconds_of(const fs::path& folder, const PlannedRun& plan) {
+  if (!fs::exists(folder / times_name)) return {};
+  const CsvTable times = read_csv(folder / times_name);
+  std::optional<double> sum;
+  for (std::size_t row = 0; row < times.rows.size(); ++row)
+    if (times.text(row, "run") == plan.folder) sum = sum.value_or(0) + times.number(row, "seconds");
+  return sum;
+}
+
+}  // namespace sbeh::studies::figures
