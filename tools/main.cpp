@@ -13,6 +13,7 @@
 #include "studies/scan.h"
 #include "studies/seifert.h"
 #include "studies/spelling.h"
+#include "studies/stability.h"
 #include "studies/toml_reader.h"
 #include "tools/mesh_command.h"
 
@@ -184,10 +185,22 @@ int check_run(const Arguments& a) {
   return 0;
 }
 
+int check_stability(const Arguments& a) {
+  const studies::StabilityInput input = studies::read_stability(a.input);
+  const std::size_t runs = studies::keys_of(input).size();
+  // Measured on one core of 2026 with 320 triangles: a run takes one to ten minutes, most of them SBEH's.
+  const double seconds = 0.5 * double(runs) * input.triangles;
+  fmt::print(
+      "{}: {} runs of perturbed states with about {} triangles, about {:.0f} min of one core\n\n{}",
+      a.input, runs, input.triangles, seconds / 60, studies::describe(input, SBEH_VERSION));
+  return 0;
+}
+
 int check(const Arguments& a) {
   const studies::InputKind kind = studies::kind_of(a.input);
   if (kind == studies::InputKind::compare) return check_compare(a);
   if (kind == studies::InputKind::run) return check_run(a);
+  if (kind == studies::InputKind::stability) return check_stability(a);
   if (kind == studies::InputKind::scan) {
     const studies::ScanInput input = studies::read_scan(a.input);
     const std::size_t points = studies::point_count(input);
@@ -227,6 +240,20 @@ int compare(const Arguments& a) {
   draw_results(a, "compare", folder);
   for (const std::string& sentence : studies::complaints(s)) complain(sentence);
   return s.agrees() ? exit_code_of_success() : 1;
+}
+
+int stability(const Arguments& a) {
+  const studies::StabilityInput input = studies::read_stability(a.input);
+  const fs::path folder = folder_of(a);
+  const studies::StabilitySummary s = studies::run_stability(input, folder, SBEH_VERSION);
+  fmt::print("{}{} runs in {}; {} computed in {:.0f} s\n", studies::table_of(s), s.rows.size(),
+             (folder / "stability.csv").string(), s.computed, s.seconds);
+  if (s.interrupted) {
+    complain("interrupted; the same command goes on from here");
+    return exit_code_of_interrupt();
+  }
+  draw_results(a, "stability", folder);
+  return exit_code_of_success();
 }
 
 int report(const Arguments& a) {
@@ -290,6 +317,8 @@ int run(int argc, char** argv) {
   const CLI::App* check_command =
       add("check", "say whether an input is right, and what it asks for", false);
   const CLI::App* compare_command = add("compare", "one case by several methods", true);
+  const CLI::App* stability_command =
+      add("stability", "axisymmetric states, perturbed in 3D", true);
   CLI::App* seifert_command =
       app.add_subcommand("seifert", "the classical diagram by three witnesses");
   seifert_command->add_option("-o,--output", a.folder, "folder for the results (results/seifert)");
@@ -298,12 +327,14 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(32, 4096));
   CLI::App* report_command =
       app.add_subcommand("report", "a folder of results as one page of HTML");
-  report_command->add_option("DIR", a.input, "folder of a scan, run, relax, seifert or compare")
+  report_command
+      ->add_option("DIR", a.input, "folder of a scan, run, relax, seifert, compare or stability")
       ->required();
   report_command->add_flag("--no-pictures", a.no_pictures, "do not draw those that are missing");
   const tools::MeshCommand mesh_command(app);
   CLI::App* picture_command = app.add_subcommand(
-      "picture", "draw the pictures of a folder again: picture scan|relax|run|seifert|compare DIR");
+      "picture",
+      "draw the pictures of a folder again: picture scan|relax|run|seifert|compare|stability DIR");
   picture_command->prefix_command();
   picture_command->set_help_flag();  // `sbeh picture --help` is the picture program's
   try {
@@ -314,7 +345,7 @@ int run(int argc, char** argv) {
   if (*picture_command) return draw(picture_command->remaining());
 
   studies::let_writes_fail();
-  if (*scan_command || *relax_command || *run_command || *compare_command)
+  if (*scan_command || *relax_command || *run_command || *compare_command || *stability_command)
     studies::catch_interrupts();
   std::unique_ptr<tbb::global_control> limit;
   if (a.threads > 0)
@@ -325,6 +356,7 @@ int run(int argc, char** argv) {
     if (*relax_command) return relax(a);
     if (*run_command) return run_3d(a);
     if (*compare_command) return compare(a);
+    if (*stability_command) return stability(a);
     if (*check_command) return check(a);
     if (*seifert_command) return seifert(a);
     if (*report_command) return report(a);
