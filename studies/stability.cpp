@@ -28,7 +28,7 @@ class StabilityFolder {
         left_(missing(input)),
         progress_("runs", int(keys_of(input).size()), int(keys_of(input).size() - left_.size())) {}
 
-  /// The runs that are not there yet.
+  /// The runs that are not there yet, in the order in which they are made.
   const std::vector<StabilityKey>& left() const { return left_; }
 
   /// Keeps a run: its history first, so that a row means that it is whole.
@@ -67,7 +67,7 @@ class StabilityFolder {
     make_folder(folder_ / "runs");
     return folder_;
   }
-  // A row whose history has gone counts as not there.
+  // The shortest first: rates are nearly proportional to L. A row whose history has gone counts as not there.
   std::vector<StabilityKey> missing(const StabilityInput& input) const {
     std::vector<StabilityKey> keys = keys_of(input);
     std::erase_if(keys, [&](const StabilityKey& key) {
@@ -75,6 +75,8 @@ class StabilityFolder {
       return row != table_.rows().end()
           && (row->second.steps == 0 || fs::exists(history_path(key)));
     });
+    std::stable_sort(keys.begin(), keys.end(),
+                     [](const auto& a, const auto& b) { return a.L > b.L; });
     return keys;
   }
   fs::path history_path(const StabilityKey& key) const {
