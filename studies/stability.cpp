@@ -6,12 +6,10 @@
 #include "studies/stability_table.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for_each.h>
 
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <mutex>
 
 namespace sbeh::studies {
 
@@ -35,7 +33,6 @@ class StabilityFolder {
   void keep(const StabilityOutcome& outcome) {
     if (!outcome.history.empty())
       write_file(history_path(outcome.result.key), history_text(outcome.history));
-    const std::lock_guard lock(mutex_);
     table_.append(outcome.result);
     ++computed_;
     progress_.advance();
@@ -86,7 +83,6 @@ class StabilityFolder {
   OutputFolder folder_;
   StabilityTable table_;
   std::vector<StabilityKey> left_;
-  std::mutex mutex_;
   Progress progress_;
   int computed_ = 0;
 };
@@ -101,10 +97,11 @@ StabilitySummary run_stability(const StabilityInput& input, const fs::path& path
                                std::string_view version) {
   const auto start = std::chrono::steady_clock::now();
   StabilityFolder folder(input, path, version);
-  tbb::parallel_for_each(folder.left(), [&](const StabilityKey& key) {
-    if (interrupt_signal()) return;
+  // One after the other, each on all cores: MUMPS is not made for several threads of one process.
+  for (const StabilityKey& key : folder.left()) {
+    if (interrupt_signal()) break;
     if (const auto outcome = run_perturbed(input, key)) folder.keep(*outcome);
-  });
+  }
   folder.progress().finish();
   folder.table().sort();
 

@@ -23,8 +23,7 @@ struct StabilitySummary {
 /// Runs the study into a folder: run.toml (the resolved input), stability.csv (a row per run as it
 /// finishes, in the order of the keys at the end), runs/ (a history per run), thresholds.csv (where rates
 /// change their sign). Runs that are there are not repeated; a folder that holds another study is refused.
-/// Progress goes to standard error. Throws OutputError, and std::invalid_argument for a perturbation too
-/// large.
+/// Progress goes to standard error. Throws OutputError.
 StabilitySummary run_stability(const StabilityInput& input, const std::filesystem::path& folder,
                                std::string_view version);
 

@@ -116,7 +116,7 @@ Start perturbed(const axisym::State& profile, const StabilityInput& input,
   try {
     perturb(revolved.mesh, {perturbation_of(input, key)});
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("[stability] perturbations: {}", error.what()));
+    throw std::invalid_argument(fmt::format("the perturbation {}", error.what()));
   }
   meshing::scale_to_area(revolved.mesh, area);
   return {std::move(revolved.mesh), std::move(revolved.beta)};
@@ -171,7 +171,13 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
 
   const model::Material material = input.material.with_L(key.L);
   const double kappa = material.kappa(model::full_order);
-  const Start start = perturbed(*axisymmetric.state, input, key);
+  Start start;
+  try {
+    start = perturbed(*axisymmetric.state, input, key);
+  } catch (const std::invalid_argument& error) {
+    result.stop_reason = error.what();
+    return outcome;
+  }
   const auto mesh = std::make_shared<const Triangulation>(start.mesh);
   Observer seen(key);
   const surface3d::FlowResult run = surface3d::run_flow(
