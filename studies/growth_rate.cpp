@@ -9,7 +9,7 @@ namespace sbeh::studies {
 
 namespace {
 
-constexpr std::size_t fewest = 8;  // amplitudes in a third of the window
+constexpr std::size_t fewest = 4;  // amplitudes in a third of the window
 
 using History = std::span<const AmplitudeAt>;
 

@@ -7,7 +7,8 @@ namespace sbeh::studies {
 
 /// √(q_lm² + q_l−m²) with q_lm = ∫ r^l Y_lm dS / ∫ r^l dS, r and Y_lm about the centre of area, m >= 1: 0 for a
 /// surface of revolution about z, and the same when the surface is turned about z. A small normal
-/// displacement of order m changes it to first order; others, to second.
+/// displacement of order m changes it to first order; others, to second. With m = 1 and odd l >= 3 a small turn
+/// of a surface that is symmetric top to bottom does not change it.
 double mode_amplitude(const surface3d::Triangulation& mesh, const surface3d::Nodes& X, int l,
                       int m);
 

@@ -22,12 +22,16 @@ std::vector<meshing::Harmonic> read_perturbations(const TomlTable& table,
   if (!table.has("perturbations")) return absent;
   const auto modes = table.harmonics("perturbations", largest_perturbation_degree);
   for (const meshing::Harmonic& mode : modes) {
-    if (mode.m < 2)
+    if (mode.m < 1)
       table.fail("perturbations",
-                 fmt::format("must have m >= 2, not {}: with m = 0 the axisymmetric solver is "
-                             "enough, with m = 1 the surface is mostly shifted or turned, and "
-                             "m < 0 is m > 0 turned about the axis",
+                 fmt::format("must have m >= 1, not {}: with m = 0 the axisymmetric solver is "
+                             "enough, and m < 0 is m > 0 turned about the axis",
                              mode.m));
+    if (mode.m == 1 && (mode.l == 1 || mode.l % 2 == 0))
+      table.fail("perturbations",
+                 fmt::format("must have l = 3, 5 or 7 where m = 1, not {}: that mostly {} the "
+                             "surface",
+                             mode.l, mode.l == 1 ? "shifts" : "turns"));
     if (!(mode.amplitude > 0 && mode.amplitude <= largest_amplitude))
       table.fail("perturbations", fmt::format("must have amplitudes > 0 and <= {}, not {}",
                                               largest_amplitude, mode.amplitude));

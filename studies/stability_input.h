@@ -20,8 +20,8 @@ struct StabilityInput {
   std::vector<double> L;               ///< one-constant elastic constants, each > 0; ascending
   std::vector<model::Model> models{model::Model::SBEH, model::Model::SSH};
   std::vector<std::string> branches{"oblate"};  ///< "oblate" or "prolate"
-  /// Displacements along the normal by a Y_lm, one run for each; 2 <= m <= l: with m = 0 the axisymmetric
-  /// solver is enough, with m = 1 the surface is mostly shifted or turned.
+  /// Displacements along the normal by a Y_lm, 1 <= m <= l, one run for each; with m = 1 of odd l >= 3, since
+  /// the others mostly shift or turn the surface.
   std::vector<meshing::Harmonic> perturbations{{2, 2, 0.01}, {3, 3, 0.01}};
   int triangles = 320;   ///< about so many
   double end_time = 20;  ///< key `end`, > 0: a run ends here; in units of 1/κ(2/3), which is 1/(2L)

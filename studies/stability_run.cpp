@@ -25,6 +25,9 @@ namespace {
 
 constexpr double area = 4 * std::numbers::pi;
 
+// In units of 1/κ: a displacement is no pure mode, and its fastest parts are gone by then. What grows and
+// decays is told by the amplitude from here on.
+constexpr double settling_share = 0.1;
 // A perturbation has grown when it is so many times as large, and has come to rest when nothing moves
 // faster than this share of the fastest motion since then.
 constexpr double grown = 10, rest_share = 0.01;
@@ -51,7 +54,8 @@ meshing::Harmonic perturbation_of(const StabilityInput& input, const StabilityKe
 // Sees every step; ends the run when the fate of the perturbation is clear.
 class Observer {
  public:
-  Observer(const StabilityKey& key) : key_(key) {}
+  Observer(const StabilityKey& key, double settling_time)
+      : key_(key), settling_time_(settling_time) {}
 
   bool operator()(const surface3d::FlowRecord& record, const surface3d::State& state,
                   const surface3d::StepView& view) {
@@ -59,10 +63,13 @@ class Observer {
     history.push_back({record.time, record.time_step, record.energy.total(), amplitude,
                        record.normal_speed, record.order_speed});
     if (!unresolved_from && !resolved(view.resolution)) unresolved_from = record.time;
-    const double start = history.front().amplitude;
-    const double speed = std::max(record.normal_speed, record.order_speed);
-    decayed = amplitude < most_decay * start;
-    if (amplitude > grown * start) {
+    if (record.time >= settling_time_) {
+      amplitudes.push_back({record.time, amplitude});
+      decayed = amplitude < most_decay * amplitudes.front().amplitude;
+      has_grown = amplitude > grown * amplitudes.front().amplitude;
+    }
+    if (has_grown) {
+      const double speed = std::max(record.normal_speed, record.order_speed);
       fastest_ = std::max(fastest_, speed);
       settled = speed < rest_share * fastest_;
     }
@@ -70,18 +77,18 @@ class Observer {
   }
 
   std::vector<PerturbedAt> history;
+  std::vector<AmplitudeAt> amplitudes;  // from the settling time on
   std::optional<double> unresolved_from;
-  bool decayed = false, settled = false;
+  bool decayed = false, has_grown = false, settled = false;
 
  private:
   StabilityKey key_;
-  double fastest_ = 0;
+  double settling_time_, fastest_ = 0;
 };
 
 Verdict verdict_of(const Observer& seen, const std::optional<GrowthRate>& growth) {
   if (seen.decayed) return Verdict::stays;
-  if (seen.history.back().amplitude > grown * seen.history.front().amplitude)
-    return Verdict::leaves;
+  if (seen.has_grown) return Verdict::leaves;
   if (!growth || std::abs(growth->rate) <= growth->error) return Verdict::undecided;
   return growth->rate > 0 ? Verdict::leaves : Verdict::stays;
 }
@@ -179,7 +186,7 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
     return outcome;
   }
   const auto mesh = std::make_shared<const Triangulation>(start.mesh);
-  Observer seen(key);
+  Observer seen(key, settling_share / kappa);
   const surface3d::FlowResult run = surface3d::run_flow(
       mesh, material, key.model, {.state = {start.mesh.nodes, start.beta}},
       {area, key.reduced_volume * area / 3}, input.numerics_3d,
@@ -189,11 +196,7 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
       });
   if (interrupt_signal() != 0) return {};
 
-  std::vector<AmplitudeAt> amplitudes;
-  // The start has not the volume of the state yet: the first step restores it.
-  for (std::size_t i = 1; i < seen.history.size(); ++i)
-    amplitudes.push_back({seen.history[i].time, seen.history[i].amplitude});
-  result.growth = fit_growth(amplitudes);
+  result.growth = fit_growth(seen.amplitudes);
   if (result.growth) result.reduced_rate = result.growth->rate / kappa;
   result.verdict = verdict_of(seen, result.growth);
   result.amplitude_start = seen.history.front().amplitude;

@@ -45,10 +45,13 @@ TEST(StabilityInput, that_is_wrong_is_refused_with_line_key_and_value) {
        "perturbations"},
       {"branches = ['stomatocyte']",
        ":4: [stability] branches = 'stomatocyte': must be one of 'oblate', 'prolate'"},
-      {"perturbations = [[3, 1, 0.01]]",
-       ":4: [stability] perturbations = [[3, 1, 0.01]]: must have m >= 2, not 1: with m = 0 the "
-       "axisymmetric solver is enough, with m = 1 the surface is mostly shifted or turned, and m < "
-       "0 is m > 0 turned about the axis"},
+      {"perturbations = [[3, -3, 0.01]]",
+       ":4: [stability] perturbations = [[3, -3, 0.01]]: must have m >= 1, not -3: with m = 0 the "
+       "axisymmetric solver is enough, and m < 0 is m > 0 turned about the axis"},
+      {"perturbations = [[3, 1, 0.01], [4, 1, 0.01]]",
+       ":4: [stability] perturbations = [[3, 1, 0.01], [4, 1, 0.01]]: must have l = 3, 5 or 7 "
+       "where m "
+       "= 1, not 4: that mostly turns the surface"},
       {"perturbations = [[2, 2, -0.01]]",
        ":4: [stability] perturbations = [[2, 2, -0.01]]: must have amplitudes > 0 and <= 0.3, not "
        "-0.01"},

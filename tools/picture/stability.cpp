@@ -76,6 +76,10 @@ const Look& look_of(const Run& run) {
   return at == looks.end() ? looks.back() : *at;
 }
 
+std::string signed_text(double value) {
+  return fmt::format("{}{:.3f}", value < 0.0 ? "−" : "+", std::abs(value));
+}
+
 // A marker per run with its rate below.
 void draw_map(Canvas& canvas, const Rect& inside, const Panel& panel, double text) {
   const GridAxis x = table_axis(panel.values(&Run::reduced_volume), "reduced volume Vᵣ"),
@@ -89,7 +93,7 @@ void draw_map(Canvas& canvas, const Rect& inside, const Panel& panel, double tex
                   look.marker, look.colour, 0.9 * text);
     const double px = inside.x + across * inside.width, py = inside.y + up * inside.height;
     if (std::isfinite(run.rate))
-      canvas.text(px, py - 1.1 * text, fmt::format("{:+.3f}", run.rate),
+      canvas.text(px, py - 1.1 * text, signed_text(run.rate),
                   {.size = 0.8 * text, .colour = look.colour});
     if (run.verdict == "leaves" && !run.end_state.empty())
       canvas.text(px, py + 1.1 * text, "to " + run.end_state,
