@@ -32,6 +32,10 @@ constexpr std::array<Look, 4> looks{
 struct Run {
   double reduced_volume, L, rate, error;  // the last two of rate/κ; NaN where not known
   std::string verdict, end_state;
+
+  std::string goal() const {
+    return verdict == "leaves" && !end_state.empty() ? "to " + end_state : "";
+  }
 };
 
 // The runs of one model, branch and mode.
@@ -95,9 +99,7 @@ void draw_map(Canvas& canvas, const Rect& inside, const Panel& panel, double tex
     if (std::isfinite(run.rate))
       canvas.text(px, py - 1.1 * text, signed_text(run.rate),
                   {.size = 0.8 * text, .colour = look.colour});
-    if (run.verdict == "leaves" && !run.end_state.empty())
-      canvas.text(px, py + 1.1 * text, "to " + run.end_state,
-                  {.size = 0.75 * text, .colour = look.colour});
+    canvas.text(px, py + 1.1 * text, run.goal(), {.size = 0.75 * text, .colour = look.colour});
   }
 }
 
@@ -130,6 +132,10 @@ void draw_rates(Canvas& canvas, const Rect& inside, const Panel& panel, double t
       chart.curve({{run.reduced_volume, rate - run.error}, {run.reduced_volume, rate + run.error}},
                   {.colour = look.colour, .width = 1.6});
     chart.markers({{run.reduced_volume, rate}}, look.marker, look.colour, 0.8 * text);
+    if (const std::string goal = run.goal(); !goal.empty())
+      canvas.text(inside.x + (run.reduced_volume - x.low) / (x.high - x.low) * inside.width,
+                  inside.y + (rate - y.low) / (y.high - y.low) * inside.height + 1.1 * text, goal,
+                  {.size = 0.75 * text, .colour = look.colour});
   }
 }
 
