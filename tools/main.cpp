@@ -187,12 +187,17 @@ int check_run(const Arguments& a) {
 
 int check_stability(const Arguments& a) {
   const studies::StabilityInput input = studies::read_stability(a.input);
-  const std::size_t runs = studies::keys_of(input).size();
-  // Measured on one core of 2026 with 320 triangles: a run takes one to ten minutes, most of them SBEH's.
-  const double seconds = 0.5 * double(runs) * input.triangles;
+  const std::vector<studies::StabilityKey> runs = studies::keys_of(input);
+  double steps = 0;
+  for (const studies::StabilityKey& key : runs)
+    steps += input.end_time / input.material.with_L(key.L).kappa(model::full_order)
+           / input.numerics_3d.largest_step;
+  const double minutes = 4.3e-4 * input.triangles * steps / 60;  // measured on one core of 2026
   fmt::print(
-      "{}: {} runs of perturbed states with about {} triangles, about {:.0f} min of one core\n\n{}",
-      a.input, runs, input.triangles, seconds / 60, studies::describe(input, SBEH_VERSION));
+      "{}: {} runs of perturbed states with about {} triangles, at most about {:.0f} min of one "
+      "core\n\n{}",
+      a.input, runs.size(), input.triangles, std::max(1., minutes),
+      studies::describe(input, SBEH_VERSION));
   return 0;
 }
 
