@@ -27,7 +27,7 @@ constexpr double area = 4 * std::numbers::pi;
 
 // In units of 1/κ: a displacement is no pure mode, and its fastest parts are gone by then. What grows and
 // decays is told by the amplitude from here on.
-constexpr double settling_share = 0.1;
+constexpr double settling_share = 0.1, most_settling = 0.1;
 // A perturbation has grown when it is so many times as large, and has come to rest when nothing moves
 // faster than this share of the fastest motion since then.
 constexpr double grown = 10, rest_share = 0.01;
@@ -51,6 +51,10 @@ meshing::Harmonic perturbation_of(const StabilityInput& input, const StabilityKe
                        [&](const auto& mode) { return mode.l == key.l && mode.m == key.m; });
 }
 
+bool decays(const std::optional<GrowthRate>& growth) {
+  return growth && growth->rate < -growth->error;
+}
+
 // Sees every step; ends the run when the fate of the perturbation is clear.
 class Observer {
  public:
@@ -65,21 +69,27 @@ class Observer {
     if (!unresolved_from && !resolved(view.resolution)) unresolved_from = record.time;
     if (record.time >= settling_time_) {
       amplitudes.push_back({record.time, amplitude});
-      decayed = amplitude < most_decay * amplitudes.front().amplitude;
-      has_grown = amplitude > grown * amplitudes.front().amplitude;
+      // It may just be going through 0 at that time.
+      const double reference =
+          std::max(amplitudes.front().amplitude, most_settling * history.front().amplitude);
+      decayed = amplitude < most_decay * reference;
+      steadily = decayed && decays(fit_growth(amplitudes));
+      has_grown = amplitude > grown * reference;
     }
     if (has_grown) {
       const double speed = std::max(record.normal_speed, record.order_speed);
       fastest_ = std::max(fastest_, speed);
       settled = speed < rest_share * fastest_;
     }
-    return !decayed && !settled && interrupt_signal() == 0;
+    return !steadily && !settled && interrupt_signal() == 0;
   }
 
   std::vector<PerturbedAt> history;
   std::vector<AmplitudeAt> amplitudes;  // from the settling time on
   std::optional<double> unresolved_from;
   bool decayed = false, has_grown = false, settled = false;
+  /// Decayed at a rate that is known: otherwise the amplitude may go through 0 and rise again.
+  bool steadily = false;
 
  private:
   StabilityKey key_;
@@ -87,14 +97,14 @@ class Observer {
 };
 
 Verdict verdict_of(const Observer& seen, const std::optional<GrowthRate>& growth) {
-  if (seen.decayed) return Verdict::stays;
   if (seen.has_grown) return Verdict::leaves;
+  if (seen.decayed) return Verdict::stays;
   if (!growth || std::abs(growth->rate) <= growth->error) return Verdict::undecided;
   return growth->rate > 0 ? Verdict::leaves : Verdict::stays;
 }
 
 std::string reason_of(const Observer& seen, const surface3d::FlowResult& run) {
-  if (seen.decayed) return "the perturbation has decayed to a fifth";
+  if (seen.steadily) return "the perturbation has decayed to a fifth";
   if (seen.settled) return "at rest in another state";
   std::string reason = describe(run.stop);
   if (run.stop == FlowStop::step_too_small) reason += ": " + model::describe(run.fault);
@@ -207,7 +217,7 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   result.steps = run.steps;
   result.unresolved_from = seen.unresolved_from;
   result.stop_reason = reason_of(seen, run);
-  if (seen.decayed || seen.settled) result.end_state = class_of(*mesh, run.state.X, result, kappa);
+  if (seen.steadily || seen.settled) result.end_state = class_of(*mesh, run.state.X, result, kappa);
   outcome.history = std::move(seen.history);
   result.wall_seconds =
       std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();

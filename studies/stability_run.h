@@ -58,7 +58,7 @@ struct StabilityOutcome {
 };
 
 /// The axisymmetric state of the key by Newton's method, revolved, perturbed, and followed in 3D until the
-/// perturbation has decayed to a fifth of what it is at the time 0.1/κ(2/3), or has grown tenfold and all is
+/// perturbation has decayed, at a rate that can be told, to a fifth of what it is at the time 0.1/κ(2/3), or has grown tenfold and all is
 /// at rest again, or the end time comes. Empty when interrupted.
 std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input, const StabilityKey& key);
 
