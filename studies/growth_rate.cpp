@@ -65,7 +65,7 @@ std::optional<GrowthRate> fit(History history, double from, double to) {
 }  // namespace
 
 std::optional<GrowthRate> fit_growth(const std::vector<AmplitudeAt>& history) {
-  if (history.empty()) return {};
+  if (history.empty() || !(history.front().amplitude > 0)) return {};
   const double start = history.front().amplitude;
   const auto beyond = std::find_if(history.begin(), history.end(), [&](const AmplitudeAt& at) {
     return at.amplitude > most_growth * start || !(at.amplitude > most_decay * start);

@@ -73,6 +73,7 @@ TEST(GrowthRate, is_taken_in_the_linear_regime_alone) {
 TEST(GrowthRate, needs_enough_amplitudes) {
   EXPECT_FALSE(fit_growth({}));
   EXPECT_FALSE(fit_growth({{0, 1}, {1, 2}, {2, 2.5}}));
+  EXPECT_FALSE(fit_growth(history_of([](double) { return 0.; }, 30)));
 }
 
 // ---- amplitudes ---------------------------------------------------------------------------------
