@@ -40,7 +40,7 @@ std::string line_of(const StabilityResult& row) {
   for (const double value :
        {row.reduced_rate, row.amplitude_start, row.amplitude_end, row.energy_axisymmetric,
         row.energy_end, row.energy_oblate, row.energy_prolate})
-    line += "," + known_field(value);
+    line += fmt::format(",{}", known_field(value));
   return line
        + fmt::format(",{},{},{},{},{},{},{:.4g},{}", row.end_time, row.steps, row.triangles,
                      optional_field(row.unresolved_from), optional_field(row.negative_directions),
