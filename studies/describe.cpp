@@ -210,18 +210,20 @@ void write_time(TomlText& toml, const auto& input, const char* states,
 InputKind kind_of(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const bool scan = file.has("scan"), relax = file.has("start"), run = file.has("surface"),
-             compare = file.has("compare");
-  const int count = scan + relax + run + compare;
+             compare = file.has("compare"), stability = file.has("stability");
+  const int count = scan + relax + run + compare + stability;
   if (count != 1)
     throw InputError(fmt::format(
         "{}: must have {}[scan] (a scan), [start] (one axisymmetric evolution), [surface] (one "
-        "3D run) or [compare] (one case by several methods){}",
+        "3D run), [compare] (one case by several methods) or [stability] (axisymmetric states, "
+        "perturbed in 3D){}",
         path.string(), count > 1 ? "only one of " : "a table ",
         count > 1 ? "" : "; it has none of them"));
-  return scan  ? InputKind::scan
-       : relax ? InputKind::relax
-       : run   ? InputKind::run
-               : InputKind::compare;
+  return scan    ? InputKind::scan
+       : relax   ? InputKind::relax
+       : run     ? InputKind::run
+       : compare ? InputKind::compare
+                 : InputKind::stability;
 }
 
 std::string describe(const ScanInput& input, std::string_view version) {
@@ -284,6 +286,24 @@ std::string describe(const CompareInput& input, std::string_view version) {
   }
   write_tolerances(toml, "tolerance", input.tolerance);
   write_tolerances(toml, "tolerance_3d", input.tolerance_3d);
+  return toml.text();
+}
+
+std::string describe(const StabilityInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.table("stability");
+  toml.value("reduced_volume", input.reduced_volume);
+  toml.value("L", input.L);
+  toml.value("models", input.models);
+  toml.value("branches", input.branches);
+  toml.value("perturbations", input.perturbations);
+  toml.table("surface3d");
+  toml.value("triangles", input.triangles);
+  toml.value("end", input.end_time);
+  toml.value("largest_step", input.numerics_3d.largest_step);
+  toml.value("tolerance", input.numerics_3d.tolerance);
+  write_material(toml, input.material, Elasticity::without_L);
+  write_numerics(toml, input.numerics);
   return toml.text();
 }
 

@@ -5,6 +5,7 @@
 #include "studies/relax_input.h"
 #include "studies/run_input.h"
 #include "studies/scan_input.h"
+#include "studies/stability_input.h"
 
 #include <filesystem>
 #include <string>
@@ -13,10 +14,11 @@
 namespace sbeh::studies {
 
 enum class InputKind {
-  scan,    ///< has a table [scan]: read_scan
-  relax,   ///< has a table [start]: read_relax
-  run,     ///< has a table [surface]: read_run
-  compare  ///< has a table [compare]: read_compare
+  scan,      ///< has a table [scan]: read_scan
+  relax,     ///< has a table [start]: read_relax
+  run,       ///< has a table [surface]: read_run
+  compare,   ///< has a table [compare]: read_compare
+  stability  ///< has a table [stability]: read_stability
 };
 
 /// Throws InputError (toml_reader.h) if the file cannot be read or has not one of these tables.
@@ -28,5 +30,6 @@ std::string describe(const ScanInput& input, std::string_view version);
 std::string describe(const RelaxInput& input, std::string_view version);
 std::string describe(const RunInput& input, std::string_view version);
 std::string describe(const CompareInput& input, std::string_view version);
+std::string describe(const StabilityInput& input, std::string_view version);
 
 }  // namespace sbeh::studies

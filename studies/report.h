@@ -11,8 +11,8 @@
 namespace sbeh::studies {
 
 /// What a folder holds, by the command that made it.
-enum class ResultsKind { scan, run, relax, seifert, compare };
-/// "scan", "run", "relax", "seifert" or "compare".
+enum class ResultsKind { scan, run, relax, seifert, compare, stability };
+/// "scan", "run", "relax", "seifert", "compare" or "stability".
 const char* name(ResultsKind kind);
 
 /// Told by the tables in the folder. Throws InputError, naming what is missing, when it is none.

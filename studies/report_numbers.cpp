@@ -168,6 +168,29 @@ KeyNumbers of_compare(const fs::path& folder) {
   return numbers;
 }
 
+KeyNumbers of_stability(const fs::path& folder) {
+  const CsvTable runs = rows_of(folder / "stability.csv");
+  KeyNumbers numbers{
+      .title = fmt::format("Stability in 3D: {} {}", fmt::join(words_of(runs, "model"), ", "),
+                           fmt::join(words_of(runs, "branch"), ", ")),
+      .facts = {}};
+  std::vector<Fact>& facts = numbers.facts;
+  facts.push_back(word("reduced volume", range_of(runs, "reduced_volume").text()));
+  facts.push_back(word("elastic constant L", range_of(runs, "L").text()));
+  for (const char* verdict : {"stays", "leaves", "undecided", "failed"})
+    facts.push_back(word(fmt::format("runs: {}", verdict).c_str(),
+                         std::to_string(rows_with(runs, "verdict", verdict))));
+  facts.push_back(word("rates over κ(2/3)", range_of(runs, "reduced_rate").text()));
+  if (!fs::exists(folder / "thresholds.csv")) return numbers;
+  const CsvTable thresholds = read_csv(folder / "thresholds.csv");
+  for (std::size_t row = 0; row < std::min<std::size_t>(thresholds.rows.size(), 8); ++row)
+    facts.push_back({fmt::format("rate 0 of {} {}, L = {}, m = {}", thresholds.text(row, "model"),
+                                 thresholds.text(row, "branch"), thresholds.text(row, "L"),
+                                 thresholds.text(row, "m")),
+                     "V_r = " + html::value(thresholds.text(row, "reduced_volume"))});
+  return numbers;
+}
+
 }  // namespace
 
 KeyNumbers key_numbers(const fs::path& folder, ResultsKind kind) {
@@ -181,6 +204,8 @@ KeyNumbers key_numbers(const fs::path& folder, ResultsKind kind) {
       return of_seifert(folder);
     case ResultsKind::compare:
       return of_compare(folder);
+    case ResultsKind::stability:
+      return of_stability(folder);
   }
   return {};
 }

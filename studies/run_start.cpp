@@ -88,7 +88,8 @@ Start make(const FrameStart& start, const RunInput&) {
   return {sound(std::move(frame.mesh), start.file), std::move(frame.beta)};
 }
 
-// Displaces the nodes along the normals by Σ a_lm Y_lm of their directions from the centre.
+}  // namespace
+
 void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
   const surface3d::Triangulation triangulation(mesh);
   const surface3d::Nodes n = surface3d::node_normals(triangulation, mesh.nodes);
@@ -100,12 +101,9 @@ void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
   try {
     require_sound(mesh);
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        fmt::format("[surface] perturbation: is too large: {}", error.what()));
+    throw std::invalid_argument(fmt::format("is too large: {}", error.what()));
   }
 }
-
-}  // namespace
 
 RunStart start_of(const RunInput& input) {
   Start start;
@@ -114,7 +112,11 @@ RunStart start_of(const RunInput& input) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("[surface] {}", error.what()));
   }
-  if (!input.perturbation.empty()) perturb(start.mesh, input.perturbation);
+  try {
+    if (!input.perturbation.empty()) perturb(start.mesh, input.perturbation);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("[surface] perturbation: {}", error.what()));
+  }
   // A frame goes on as it is; what has the area already keeps its bits.
   if (std::abs(meshing::area(start.mesh) / unit_area - 1) > 1e-14)
     meshing::scale_to_area(start.mesh, unit_area);

@@ -17,4 +17,8 @@ struct RunStart {
 /// exist, a perturbation too large for it).
 RunStart start_of(const RunInput& input);
 
+/// Displaces the nodes along the normals by Σ a_lm Y_lm of their directions from the centre. Throws
+/// std::invalid_argument where that is too large for the surface.
+void perturb(meshing::CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes);
+
 }  // namespace sbeh::studies

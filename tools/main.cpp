@@ -13,6 +13,7 @@
 #include "studies/scan.h"
 #include "studies/seifert.h"
 #include "studies/spelling.h"
+#include "studies/stability.h"
 #include "studies/toml_reader.h"
 #include "tools/figures_command.h"
 #include "tools/mesh_command.h"
@@ -165,10 +166,27 @@ int check_run(const Arguments& a) {
   return 0;
 }
 
+int check_stability(const Arguments& a) {
+  const studies::StabilityInput input = studies::read_stability(a.input);
+  const std::vector<studies::StabilityKey> runs = studies::keys_of(input);
+  double steps = 0;
+  for (const studies::StabilityKey& key : runs)
+    steps += input.end_time / input.material.with_L(key.L).kappa(model::full_order)
+           / input.numerics_3d.largest_step;
+  const double minutes = 4.3e-4 * input.triangles * steps / 60;  // measured on one core of 2026
+  fmt::print(
+      "{}: {} runs of perturbed states with about {} triangles, at most about {:.0f} min of one "
+      "core\n\n{}",
+      a.input, runs.size(), input.triangles, std::max(1., minutes),
+      studies::describe(input, SBEH_VERSION));
+  return 0;
+}
+
 int check(const Arguments& a) {
   const studies::InputKind kind = studies::kind_of(a.input);
   if (kind == studies::InputKind::compare) return check_compare(a);
   if (kind == studies::InputKind::run) return check_run(a);
+  if (kind == studies::InputKind::stability) return check_stability(a);
   if (kind == studies::InputKind::scan) {
     const studies::ScanInput input = studies::read_scan(a.input);
     const std::size_t points = studies::point_count(input);
@@ -208,6 +226,20 @@ int compare(const Arguments& a) {
   draw_results(a, "compare", folder);
   for (const std::string& sentence : studies::complaints(s)) complain(sentence);
   return s.agrees() ? exit_code_of_success() : 1;
+}
+
+int stability(const Arguments& a) {
+  const studies::StabilityInput input = studies::read_stability(a.input);
+  const fs::path folder = folder_of(a);
+  const studies::StabilitySummary s = studies::run_stability(input, folder, SBEH_VERSION);
+  fmt::print("{}{} runs in {}; {} computed in {:.0f} s\n", studies::table_of(s), s.rows.size(),
+             (folder / "stability.csv").string(), s.computed, s.seconds);
+  if (s.interrupted) {
+    complain("interrupted; the same command goes on from here");
+    return exit_code_of_interrupt();
+  }
+  draw_results(a, "stability", folder);
+  return exit_code_of_success();
 }
 
 int report(const Arguments& a) {
@@ -269,6 +301,8 @@ int run(int argc, char** argv) {
   const CLI::App* check_command =
       add("check", "say whether an input is right, and what it asks for", false);
   const CLI::App* compare_command = add("compare", "one case by several methods", true);
+  const CLI::App* stability_command =
+      add("stability", "axisymmetric states, perturbed in 3D", true);
   CLI::App* seifert_command =
       app.add_subcommand("seifert", "the classical diagram by three witnesses");
   seifert_command->add_option("-o,--output", a.folder, "folder for the results (results/seifert)");
@@ -277,14 +311,16 @@ int run(int argc, char** argv) {
       ->check(CLI::Range(32, 4096));
   CLI::App* report_command =
       app.add_subcommand("report", "a folder of results as one page of HTML");
-  report_command->add_option("DIR", a.input, "folder of a scan, run, relax, seifert or compare")
+  report_command
+      ->add_option("DIR", a.input, "folder of a scan, run, relax, seifert, compare or stability")
       ->required();
   report_command->add_flag("--no-pictures", a.no_pictures, "do not draw those that are missing");
   const tools::FiguresCommand figures_command(app);
   const tools::MeshCommand mesh_command(app);
-  CLI::App* picture_command = app.add_subcommand(
-      "picture",
-      "draw the pictures of a folder again: picture scan|relax|run|seifert|compare|figures DIR");
+  CLI::App* picture_command = app.add_subcommand("picture",
+                                                 "draw the pictures of a folder again: picture "
+                                                 "scan|relax|run|seifert|compare|figures|stability "
+                                                 "DIR");
   picture_command->prefix_command();
   picture_command->set_help_flag();  // `sbeh picture --help` is the picture program's
   try {
@@ -295,7 +331,7 @@ int run(int argc, char** argv) {
   if (*picture_command) return draw(picture_command->remaining());
 
   studies::let_writes_fail();
-  if (*scan_command || *relax_command || *run_command || *compare_command
+  if (*scan_command || *relax_command || *run_command || *compare_command || *stability_command
       || figures_command.parsed())
     studies::catch_interrupts();
   std::unique_ptr<tbb::global_control> limit;
@@ -307,6 +343,7 @@ int run(int argc, char** argv) {
     if (*relax_command) return relax(a);
     if (*run_command) return run_3d(a);
     if (*compare_command) return compare(a);
+    if (*stability_command) return stability(a);
     if (*check_command) return check(a);
     if (*seifert_command) return seifert(a);
     if (*report_command) return report(a);

@@ -5,6 +5,7 @@
 #include "studies/relax_input.h"
 #include "studies/run_input.h"
 #include "studies/scan_input.h"
+#include "studies/stability_input.h"
 
 #include <gtest/gtest.h>
 
@@ -76,6 +77,18 @@ inline void expect_same(const CompareInput& a, const CompareInput& b) {
   expect_same(a.material, b.material);
   expect_same(a.numerics, b.numerics);
   expect_same(a.surface3d, b.surface3d);
+}
+
+inline void expect_same(const StabilityInput& a, const StabilityInput& b) {
+  const auto tie = [](const StabilityInput& input) {
+    const auto& [reduced_volume, L, models, branches, perturbations, triangles, end, numerics_3d,
+                 material, numerics] = input;
+    return std::tie(reduced_volume, L, models, branches, perturbations, triangles, end);
+  };
+  EXPECT_TRUE(tie(a) == tie(b));
+  expect_same(a.numerics_3d, b.numerics_3d);
+  expect_same(a.material, b.material);
+  expect_same(a.numerics, b.numerics);
 }
 
 inline auto tie(const Ellipsoid& start) {

@@ -106,8 +106,8 @@ TEST_F(WrongInput, is_refused_by_the_check_with_the_same_words) {
   write("in.toml", "x = 1\n");
   must_refuse({"check", "in.toml"},
               "in.toml: must have a table [scan] (a scan), [start] (one axisymmetric evolution), "
-              "[surface] (one 3D run) or [compare] (one case by several methods); it has none of "
-              "them");
+              "[surface] (one 3D run), [compare] (one case by several methods) or [stability] "
+              "(axisymmetric states, perturbed in 3D); it has none of them");
 }
 
 TEST_F(WrongInput, that_is_no_readable_file_is_refused_with_the_reason) {

@@ -1,5 +1,5 @@
 // sbeh-picture: the pictures of a scan, of one evolution, of the classical branches, of a comparison, of a
-// mesh, and the paper's figures, from the files they leave.
+// study of stability or of a mesh, and the paper's figures, from the files they leave.
 #include "tools/picture/classical.h"
 #include "tools/picture/compare.h"
 #include "tools/picture/csv.h"
@@ -10,6 +10,7 @@
 #include "tools/picture/mesh.h"
 #include "tools/picture/relax.h"
 #include "tools/picture/run.h"
+#include "tools/picture/stability.h"
 #include "tools/picture/virtual_display.h"
 
 #include <CLI/CLI.hpp>
@@ -86,8 +87,8 @@ void add_common_options(CLI::App* command, Options& options, std::string& size,
 
 int run(int count, char** arguments) {
   CLI::App app(
-      "Pictures (PNG and SVG) of a scan, an evolution, the classical branches, a comparison or a "
-      "mesh",
+      "Pictures (PNG and SVG) of a scan, an evolution, the classical branches, a comparison, a "
+      "study of stability or a mesh",
       "sbeh-picture");
   app.require_subcommand(1);
   Options options;
@@ -108,6 +109,9 @@ int run(int count, char** arguments) {
   CLI::App* figures =
       app.add_subcommand("figures", "the paper's figures from the tables of `sbeh figures` in DIR");
   add_common_options(figures, options, size, {"energy", "shapes", "evolution", "measures"});
+  CLI::App* stability =
+      app.add_subcommand("stability", "which states are stable in 3D, from DIR/stability.csv");
+  add_common_options(stability, options, size, {"stability"});
   CLI::App* mesh = app.add_subcommand("mesh", "a curved mesh from FILE.vtu, into FILE.png");
   mesh->add_option("FILE", options.directory, "Mesh with curved triangles, as sbeh mesh writes it")
       ->required();
@@ -131,6 +135,10 @@ int run(int count, char** arguments) {
     draw_compared_profiles(canvas, options);
   }
   if (figures->parsed()) picture_figures(options);
+  if (stability->parsed()) {
+    Canvas canvas;
+    draw_stability(canvas, options);
+  }
   if (mesh->parsed()) {
     Canvas canvas;
     draw_mesh(canvas, options);
