@@ -1,6 +1,7 @@
 #include "studies/mode_amplitude.h"
 
 #include "meshing/spherical_harmonics.h"
+#include "studies/surface_moments.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -15,38 +16,22 @@ namespace {
 
 constexpr double equal_moments = 0.05;
 
-template <class Visit>
-void for_each_area(const surface3d::Triangulation& mesh, const surface3d::Nodes& X, Visit&& visit) {
-  surface3d::for_each_point(
-      mesh, X, surface3d::assembly_points(),
-      [&](int, const surface3d::ShapeValues&, const SurfacePoint& p) { visit(p.dS, p.x); });
-}
-
-Vector3d centre_of(const surface3d::Triangulation& mesh, const surface3d::Nodes& X) {
-  Vector3d sum = Vector3d::Zero();
-  double area = 0;
-  for_each_area(mesh, X, [&](double dS, const Vector3d& x) {
-    sum += dS * x;
-    area += dS;
-  });
-  return sum / area;
-}
-
 }  // namespace
 
 double mode_amplitude(const surface3d::Triangulation& mesh, const surface3d::Nodes& X, int l,
                       int m) {
-  const Vector3d centre = centre_of(mesh, X);
+  const Vector3d centre = surface_moments(mesh, X).centre;
   double cosine = 0, sine = 0, total = 0;
-  for_each_area(mesh, X, [&](double dS, const Vector3d& x) {
-    const double r = (x - centre).norm();
-    if (r == 0) return;
-    const Vector3d direction = (x - centre) / r;
-    const double weight = dS * std::pow(r, l);
-    cosine += weight * meshing::spherical_harmonic(l, m, direction);
-    sine += weight * meshing::spherical_harmonic(l, -m, direction);
-    total += weight;
-  });
+  surface3d::for_each_point(mesh, X, surface3d::assembly_points(),
+                            [&](int, const surface3d::ShapeValues&, const SurfacePoint& p) {
+                              const double r = (p.x - centre).norm();
+                              if (r == 0) return;
+                              const Vector3d direction = (p.x - centre) / r;
+                              const double weight = p.dS * std::pow(r, l);
+                              cosine += weight * meshing::spherical_harmonic(l, m, direction);
+                              sine += weight * meshing::spherical_harmonic(l, -m, direction);
+                              total += weight;
+                            });
   return std::hypot(cosine, sine) / total;
 }
 
@@ -63,12 +48,8 @@ const char* name(Roundness roundness) {
 }
 
 Roundness roundness_of(const surface3d::Triangulation& mesh, const surface3d::Nodes& X) {
-  const Vector3d centre = centre_of(mesh, X);
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  for_each_area(mesh, X, [&](double dS, const Vector3d& x) {
-    moments += dS * (x - centre) * (x - centre).transpose();
-  });
-  const Vector3d w = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments).eigenvalues();
+  const Vector3d w =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(surface_moments(mesh, X).second).eigenvalues();
   const double range = w[2] - w[0];  // ascending
   if (w[1] - w[0] < equal_moments * range) return Roundness::prolate;
   if (w[2] - w[1] < equal_moments * range) return Roundness::oblate;

@@ -7,6 +7,7 @@
 #include "studies/number_range.h"
 #include "studies/progress.h"
 #include "studies/run_input.h"
+#include "studies/surface_moments.h"
 #include "studies/toml_reader.h"
 #include "studies/witness_state.h"
 #include "surface3d/flow.h"
@@ -188,18 +189,7 @@ Rest last_frame(const CompareInput& input) {
 // Turns the nodes so that the axis of the surface is z and its centre the origin: the axis is the
 // principal axis whose moment differs most from the two others.
 Eigen::Matrix3Xd upright(const Triangulation& mesh, const surface3d::Nodes& X) {
-  Eigen::Vector3d centre = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d moments = Eigen::Matrix3d::Zero();
-  double area = 0;
-  surface3d::for_each_point(
-      mesh, X, surface3d::diagnostic_points(),
-      [&](int, const surface3d::ShapeValues&, const surface3d::SurfacePoint& p) {
-        centre += p.dS * p.x;
-        moments += p.dS * p.x * p.x.transpose();
-        area += p.dS;
-      });
-  centre /= area;
-  moments = moments / area - centre * centre.transpose();
+  const auto [centre, moments] = surface_moments(mesh, X);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(moments);
   const Eigen::Vector3d w = eigen.eigenvalues();  // ascending
   const int axis = w[2] - w[1] > w[1] - w[0] ? 2 : 0;

@@ -2,6 +2,7 @@
 #include "studies/csv_table.h"
 #include "studies/figures/tables.h"
 #include "studies/output.h"
+#include "studies/surface_moments.h"
 #include "studies/witness_state.h"
 #include "surface3d/diagnostics.h"
 
@@ -19,24 +20,6 @@ using model::Model;
 namespace {
 
 constexpr double nearness = 0.1;  // of a frame to an instant, relative
-
-// ∫ (x − c)(x − c)ᵀ dS / A, its eigenvalues.
-Eigen::Vector3d principal_moments(const surface3d::Triangulation& mesh, const surface3d::Nodes& X) {
-  Eigen::Vector3d first = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d second = Eigen::Matrix3d::Zero();
-  double area = 0;
-  surface3d::for_each_point(
-      mesh, X, surface3d::diagnostic_points(),
-      [&](int, const surface3d::ShapeValues&, const surface3d::SurfacePoint& p) {
-        first += p.dS * p.x;
-        second += p.dS * p.x * p.x.transpose();
-        area += p.dS;
-      });
-  first /= area;
-  second = second / area - first * first.transpose();
-  return Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(second, Eigen::EigenvaluesOnly)
-      .eigenvalues();
-}
 
 // The row of frames.csv nearest in time.
 std::optional<std::size_t> nearest_frame(const CsvTable& frames, double instant) {
@@ -67,7 +50,9 @@ std::string evolution_row(const FoundRun& run, double time, const Oblates& oblat
   const Snapshot frame = read_snapshot(file);
   const surface3d::Triangulation mesh(frame.mesh);
   const auto d = surface3d::diagnose(mesh, run.input.material, {frame.mesh.nodes, frame.beta});
-  const Eigen::Vector3d moments = principal_moments(mesh, frame.mesh.nodes);
+  const Eigen::Vector3d moments =
+      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(surface_moments(mesh, frame.mesh.nodes).second)
+          .eigenvalues();
   return fmt::format("{},{},{},{},{},{},{},{},{:.9g},{:.9g},{:.9g},{}\n", time, d.energy.total(),
                      oblates.same, oblates.plain, d.reduced_volume, d.order_min, d.order_max,
                      d.H_abs_max, moments[0], moments[1], moments[2],
