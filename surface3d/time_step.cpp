@@ -5,6 +5,7 @@
 #include "surface3d/order_step.h"
 #include "surface3d/parallel.h"
 
+#include <algorithm>
 #include <utility>
 
 namespace sbeh::surface3d {
@@ -54,6 +55,29 @@ double allowed(Factorisation factorisation, double solver_tolerance) {
   return factorisation == Factorisation::every_step ? LaggedSolver::exact : solver_tolerance;
 }
 
+Constraints constraints_of(const Triangulation& mesh, const Nodes& X, const Target& target,
+                           double tau) {
+  const auto [A, V] = area_and_volume(mesh, X);
+  return {.area_rate = (target.area - A) / (tau * A),
+          .volume_rate = (target.volume - V) / tau,
+          .keep_volume = !is_sphere(mesh, A, V)};
+}
+
+// Whether the layer is so much softer in one place than in another that the terms with ∇κ_G, which read
+// the old surface, outweigh those with κ: see README.md.
+bool has_soft_spots(const model::Material& m, const Field& beta) {
+  constexpr double contrast = 0.1;
+  const Field kappa = beta.unaryExpr([&m](double b) { return m.kappa(b); });
+  return kappa.minCoeff() < contrast * kappa.maxCoeff();
+}
+
+// Largest change of a coordinate or of the order; lengths are of order 1.
+double distance(const State& a, const State& b) {
+  return std::max((a.X - b.X).cwiseAbs().maxCoeff(), (a.beta - b.beta).cwiseAbs().maxCoeff());
+}
+
+enum class Pass { first, corrected };
+
 }  // namespace
 
 struct TimeStepper::Workspace {
@@ -63,28 +87,19 @@ struct TimeStepper::Workspace {
   Factorisation factorisation;
   CoupledSystem system;
   LaggedSolver flow, motion;
+  double enough;  // a correction that changes the state by less is the last one
   StepperMemory memory;
   SolverCounts counts;
 
-  void assemble(const State& at, const Origin& from, const Curvature& curvature,
-                const Target& target, double tau);
   bool worth_factoring() const;
   bool factor(const State& at, double tau);
-  Solution guess(double tau) const;
+  Solution guess(double tau, Pass pass) const;
   int solve_with_factors(Solution& x);
   StepFields fields(const Solution& x) const;
-  bool solve_coupled(const State& at, double tau, StepFields& out);
+  bool solve_coupled(const State& at, double tau, Pass pass, StepFields& out);
+  StepResult step(const State& at, const State& from, const Constraints& constraints, double tau,
+                  Pass pass);
 };
-
-void TimeStepper::Workspace::assemble(const State& at, const Origin& from,
-                                      const Curvature& curvature, const Target& target,
-                                      double tau) {
-  const auto [A, V] = area_and_volume(*mesh, at.X);
-  system.assemble(*mesh, at, curvature, from, tau,
-                  {.area_rate = (target.area - A) / (tau * A),
-                   .volume_rate = (target.volume - V) / tau,
-                   .keep_volume = !is_sphere(*mesh, A, V)});
-}
 
 // When the next solve is likely to cost more than the mean of all since the last factorisation,
 // which it was part of.
@@ -103,15 +118,15 @@ bool TimeStepper::Workspace::factor(const State& at, double tau) {
       && (system.scheme() == Scheme::monolithic || motion.factor(system.motion().matrix));
 }
 
-// The last two solutions, extrapolated.
-Solution TimeStepper::Workspace::guess(double tau) const {
+// The last two solutions, extrapolated; of a step that is corrected, the first one.
+Solution TimeStepper::Workspace::guess(double tau, Pass pass) const {
   Solution x = memory.last;
   x.tau = tau;
   if (x.flow.size() == 0 || factorisation == Factorisation::every_step)
     x = {.flow = Eigen::VectorXd::Zero(system.flow().rhs.size()),
          .motion = Eigen::VectorXd::Zero(system.motion().rhs.size()),
          .tau = tau};
-  else if (memory.before.flow.size() > 0) {
+  else if (pass == Pass::first && memory.before.flow.size() > 0) {
     const double r = tau / memory.last.tau;
     x.flow += r * (memory.last.flow - memory.before.flow);
     x.motion += r * (memory.last.motion - memory.before.motion);
@@ -139,19 +154,20 @@ StepFields TimeStepper::Workspace::fields(const Solution& x) const {
 }
 
 // False when a matrix is singular.
-bool TimeStepper::Workspace::solve_coupled(const State& at, double tau, StepFields& out) {
+bool TimeStepper::Workspace::solve_coupled(const State& at, double tau, Pass pass,
+                                           StepFields& out) {
   const bool fresh = worth_factoring();
   if (fresh && !factor(at, tau)) return memory = {}, false;
-  Solution x = guess(tau);
+  Solution x = guess(tau, pass);
   int iterations = solve_with_factors(x);
   if (iterations == 0 && !fresh && factor(at, tau)) {
-    x = guess(tau);
+    x = guess(tau, pass);
     iterations = solve_with_factors(x);
   }
   if (iterations == 0) return memory = {}, false;
   out = fields(x);
   system.scale_displacements(1 / tau, x.flow, x.motion);
-  memory.before = std::move(memory.last);
+  if (pass == Pass::first) memory.before = std::move(memory.last);
   memory.last = std::move(x);
   ++memory.solves;
   memory.iterations += iterations;
@@ -176,6 +192,7 @@ TimeStepper::TimeStepper(std::shared_ptr<const Triangulation> mesh, const model:
         .system = system_of(*mesh, material, model, scheme),
         .flow = LaggedSolver(Symmetry::general, allowed(factorisation, solver_tolerance)),
         .motion = LaggedSolver(Symmetry::symmetric, allowed(factorisation, solver_tolerance)),
+        .enough = 2 * allowed(factorisation, solver_tolerance),
         .memory = {},
         .counts = {}}) {}
 TimeStepper::~TimeStepper() = default;
@@ -190,8 +207,10 @@ bool TimeStepper::recall(const StepperMemory& memory) {
     const State& at = memory.factored_at;
     const auto curvature = curvature_of(*work_->mesh, at.X);
     if (!curvature) return false;
-    const auto [A, V] = area_and_volume(*work_->mesh, at.X);
-    work_->assemble(at, {at.X, curvature->H}, *curvature, {A, V}, memory.factored_tau);
+    const Target kept{area(*work_->mesh, at.X), volume(*work_->mesh, at.X)};
+    const double tau = memory.factored_tau;
+    work_->system.assemble(*work_->mesh, at, *curvature, {at.X, curvature->H}, tau,
+                           constraints_of(*work_->mesh, at.X, kept, tau));
     if (!work_->factor(at, memory.factored_tau)) return false;
   }
   work_->memory = memory;
@@ -199,25 +218,41 @@ bool TimeStepper::recall(const StepperMemory& memory) {
 }
 
 StepResult TimeStepper::step(const State& at, const State& from, const Target& target, double tau) {
+  constexpr int most_corrections = 3;
+  const Constraints constraints = constraints_of(*work_->mesh, at.X, target, tau);
+  StepResult result = work_->step(at, from, constraints, tau, Pass::first);
+  double change = 1;
+  const bool correct = result.ok() && has_soft_spots(work_->material, at.beta);
+  for (int i = 0; correct && i < most_corrections && change > work_->enough; ++i) {
+    StepResult corrected = work_->step(result.state, from, constraints, tau, Pass::corrected);
+    if (!corrected.ok()) return corrected;
+    change = distance(result.state, corrected.state);
+    result = std::move(corrected);
+  }
+  return result;
+}
+
+// One solve of the coupled step, with the surface and the coefficients of `at`, and of the order.
+StepResult TimeStepper::Workspace::step(const State& at, const State& from,
+                                        const Constraints& constraints, double tau, Pass pass) {
   StepResult result;
-  const Triangulation& mesh = *work_->mesh;
-  const std::optional<Curvature> curvature = curvature_of(mesh, at.X);
+  const std::optional<Curvature> curvature = curvature_of(*mesh, at.X);
   if (!curvature) return result.fault = model::FlowFault::degenerate, result;
   const Field H_from =
-      &at == &from ? curvature->H : mean_curvature(mesh, at.X, curvature->node_normals, from.X);
+      &at == &from ? curvature->H : mean_curvature(*mesh, at.X, curvature->node_normals, from.X);
   if (H_from.size() == 0) return result.fault = model::FlowFault::degenerate, result;
-  work_->assemble(at, {from.X, H_from}, *curvature, target, tau);
-  if (!work_->solve_coupled(at, tau, result.fields)) return result;
+  system.assemble(*mesh, at, *curvature, {from.X, H_from}, tau, constraints);
+  if (!solve_coupled(at, tau, pass, result.fields)) return result;
   const StepFields& fields = result.fields;
   result.state = {from.X + fields.Y, from.beta};
-  if (!(mesh_quality(mesh, result.state.X) > 0))  // a triangle is turned over
+  if (!(mesh_quality(*mesh, result.state.X) > 0))  // a triangle is turned over
     return result.fault = model::FlowFault::degenerate, result;
-  if (has_free_order(work_->model))
-    result.state.beta = order_step(mesh, work_->material, at, from.beta, *curvature,
-                                   fields.V - fields.Y / tau, tau);
+  if (has_free_order(model))
+    result.state.beta =
+        order_step(*mesh, material, at, from.beta, *curvature, fields.V - fields.Y / tau, tau);
   if (result.state.beta.size() == 0) return result;
   result.dissipation =
-      dissipation_of(mesh, work_->material, at, fields, result.state.beta, from.beta, tau);
+      dissipation_of(*mesh, material, at, fields, result.state.beta, from.beta, tau);
   result.fault = model::FlowFault::none;
   return result;
 }

@@ -66,7 +66,9 @@ struct SolverCounts {
 /// First-order semi-implicit step (coupled step, then the order with its velocity, so that a step
 /// is a function of position and order alone). Keeps its matrices between steps. A flow that keeps area
 /// locally and has no viscosity is always solved by the monolithic scheme. The linear systems are solved
-/// to `solver_tolerance`, see LaggedSolver.
+/// to `solver_tolerance`, see LaggedSolver. Where κ is below a tenth of its largest value the step is
+/// solved up to three times more, each time at the state that it led to, until that changes by no more
+/// than 2 solver_tolerance: a sharp rim would waver otherwise.
 class TimeStepper {
  public:
   TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,

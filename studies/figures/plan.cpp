@@ -59,6 +59,7 @@ Inputs read_inputs(const fs::path& folder, std::optional<int> triangles) {
           "must start from an ellipsoid of a reduced volume");
   require(inputs.sbeh.model == Model::SBEH, sbeh, "must have model = \"SBEH\"");
   require(inputs.ssh.model == Model::SSH, ssh, "must have model = \"SSH\"");
+  inputs.ssh.material.residual_stiffness = inputs.sbeh.material.residual_stiffness;
   if (triangles)
     for (RunInput* input : {&inputs.oblate_3d, &inputs.sbeh, &inputs.ssh})
       input->triangles = *triangles;

@@ -33,7 +33,7 @@ std::optional<Figure> figure_of(std::string_view word);
 struct Inputs {
   ScanInput oblates;   ///< paper_flow.toml: axisymmetric, in time
   RunInput oblate_3d;  ///< paper_oblate_3d.toml; each point of the scan gives it its V_r and L
-  RunInput sbeh, ssh;  ///< y53_ordered.toml, y53.toml
+  RunInput sbeh, ssh;  ///< y53_ordered.toml; y53.toml with the same residual stiffness
 };
 
 /// `triangles`, where given, replaces those of the 3D inputs. Throws InputError.
