@@ -12,6 +12,10 @@ namespace sbeh::surface3d {
 
 namespace {
 
+// Of a side. Sheets that come near each other do not act on each other, so that a run may go on until
+// they all but meet.
+constexpr double touching = 0.05;
+
 // What model::Flow asks of a solver.
 class Solver {
  public:
@@ -61,7 +65,7 @@ class Solver {
   bool renew(State& state);
   std::optional<FlowStop> obstacle(const State& state) const {
     if (!(mesh_quality(*mesh_, state.X) > degenerate_quality)) return FlowStop::unresolved;
-    if (!self_contacts(*mesh_, state.X).empty()) return FlowStop::self_contact;
+    if (!self_contacts(*mesh_, state.X, touching).empty()) return FlowStop::self_contact;
     return {};
   }
 

@@ -1,5 +1,7 @@
 #include "surface3d/lagged_solver.h"
 
+#include "surface3d/parallel.h"
+
 #include <Eigen/Jacobi>
 
 #include <algorithm>
@@ -8,13 +10,28 @@
 
 namespace sbeh::surface3d {
 
+namespace {
+
+// A x on all threads.
+Eigen::VectorXd product(const SparseMatrix& A, const Eigen::VectorXd& x) {
+  constexpr Eigen::Index rows = 256;
+  Eigen::VectorXd y(A.rows());
+  in_parallel(int((A.rows() + rows - 1) / rows), [&](int block) {
+    const Eigen::Index first = block * rows, count = std::min(rows, A.rows() - first);
+    y.segment(first, count).noalias() = A.middleRows(first, count) * x;
+  });
+  return y;
+}
+
+}  // namespace
+
 // GMRES without restart: Saad and Schultz 1986, modified Gram–Schmidt and Givens rotations.
 int LaggedSolver::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
   const auto preconditioned = [this](Eigen::VectorXd v) {
     direct_.solve(v);
     return v;
   };
-  std::vector<Eigen::VectorXd> basis{preconditioned(b - A * x)};
+  std::vector<Eigen::VectorXd> basis{preconditioned(b - product(A, x))};
   const double start = basis[0].norm(), size = x.norm() > 0 ? x.norm() : start;
   const double enough =
       std::min(tolerance_ * size, std::max(reduction * tolerance_ * start, floor * size));
@@ -26,7 +43,7 @@ int LaggedSolver::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::
   residual[0] = start;
   std::vector<Eigen::JacobiRotation<double>> rotations;
   for (int k = 0; k < most_iterations; ++k) {
-    Eigen::VectorXd next = preconditioned(A * basis[std::size_t(k)]);
+    Eigen::VectorXd next = preconditioned(product(A, basis[std::size_t(k)]));
     for (int i = 0; i <= k; ++i) {
       R(i, k) = basis[std::size_t(i)].dot(next);
       next -= R(i, k) * basis[std::size_t(i)];
