@@ -12,8 +12,8 @@ namespace sbeh::surface3d {
 
 namespace {
 
-// Of a side. Sheets that come near each other do not act on each other, so that a run may go on until
-// they all but meet.
+// In sides of a triangle. Sheets do not act on each other however near they are, so that a run may go on
+// until they all but meet.
 constexpr double touching = 0.05;
 
 // What model::Flow asks of a solver.

@@ -25,9 +25,8 @@ class LaggedSolver {
   /// What a factorisation costs, in applications of its factors.
   double cost_of_factoring() const;
 
-  static constexpr double coarse =
-      1e-6;                              ///< the smallest tolerance for factors in single precision
-  static constexpr double exact = 1e-8;  ///< what fresh factors in double precision reach at once
+  /// The smallest tolerance for factors in single precision, and what fresh ones in double reach at once.
+  static constexpr double coarse = 1e-6, exact = 1e-8;
   static constexpr double reduction = 1e3, floor = 1e-11;
   static constexpr int most_iterations = 30;
 
