@@ -77,17 +77,25 @@ TEST(MeshWatch, tries_once_where_no_more_triangles_are_allowed) {
   EXPECT_NEAR(w.triangles.back(), 180, 18);
 }
 
-TEST(MeshWatch, ends_a_run_whose_surface_touches_itself) {
+// A biconcave disc whose poles are `gap` apart.
+Surface disc(double gap) {
   constexpr int nodes = 181;
-  meshing::Profile disc{.X = Eigen::Matrix2Xd(2, nodes), .beta = {}};  // poles 0.02 apart
+  meshing::Profile profile{.X = Eigen::Matrix2Xd(2, nodes), .beta = {}};
   for (int i = 0; i < nodes; ++i) {
     const double theta = std::numbers::pi * i / (nodes - 1), s = std::sin(theta);
-    disc.X.col(i) << (i == nodes - 1 ? 0 : 1.2 * s), (0.01 + 0.5 * s * s) * std::cos(theta);
+    profile.X.col(i) << (i == nodes - 1 ? 0 : 1.2 * s), (gap / 2 + 0.5 * s * s) * std::cos(theta);
   }
-  const Watched w = watch(surface_of(meshing::revolved(disc, {.triangles = 320}).mesh), {}, 1);
-  EXPECT_EQ(w.run.stop, FlowStop::self_contact);
-  EXPECT_EQ(w.run.steps, 1);
-  EXPECT_EQ(w.run.last.ends, FlowStop::self_contact);
+  return surface_of(meshing::revolved(profile, {.triangles = 320}).mesh);
+}
+
+TEST(MeshWatch, ends_a_run_whose_surface_touches_itself) {
+  const Watched touching = watch(disc(0.002), {}, 1);
+  EXPECT_EQ(touching.run.stop, FlowStop::self_contact);
+  EXPECT_EQ(touching.run.steps, 1);
+  EXPECT_EQ(touching.run.last.ends, FlowStop::self_contact);
+  const Watched near = watch(disc(0.02), {}, 1);  // its poles go on towards each other
+  EXPECT_EQ(near.run.stop, FlowStop::self_contact);
+  EXPECT_GT(near.run.steps, 5);
 }
 
 }  // namespace

@@ -90,17 +90,6 @@ TEST(SelfContact, of_the_poles_of_a_disc_is_where_they_are_and_as_near_as_they_a
     }
 }
 
-TEST(SelfContact, ends_a_run) {
-  const Surface almost = surface_of(disc(0.02 * pole_side(disc(0.05, 320)), 320)),
-                apart = surface_of(disc(0.2 * pole_side(disc(0.05, 320)), 320));
-  const auto run = [](const Surface& s) {
-    return run_flow(s.mesh, Material{}, Model::SSH, {.state = s.state}, s.target(), Numerics{},
-                    {.end_time = 1e-5});
-  };
-  EXPECT_EQ(run(almost).stop, FlowStop::self_contact);
-  EXPECT_EQ(run(apart).stop, FlowStop::end_time);
-}
-
 TEST(SelfContact, begins_at_the_limit) {
   const double h = pole_side(disc(0.05, 1280));
   EXPECT_TRUE(contacts_of(disc(0.4 * h, 1280)).empty());
