@@ -33,9 +33,9 @@ class StepDoubling {
 
 template <class Solver>
 FlowStep<typename Solver::State> StepDoubling<Solver>::advance(const State& old, double tau) {
-  const auto whole = solver_.step(old, target_, tau);
+  auto whole = solver_.step(old, target_, tau);
   if (!whole.ok()) return whole;
-  const auto first = solver_.step(old, target_, tau / 2);
+  auto first = solver_.step(old, target_, tau / 2);
   if (!first.ok()) return first;
   // Every step of the extrapolation begins without drift: pulled back halfway, the two halves would
   // have lost what the whole step is to cancel.

@@ -63,7 +63,7 @@ int LaggedSolver::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::
       for (int i = 0; i <= k; ++i) x += y[i] * basis[std::size_t(i)];
       return k + 2;
     }
-    basis.push_back(next / length);
+    basis.emplace_back(next / length);
   }
   return 0;
 }

@@ -181,9 +181,9 @@ const char* name(Factorisation factorisation) {
   return factorisation == Factorisation::lagged ? "lagged" : "every-step";
 }
 
-TimeStepper::TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
-                         model::Model model, Scheme scheme, Factorisation factorisation,
-                         double solver_tolerance)
+TimeStepper::TimeStepper(const std::shared_ptr<const Triangulation>& mesh,
+                         const model::Material& material, model::Model model, Scheme scheme,
+                         Factorisation factorisation, double solver_tolerance)
     : work_(new Workspace{
         .mesh = mesh,
         .material = effective(material, model),

@@ -71,7 +71,7 @@ struct SolverCounts {
 /// than 2 solver_tolerance: a sharp rim would waver otherwise.
 class TimeStepper {
  public:
-  TimeStepper(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
+  TimeStepper(const std::shared_ptr<const Triangulation>& mesh, const model::Material& material,
               model::Model model, Scheme scheme = Scheme::split,
               Factorisation factorisation = Factorisation::lagged,
               double solver_tolerance = default_solver_tolerance);
