@@ -24,7 +24,7 @@ RunCost cost_of(const RunInput& input, int triangles) {
   const int nodes = 9 * triangles / 2 + 2, quadratic_nodes = 2 * triangles + 2;
   const int unknowns = unknowns_of(input, nodes, quadratic_nodes);
   return {.unknowns = unknowns,
-          .seconds_per_step = 1.1e-5 * unknowns * std::pow(unknowns / 6400., 0.15),
+          .seconds_per_step = 5.1e-6 * unknowns * std::pow(unknowns / 6400., 0.15),
           .megabytes = 40 + 0.011 * unknowns,
           .frame_megabytes = 3.1e-4 * nodes};
 }

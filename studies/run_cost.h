@@ -8,7 +8,7 @@ namespace sbeh::studies {
 /// Seconds and MB as measured with the defaults on one core of 2026; good to a factor of two.
 struct RunCost {
   int unknowns;  ///< of the linear system of the flow: V, p, H, and with Y where monolithic
-  double seconds_per_step;  ///< an accepted step is three of the scheme: a whole and two halves
+  double seconds_per_step;  ///< of the two-step method; step doubling takes three times that
   double megabytes;
   double frame_megabytes;  ///< of one file
 };

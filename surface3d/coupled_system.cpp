@@ -1,130 +1,14 @@
 #include "surface3d/coupled_system.h"
 
-#include <tbb/parallel_pipeline.h>
+#include "surface3d/parallel.h"
+
+#include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
-#include <array>
 
 namespace sbeh::surface3d {
 
-const char* name(Scheme scheme) { return scheme == Scheme::split ? "split" : "monolithic"; }
-
 namespace {
-
-enum class Kind { vector, quadratic, scalar, multiplier };
-
-// A kind of unknown and its test function; `first` in the numbering of the triangle.
-struct Block {
-  Kind kind;
-  int first, size;
-};
-constexpr Block V_block{Kind::vector, local::V, 30}, p_block{Kind::quadratic, local::p, 6},
-    H_block{Kind::scalar, local::H, 10}, Y_block{Kind::vector, local::Y, 30};
-
-// Which entries of a block (test, unknown) there are; of two vectors, `same` those of equal component.
-enum class Coupling { none, same, all };
-constexpr auto no = Coupling::none, same = Coupling::same, yes = Coupling::all;
-
-struct Layout {
-  std::vector<Block> blocks;
-  std::vector<std::vector<Coupling>> couples;
-  int size() const {
-    int sum = 0;
-    for (const Block& b : blocks) sum += b.size;
-    return sum;
-  }
-};
-
-Layout flow_layout(Scheme scheme, int multipliers) {
-  const Block lambda{Kind::multiplier, 0, multipliers};
-  if (scheme == Scheme::split)
-    return {{V_block, p_block, H_block, lambda},
-            {{yes, yes, yes, yes},  // W
-             {yes, no, no, no},     // q
-             {yes, no, yes, no},    // G: (H1) along the normals, Y = τV
-             {yes, no, no, yes}}};  // (P2)
-  return {{V_block, p_block, H_block, Y_block, lambda},
-          {{yes, yes, yes, no, yes},  // W
-           {yes, no, no, no, no},     // q
-           {yes, no, no, yes, no},    // G: (Y1)
-           {no, no, yes, same, no},   // Z: (H1)
-           {yes, no, no, no, yes}}};  // (P2)
-}
-
-// The speeds v along the node normals in the place of V and p; p is the last of the multipliers.
-Layout normal_flow_layout(Scheme scheme) {
-  const Block v{Kind::scalar, 0, 10}, numbers{Kind::multiplier, 0, 2};
-  if (scheme == Scheme::split)
-    return {{v, H_block, numbers},
-            {{yes, yes, yes},   // W
-             {yes, yes, no},    // G: (H1) along the normals, Y = τV
-             {yes, no, yes}}};  // (P2), (P1)
-  return {{v, H_block, Y_block, numbers},
-          {{yes, yes, no, yes},   // W
-           {yes, no, yes, no},    // G: (Y1)
-           {no, yes, same, no},   // Z: (H1)
-           {yes, no, no, yes}}};  // (P2), (P1)
-}
-
-Layout motion_layout() {
-  return {{H_block, Y_block},
-          {{no, yes},      // G: (Y1)
-           {yes, same}}};  // Z: (H1)
-}
-
-SparsePattern::Mask mask_of(const Layout& layout) {
-  SparsePattern::Mask mask = SparsePattern::Mask::Constant(layout.size(), layout.size(), false);
-  int row = 0;
-  for (std::size_t r = 0; r < layout.blocks.size(); row += layout.blocks[r++].size) {
-    int column = 0;
-    for (std::size_t c = 0; c < layout.blocks.size(); column += layout.blocks[c++].size)
-      for (int i = 0; i < layout.blocks[r].size; ++i)
-        for (int j = 0; j < layout.blocks[c].size; ++j)
-          mask(row + i, column + j) =
-              layout.couples[r][c] == yes || (layout.couples[r][c] == same && i / 10 == j / 10);
-  }
-  return mask;
-}
-
-int global_size(const Triangulation& mesh, const Block& block) {
-  switch (block.kind) {
-    case Kind::vector:
-      return 3 * mesh.nodes;
-    case Kind::quadratic:
-      return mesh.quadratic_nodes;
-    case Kind::scalar:
-      return mesh.nodes;
-    case Kind::multiplier:
-      return block.size;
-  }
-  return 0;
-}
-
-int global_index(const Triangulation& mesh, const Block& block, int e, int i) {
-  switch (block.kind) {
-    case Kind::vector:  // local by components, global by nodes
-      return 3 * mesh.triangles(i % 10, e) + i / 10;
-    case Kind::quadratic:
-      return mesh.quadratic(i, e);
-    case Kind::scalar:
-      return mesh.triangles(i, e);
-    case Kind::multiplier:
-      return i;
-  }
-  return 0;
-}
-
-SparsePattern pattern_of(const Triangulation& mesh, const Layout& layout) {
-  Eigen::MatrixXi unknowns(layout.size(), mesh.count());
-  int row = 0, first = 0;
-  for (const Block& b : layout.blocks) {
-    for (int e = 0; e < mesh.count(); ++e)
-      for (int i = 0; i < b.size; ++i) unknowns(row + i, e) = first + global_index(mesh, b, e, i);
-    row += b.size;
-    first += global_size(mesh, b);
-  }
-  return SparsePattern(first, std::move(unknowns), mask_of(layout));
-}
 
 SparsePattern no_pattern() {
   return SparsePattern(0, Eigen::MatrixXi(0, 0), SparsePattern::Mask(0, 0));
@@ -136,8 +20,8 @@ void set_zero(const SparsePattern& pattern, LinearSystem& system) {
   system.rhs.setZero(pattern.size());
 }
 
-// V, p: the unknowns before the padding of the pressure.
-constexpr int head = 36, motion_size = 40;
+// V, p: the unknowns before the padding of the pressure; then H and Y.
+constexpr int head = 36, displaced = head + 10;
 
 // T: unknowns of the whole flow of an element by those of the flow along the normals n,
 // V = Σ v_a φ_a n_a and p a number; the rest, of which λ is the last, stays as it is.
@@ -151,12 +35,13 @@ Eigen::MatrixXd normal_motion(const ElementNodes& n, int whole) {
   return T;
 }
 
-// The mesh goes to its equilibrium at a finite rate: of the residual of (H1) on the old surface, which is
-// zero along the normals, the share θ only.
-void slow_down_mesh(const ElementField& H, double tau, ElementSystem& s) {
-  const double theta = tau / (tau + mesh_relaxation_time);
-  s.rhs.tail<30>() =
-      theta * s.rhs.tail<30>() + (1 - theta) * s.matrix.block<30, 10>(local::Y, local::H) * H;
+// Two unit vectors orthogonal to n and to each other: those of a fixed direction, turned with it to n.
+// They change smoothly with n but opposite to that direction, which is no axis of anything.
+std::array<Eigen::Vector3d, 2> tangents_at(const Eigen::Vector3d& n) {
+  static const Eigen::Vector3d from = Eigen::Vector3d(0.36, 0.48, 0.8),
+                               first = Eigen::Vector3d(0.8, -0.6, 0);
+  const auto turn = Eigen::Quaterniond::FromTwoVectors(from, n);
+  return {turn * first, turn * from.cross(first)};
 }
 
 // Where the normals of the old surface X are met by a displacement from X to `from` along them.
@@ -164,39 +49,41 @@ ElementNodes foot_points(const ElementNodes& X, const ElementNodes& from, const 
   return X + n * n.cwiseProduct(from - X).colwise().sum().asDiagonal();
 }
 
-// Computes the pieces of all elements in parallel, and adds them one after the other in their order.
-template <class Piece, class Compute, class Add>
-void add_in_order(int elements, Compute&& compute, Add&& add) {
-  constexpr int chunk = 16, in_flight = 8;
-  const int chunks = (elements + chunk - 1) / chunk;
-  std::vector<std::array<Piece, chunk>> pieces(in_flight);  // of chunk k at k mod in_flight
-  const auto visit = [&](int k, auto&& work) {
-    auto& places = pieces[std::size_t(k % in_flight)];
-    for (int e = k * chunk; e < std::min((k + 1) * chunk, elements); ++e)
-      work(e, places[std::size_t(e % chunk)]);
-  };
-  int next = 0;
-  using tbb::filter_mode;
-  tbb::parallel_pipeline(
-      in_flight,
-      tbb::make_filter<void, int>(filter_mode::serial_in_order, [&](tbb::flow_control& control) {
-        if (next == chunks) control.stop();
-        return next < chunks ? next++ : next;
-      }) & tbb::make_filter<int, int>(filter_mode::parallel, [&](int k) {
-        return visit(k, compute), k;
-      }) & tbb::make_filter<int, void>(filter_mode::serial_in_order, [&](int k) {
-        visit(k, add);
-      }));
+using Scalar = ElementSystem::Scalar;
+
+// a·A·b, summed over x, y, z, for vectors a, b at the nodes: an A for each component, or the same for all.
+Scalar between(const ElementNodes& a, const Scalar& A, const ElementNodes& b) {
+  return A.cwiseProduct(a.transpose() * b);
+}
+Scalar along(const ElementNodes& a, const std::array<Scalar, 3>& A) {
+  Scalar sum = Scalar::Zero();
+  for (int k = 0; k < 3; ++k) sum += a.row(k).transpose().asDiagonal() * A[std::size_t(k)];
+  return sum;
 }
 
 }  // namespace
 
-// What of an element's system goes into the global ones.
+// What moves of a triangle, and how (H1) sees it.
+struct CoupledSystem::ElementMesh {
+  double tau;
+  ElementNodes normals, foot;
+  std::array<ElementNodes, 2> tangents;  // when split
+  ElementNodes force;                    // the right-hand side of (H1), by the nodes of Z
+
+  // The mesh goes to its equilibrium at a finite rate: of the residual of (H1) on the old surface, which
+  // is zero along the normals, the share θ only.
+  void set_force(const ElementSystem& s, const ElementNodes& from, const ElementField& H) {
+    const double theta = tau / (tau + mesh_relaxation_time);
+    force = -theta * from * s.stiffness;
+    for (int k = 0; k < 3; ++k)
+      force.row(k) += (1 - theta) * (s.normal_mass[std::size_t(k)] * H).transpose();
+  }
+};
+
+// What of an element's system goes into that of the flow.
 struct CoupledSystem::Piece {
   Eigen::MatrixXd flow;
-  Eigen::VectorXd flow_rhs;
-  Eigen::Matrix<double, motion_size, motion_size> motion;
-  Eigen::Matrix<double, motion_size, 1> motion_rhs;
+  Eigen::VectorXd rhs;
 };
 
 CoupledSystem::CoupledSystem(const Triangulation& mesh, const model::Material& material,
@@ -207,48 +94,86 @@ CoupledSystem::CoupledSystem(const Triangulation& mesh, const model::Material& m
       nodes_(mesh.nodes),
       quadratic_nodes_(mesh.quadratic_nodes),
       multipliers_(material.friction_tangential == 0 && material.friction_normal == 0 ? 7 : 1),
-      flow_pattern_(pattern_of(
-          mesh, along_normals() ? normal_flow_layout(scheme) : flow_layout(scheme, multipliers_))),
-      motion_pattern_(scheme == Scheme::split ? pattern_of(mesh, motion_layout()) : no_pattern()) {}
+      flow_pattern_(along_normals() ? normal_flow_pattern(mesh, scheme)
+                                    : flow_pattern(mesh, scheme, multipliers_)),
+      motion_pattern_(scheme == Scheme::split ? motion_pattern(mesh) : no_pattern()) {}
 
-// n: node normals of the triangle. A test field Z = φ_a n_a gives the row a of G.
-void CoupledSystem::cut(const ElementNodes& n, const ElementNodes& foot, double tau,
-                        bool keep_volume, const ElementSystem& element, Piece& piece) const {
-  const auto& [A, rhs, constraints] = element;
-  const int size = head + (scheme_ == Scheme::split ? 10 : motion_size);
+void CoupledSystem::cut_flow(const ElementMesh& mesh, bool keep_volume,
+                             const ElementSystem& element, Piece& piece) const {
+  const bool split = scheme_ == Scheme::split;
+  const int size = split ? displaced : displaced + 30;
   piece.flow.setZero(size + multipliers_, size + multipliers_);
-  piece.flow_rhs.setZero(size + multipliers_);
-  piece.flow.topLeftCorner<head, head>() = A.topLeftCorner<head, head>();
-  piece.flow_rhs.head<head>() = rhs.head<head>();
-
-  piece.flow.topRightCorner(30, multipliers_) = constraints.leftCols(multipliers_);
-  piece.flow.bottomLeftCorner(multipliers_, 30) = constraints.leftCols(multipliers_).transpose();
-  if (!keep_volume) {  // λ = 0, once for each triangle
+  piece.rhs.setZero(size + multipliers_);
+  piece.flow.topLeftCorner<head, head>() = element.flow.topLeftCorner<head, head>();
+  piece.flow.block<head, 10>(0, head) = element.flow.block<head, 10>(0, local::H);
+  piece.rhs.head<head>() = element.rhs.head<head>();
+  piece.flow.topRightCorner(30, multipliers_) = element.constraints.leftCols(multipliers_);
+  piece.flow.bottomLeftCorner(multipliers_, 30) =
+      element.constraints.leftCols(multipliers_).transpose();
+  if (!keep_volume) {
     piece.flow.col(size).setZero();
     piece.flow.row(size).setZero();
-    piece.flow(size, size) = 1;
   }
-  if (scheme_ == Scheme::monolithic) {
-    piece.flow.block<head, motion_size>(0, head) = A.block<head, motion_size>(0, local::H);
-    piece.flow.block<motion_size, head>(head, 0) = A.block<motion_size, head>(local::H, 0);
-    piece.flow.block<motion_size, motion_size>(head, head) =
-        A.bottomRightCorner<motion_size, motion_size>();
-    piece.flow_rhs.segment<motion_size>(head) = rhs.tail<motion_size>();
-    return;
-  }
-  piece.flow.block<head, 10>(0, head) = A.block<head, 10>(0, local::H);
-  Eigen::Matrix<double, 10, 10> stiffness = Eigen::Matrix<double, 10, 10>::Zero();
+  if (split)
+    cut_split(mesh, element, piece);
+  else
+    cut_monolithic(mesh, element, piece);
+}
+
+// (Y1) and (H1).
+void CoupledSystem::cut_monolithic(const ElementMesh& mesh, const ElementSystem& element,
+                                   Piece& piece) const {
   for (int k = 0; k < 3; ++k) {
-    const auto along = n.row(k).transpose().asDiagonal();
-    const int Z = local::Y + 10 * k;
-    piece.flow.block<10, 10>(head, head) += along * A.block<10, 10>(Z, local::H);
-    stiffness += along * A.block<10, 10>(Z, Z) * along;
-    piece.flow_rhs.segment<10>(head) -= along * A.block<10, 10>(Z, Z) * foot.row(k).transpose();
+    const Scalar& normal_mass = element.normal_mass[std::size_t(k)];
+    const int V = 10 * k, Y = displaced + 10 * k;
+    piece.flow.block<10, 10>(head, V) = -mesh.tau * normal_mass;
+    piece.flow.block<10, 10>(head, Y) = normal_mass;
+    piece.flow.block<10, 10>(Y, head) = normal_mass;
+    piece.flow.block<10, 10>(Y, Y) = element.stiffness;
+    piece.rhs.segment<10>(Y) = mesh.force.row(k).transpose();
   }
-  for (int k = 0; k < 3; ++k)
-    piece.flow.block<10, 10>(head, 10 * k) = tau * stiffness * n.row(k).transpose().asDiagonal();
-  piece.motion = A.bottomRightCorner<motion_size, motion_size>();
-  piece.motion_rhs = rhs.tail<motion_size>();
+}
+
+// (H1) along the normals, with the displacement τ(V·n) n from the foot points: a test field Z = φ_a n_a
+// gives the row a of G.
+void CoupledSystem::cut_split(const ElementMesh& mesh, const ElementSystem& element,
+                              Piece& piece) const {
+  const ElementNodes& n = mesh.normals;
+  piece.flow.block<10, 10>(head, head) = along(n, element.normal_mass);
+  const Scalar stiffness = between(n, element.stiffness, n);
+  for (int k = 0; k < 3; ++k) {
+    piece.flow.block<10, 10>(head, 10 * k) =
+        mesh.tau * stiffness * n.row(k).transpose().asDiagonal();
+    piece.rhs.segment<10>(head) -=
+        (n.row(k).transpose().asDiagonal() * element.stiffness) * mesh.foot.row(k).transpose();
+  }
+}
+
+void CoupledSystem::add_flow(int e, const ElementMesh& mesh, Piece& piece) {
+  if (along_normals()) {
+    const Eigen::MatrixXd T = normal_motion(mesh.normals, int(piece.flow.rows()));
+    piece.flow = (T.transpose() * piece.flow * T).eval();
+    piece.rhs = (T.transpose() * piece.rhs).eval();
+    total_area_rate_[e] = piece.rhs[piece.rhs.size() - 1];
+  }
+  flow_pattern_.add(e, piece.flow, flow_.matrix);
+  flow_pattern_.add(e, piece.rhs, flow_.rhs);
+}
+
+// (H1) with Z = φ_a t_a, t the tangents, and unknowns w: Y = Σ w_b φ_b t_b and what the flow gives.
+void CoupledSystem::add_motion(int e, const ElementMesh& mesh, const ElementSystem& element) {
+  Eigen::Matrix<double, 20, 20> matrix;
+  Eigen::Matrix<double, 20, 1> rhs;
+  for (int i = 0; i < 2; ++i) {
+    const ElementNodes& t = mesh.tangents[std::size_t(i)];
+    for (int j = 0; j < 2; ++j)
+      matrix.block<10, 10>(10 * i, 10 * j) =
+          between(t, element.stiffness, mesh.tangents[std::size_t(j)]);
+    rhs.segment<10>(10 * i) = t.cwiseProduct(mesh.force).colwise().sum().transpose();
+  }
+  motion_pattern_.add(e, matrix, motion_.matrix);
+  motion_pattern_.add(e, rhs, motion_.rhs);
+  mesh_matrices_[std::size_t(e)] = element;
 }
 
 void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
@@ -257,56 +182,88 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
   const bool split = scheme_ == Scheme::split;
   set_zero(flow_pattern_, flow_);
   set_zero(motion_pattern_, motion_);
-  normal_motion_.resize(std::size_t(split ? mesh.count() : 0));
-  normals_ = curvature.node_normals;
-  const StepParameters step{.tau = tau, .area_rate = constraints.area_rate, .area = area_};
+  set_frames(curvature.node_normals);
+  tau_ = tau;
+  mesh_matrices_.resize(std::size_t(split ? mesh.count() : 0));
+  if (split) normal_flux_ = mesh.scalars.zero();
+  total_area_rate_.setZero(along_normals() ? mesh.count() : 0);
+  const StepParameters step{.area_rate = constraints.area_rate, .area = area_};
 
-  const auto compute = [&](int e, Piece& piece) {
+  for_each_by_colour(mesh, [&](int e) {
     static thread_local ElementSystem element;
-    const ElementNodes old_X = on_element(mesh, e, old.X), origin = on_element(mesh, e, from.X);
+    static thread_local Piece piece;
+    const ElementNodes X = on_element(mesh, e, old.X), origin = on_element(mesh, e, from.X);
     assemble_element(material_,
-                     {.X = old_X,
-                      .from = origin,
+                     {.X = X,
                       .normals = on_element(mesh, e, curvature.normals),
                       .beta = on_element(mesh, e, old.beta),
                       .H = on_element(mesh, e, curvature.H)},
                      step, element);
-    slow_down_mesh(on_element(mesh, e, from.H), tau, element);
-    const ElementNodes n = on_element(mesh, e, normals_);
-    cut(n, foot_points(old_X, origin, n), tau, constraints.keep_volume, element, piece);
-    if (along_normals()) {
-      const Eigen::MatrixXd T = normal_motion(n, int(piece.flow.rows()));
-      piece.flow = (T.transpose() * piece.flow * T).eval();
-      piece.flow_rhs = (T.transpose() * piece.flow_rhs).eval();
-    }
-    if (split) normal_motion_[std::size_t(e)] = -element.matrix.block<10, 30>(local::H, local::V);
-  };
-  const auto add = [&](int e, const Piece& piece) {
-    flow_pattern_.add(e, piece.flow, flow_.matrix);
-    flow_pattern_.add(e, piece.flow_rhs, flow_.rhs);
+    ElementMesh moving{.tau = tau,
+                       .normals = on_element(mesh, e, normals_),
+                       .foot = {},
+                       .tangents = {},
+                       .force = {}};
+    moving.foot = foot_points(X, origin, moving.normals);
+    moving.set_force(element, origin, on_element(mesh, e, from.H));
+    cut_flow(moving, constraints.keep_volume, element, piece);
+    add_flow(e, moving, piece);
     if (!split) return;
-    motion_pattern_.add(e, piece.motion, motion_.matrix);
-    motion_pattern_.add(e, piece.motion_rhs, motion_.rhs);
-  };
-  add_in_order<Piece>(mesh.count(), compute, add);
-  flow_.rhs[first_multiplier()] = constraints.keep_volume ? constraints.volume_rate : 0;
+    for (std::size_t i = 0; i < 2; ++i) moving.tangents[i] = on_element(mesh, e, tangents_[i]);
+    add_motion(e, moving, element);
+    mesh.scalars.add(e, along(moving.normals, element.normal_mass).transpose(), normal_flux_);
+  });
+  const int lambda = first_multiplier();
+  if (along_normals()) flow_.rhs[lambda + 1] = total_area_rate_.sum();
+  flow_.rhs[lambda] = constraints.keep_volume ? constraints.volume_rate : 0;
+  if (!constraints.keep_volume) flow_.matrix.coeffRef(lambda, lambda) = 1;
 }
 
-void CoupledSystem::add_normal_motion(const Nodes& V, Eigen::VectorXd& rhs) const {
-  Eigen::Matrix<double, 30, 1> local_V;
-  for (int e = 0; e < motion_pattern_.elements(); ++e) {
-    for (int i = 0; i < 30; ++i) local_V[i] = V(i / 10, motion_pattern_.unknown(i % 10, e));
-    const Eigen::Matrix<double, 10, 1> flux = normal_motion_[std::size_t(e)] * local_V;
-    for (int a = 0; a < 10; ++a) rhs[motion_pattern_.unknown(a, e)] += flux[a];
+// n: 3 x nodes.
+void CoupledSystem::set_frames(const Nodes& n) {
+  normals_ = n;
+  if (scheme_ == Scheme::monolithic) return;
+  tangents_.fill(Nodes(3, n.cols()));
+  for (Eigen::Index i = 0; i < n.cols(); ++i) {
+    const auto tangents = tangents_at(n.col(i));
+    for (std::size_t k = 0; k < 2; ++k) tangents_[k].col(i) = tangents[k];
   }
+}
+
+template <class Sum, class Visit>
+void CoupledSystem::add_up(Sum& sum, Visit&& visit) const {
+  for (int e = 0; e < motion_pattern_.elements(); ++e) {
+    Eigen::Matrix<int, 10, 1> nodes;
+    for (int a = 0; a < 10; ++a) nodes[a] = motion_pattern_.unknown(a, e) / 2;
+    sum(Eigen::all, nodes) += visit(nodes, mesh_matrices_[std::size_t(e)]);
+  }
+}
+
+// At the nodes.
+Field CoupledSystem::normal_speed(const Eigen::VectorXd& flow) const {
+  return velocity(flow).cwiseProduct(normals_).colwise().sum();
+}
+
+Eigen::VectorXd CoupledSystem::motion_rhs(const Eigen::VectorXd& flow) const {
+  const Field H = curvature(flow);
+  const Nodes Y = normals_ * (tau_ * normal_speed(flow)).asDiagonal();
+  Nodes force = Nodes::Zero(3, nodes_);  // of (H1), by the nodes of Z
+  add_up(force, [&](const auto& nodes, const MeshMatrices& matrices) {
+    ElementNodes part = Y(Eigen::all, nodes) * matrices.stiffness;
+    for (int k = 0; k < 3; ++k)
+      part.row(k) += (matrices.normal_mass[std::size_t(k)] * H(nodes)).transpose();
+    return part;
+  });
+  Eigen::VectorXd rhs = motion_.rhs;
+  for (int k = 0; k < 2; ++k)
+    rhs.reshaped(2, nodes_).row(k) -= tangents_[std::size_t(k)].cwiseProduct(force).colwise().sum();
+  return rhs;
 }
 
 int CoupledSystem::first_curvature() const {
   return along_normals() ? nodes_ : 3 * nodes_ + quadratic_nodes_;
 }
-int CoupledSystem::first_displacement() const {
-  return scheme_ == Scheme::split ? nodes_ : first_curvature() + nodes_;
-}
+int CoupledSystem::first_displacement() const { return first_curvature() + nodes_; }
 int CoupledSystem::first_multiplier() const {
   return flow_pattern_.size() - (along_normals() ? 2 : multipliers_);
 }
@@ -321,12 +278,31 @@ Field CoupledSystem::pressure(const Eigen::VectorXd& flow) const {
 Field CoupledSystem::curvature(const Eigen::VectorXd& flow) const {
   return flow.segment(first_curvature(), nodes_);
 }
-Nodes CoupledSystem::displacement(const Eigen::VectorXd& solution) const {
-  return solution.segment(first_displacement(), 3 * nodes_).reshaped(3, nodes_);
+Nodes CoupledSystem::displacement(const Eigen::VectorXd& flow,
+                                  const Eigen::VectorXd& motion) const {
+  if (scheme_ == Scheme::monolithic)
+    return flow.segment(first_displacement(), 3 * nodes_).reshaped(3, nodes_);
+  Nodes Y = normals_ * (tau_ * normal_speed(flow)).asDiagonal();
+  const auto w = motion.reshaped(2, nodes_);
+  for (int k = 0; k < 2; ++k) Y += tangents_[std::size_t(k)] * w.row(k).asDiagonal();
+
+  const Nodes missing = tau_ * velocity(flow) - Y;
+  Eigen::RowVectorXd flux = Eigen::RowVectorXd::Zero(nodes_);  // (missing·ν, G)
+  add_up(flux, [&](const auto& nodes, const MeshMatrices& matrices) {
+    Eigen::Matrix<double, 1, 10> part = decltype(part)::Zero();
+    for (int k = 0; k < 3; ++k) part += missing(k, nodes) * matrices.normal_mass[std::size_t(k)];
+    return part;
+  });
+  Eigen::BiCGSTAB<SparseMatrix> solver(normal_flux_);  // nearly a mass matrix
+  solver.setTolerance(1e-8);  // of the flux, which is of higher order in the mesh size
+  return Y + normals_ * Field(solver.solve(flux.transpose())).asDiagonal();
 }
 void CoupledSystem::scale_displacements(double factor, Eigen::VectorXd& flow,
                                         Eigen::VectorXd& motion) const {
-  (scheme_ == Scheme::split ? motion : flow).segment(first_displacement(), 3 * nodes_) *= factor;
+  if (scheme_ == Scheme::monolithic)
+    flow.segment(first_displacement(), 3 * nodes_) *= factor;
+  else
+    motion *= factor;
 }
 
 }  // namespace sbeh::surface3d

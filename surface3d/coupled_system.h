@@ -1,9 +1,10 @@
 // The coupled step of model/equations.md as sparse linear systems.
 //
-// `monolithic`: all of V, p, H, Y, λ at once. `split`: with the normal part of τV as displacement in the
-// curvature equation (H1), tested along the node normals, V, p, H, λ stand alone; the mesh motion (Y1),
-// (H1) with the velocity known follows. Both have the same states of rest, and differ in motion by the
-// order of the method in τ. Both are cut from the same element matrices.
+// `monolithic`: all of V, p, H, Y, λ at once. `split`: the nodes move along their normals by the normal
+// part of τV. With this displacement in the curvature equation (H1), tested along the node normals,
+// V, p, H, λ stand alone; the tangential part of Y follows from (H1), tested tangentially, with these V
+// and H, and then the normal part, but little different from that of τV, from (Y1). Both schemes have the same states of rest, and differ in motion by the order of the method in
+// τ. Both are cut from the same element matrices.
 //
 // The mesh does not jump to its own equilibrium within one step, but moves there at a finite rate: with
 // θ = τ/(τ + mesh_relaxation_time) the right-hand side of (H1) is −θ(∇_C X, ∇_C Z) + (1 − θ)(H ν, Z), H that
@@ -18,15 +19,12 @@
 #pragma once
 
 #include "surface3d/element_system.h"
-#include "surface3d/sparse_pattern.h"
+#include "surface3d/system_layout.h"
 
+#include <array>
 #include <vector>
 
 namespace sbeh::surface3d {
-
-enum class Scheme { split, monolithic };
-/// "split" or "monolithic".
-const char* name(Scheme scheme);
 
 /// Not much below the time steps: where the mesh settles within one step, two-step methods, which
 /// extrapolate it, do not.
@@ -63,10 +61,11 @@ class CoupledSystem {
 
   /// V, p, H, when monolithic Y, and λ; or, under a global area constraint, v, H, Y, λ and p.
   const LinearSystem& flow() const { return flow_; }
-  /// η and Y; only when split. The right-hand side lacks τ(V·ν, G), see add_normal_motion.
+  /// The tangential part of Y by two components for each node, symmetric and positive definite; only when
+  /// split. The right-hand side lacks what depends on the flow, see motion_rhs.
   const LinearSystem& motion() const { return motion_; }
-  /// Adds τ(V·ν, G) to the right-hand side of `motion`.
-  void add_normal_motion(const Nodes& V, Eigen::VectorXd& rhs) const;
+  /// The whole right-hand side of `motion`, for a solution of `flow`.
+  Eigen::VectorXd motion_rhs(const Eigen::VectorXd& flow) const;
 
   Scheme scheme() const { return scheme_; }
   // Parts of a solution of `flow`:
@@ -74,19 +73,29 @@ class CoupledSystem {
   Field pressure(const Eigen::VectorXd& flow) const;   // P2 nodes
   Field curvature(const Eigen::VectorXd& flow) const;  // nodes
   double lambda(const Eigen::VectorXd& flow) const { return flow[first_multiplier()]; }
-  /// Of the solution of `motion`, or of `flow` when monolithic; 3 x nodes.
-  Nodes displacement(const Eigen::VectorXd& solution) const;
+  /// Y, 3 x nodes; `motion` is not read when monolithic.
+  Nodes displacement(const Eigen::VectorXd& flow, const Eigen::VectorXd& motion) const;
   /// Multiplies the displacements of these solutions by a factor.
   void scale_displacements(double factor, Eigen::VectorXd& flow, Eigen::VectorXd& motion) const;
 
  private:
+  struct ElementMesh;
   struct Piece;
-  void cut(const ElementNodes& normals, const ElementNodes& foot, double tau, bool keep_volume,
-           const ElementSystem& element, Piece& piece) const;
+  void cut_flow(const ElementMesh& mesh, bool keep_volume, const ElementSystem& element,
+                Piece& piece) const;
+  void cut_monolithic(const ElementMesh& mesh, const ElementSystem& element, Piece& piece) const;
+  void cut_split(const ElementMesh& mesh, const ElementSystem& element, Piece& piece) const;
+  void set_frames(const Nodes& n);
+  void add_flow(int e, const ElementMesh& mesh, Piece& piece);
+  void add_motion(int e, const ElementMesh& mesh, const ElementSystem& element);
   bool along_normals() const { return area_ == model::AreaConstraint::global; }
   // Where H and λ begin among the unknowns of the flow:
   int first_curvature() const;
-  int first_displacement() const;  // among those of the motion, or of the flow when monolithic
+  int first_displacement() const;  // when monolithic
+  Field normal_speed(const Eigen::VectorXd& flow) const;
+  /// Calls visit(nodes of the triangle, its matrices, its part of the sum), and adds the parts up.
+  template <class Sum, class Visit>
+  void add_up(Sum& sum, Visit&& visit) const;
   int first_multiplier() const;
 
   model::Material material_;
@@ -95,8 +104,13 @@ class CoupledSystem {
   int nodes_, quadratic_nodes_, multipliers_;
   SparsePattern flow_pattern_, motion_pattern_;
   LinearSystem flow_, motion_;
-  Nodes normals_;                                             // 3 x nodes, of the old surface
-  std::vector<Eigen::Matrix<double, 10, 30>> normal_motion_;  // by element: τ(V·ν, G)
+  double tau_ = 0;
+  Eigen::VectorXd total_area_rate_;  // by element, under a global area constraint
+  Nodes normals_;                    // 3 x nodes, of the old surface
+  std::array<Nodes, 2> tangents_;    // 3 x nodes, unit, orthogonal to each other and to the normals
+  // Of (Y1) for displacements along the node normals: (n_b·ν φ_b, φ_a).
+  SparseMatrix normal_flux_;
+  std::vector<MeshMatrices> mesh_matrices_;  // by element, when split
 };
 
 }  // namespace sbeh::surface3d

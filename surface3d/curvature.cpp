@@ -5,7 +5,10 @@
 
 #include <Eigen/IterativeLinearSolvers>
 
+#include <algorithm>
+#include <array>
 #include <limits>
+#include <utility>
 
 namespace sbeh::surface3d {
 
@@ -17,71 +20,143 @@ constexpr double mass_tolerance = 1e-14;
 constexpr int mass_iterations = 300;
 constexpr double mass_accepted = 1e-11;  // rounding may keep the residual above the tolerance
 
-}  // namespace
+constexpr double failed = std::numeric_limits<double>::quiet_NaN();
 
-Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& n) {
-  return mean_curvature(mesh, X, n, X);
+using Local = Eigen::Matrix<double, 10, 10>;
+template <std::size_t N>
+using Positions = std::array<const Nodes*, N>;
+
+// The equation (H1) on one triangle, tested with Z = φ_a n_a: its matrix, and a right-hand side for each
+// of some positions.
+template <std::size_t N>
+class CurvatureEquation {
+ public:
+  using Vectors = Eigen::Matrix<double, 10, int(N)>;
+  CurvatureEquation(const Triangulation& mesh, int e, const Nodes& normals,
+                    const Positions<N>& positions)
+      : normals_(on_element(mesh, e, normals)) {
+    for (std::size_t k = 0; k < N; ++k) positions_[k] = on_element(mesh, e, *positions[k]);
+    forces_.fill(ElementNodes::Zero());
+  }
+  void add(const SurfacePoint& p, const Shapes& phi) {
+    const ElementField test = phi.cwiseProduct(normals_.transpose() * (p.dS * p.nu()));
+    matrix_.noalias() += test * phi.transpose();
+    for (std::size_t k = 0; k < N; ++k) {
+      const Eigen::Matrix<double, 3, 2> slope = p.dS * gradient_at(positions_[k], p);
+      for (int i = 0; i < 2; ++i)
+        forces_[k].noalias() -= slope.col(i) * Shapes(p.grad[std::size_t(i)].data()).transpose();
+    }
+  }
+  const Local& matrix() const { return matrix_; }
+  Vectors rhs() const {
+    Vectors vectors;
+    for (std::size_t k = 0; k < N; ++k)
+      vectors.col(Eigen::Index(k)) = normals_.cwiseProduct(forces_[k]).colwise().sum().transpose();
+    return vectors;
+  }
+
+ private:
+  ElementNodes normals_;
+  std::array<ElementNodes, N> positions_, forces_;  // −(∇_C position, ∇φ_a)
+  Local matrix_ = Local::Zero();
+};
+
+// NaN where it fails.
+Field solve_curvature(const SparseMatrix& matrix, const Field& rhs) {
+  Eigen::BiCGSTAB<SparseMatrix> solver(matrix);
+  solver.setTolerance(mass_tolerance);
+  solver.setMaxIterations(mass_iterations);
+  Field H = solver.solve(rhs);
+  if (!(solver.error() < mass_accepted)) H.setConstant(failed);
+  return H;
+}
+Field solve_mass(const SparseMatrix& matrix, const Field& rhs, const Field& guess) {
+  Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver(matrix);
+  solver.setTolerance(mass_tolerance);
+  solver.setMaxIterations(mass_iterations);
+  Field x = solver.solveWithGuess(rhs, guess);
+  if (!(solver.error() < mass_accepted)) x.setConstant(failed);
+  return x;
 }
 
-Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& n,
-                     const Nodes& position) {
-  using System = ScalarSystem<1>;
-  const System system(mesh, [&](int e, System::Matrix& matrix, System::Vectors& vector) {
-    const ElementNodes local = on_element(mesh, e, X), local_n = on_element(mesh, e, n),
-                       local_position = on_element(mesh, e, position);
+template <std::size_t N>
+struct Curvatures {
+  Nodes node_normals, normals;
+  std::array<Field, N> H;
+  bool ok() const {
+    return normals.allFinite()
+        && std::ranges::all_of(H, [](const Field& h) { return h.allFinite(); });
+  }
+};
+
+// The normals of X and the curvatures of some positions on X, all in one loop over the triangles.
+template <std::size_t N>
+Curvatures<N> curvatures(const Triangulation& mesh, const Nodes& X, const Positions<N>& positions) {
+  Curvatures<N> c{.node_normals = node_normals(mesh, X), .normals = Nodes(3, mesh.nodes), .H = {}};
+  SparseMatrix mass = mesh.scalars.zero(), cosines = mass;
+  Eigen::Matrix<double, Eigen::Dynamic, 3 + int(N)> rhs;
+  rhs.setZero(mesh.nodes, 3 + int(N));
+  for_each_by_colour(mesh, [&](int e) {
+    const ElementNodes local = on_element(mesh, e, X);
+    Local local_mass = Local::Zero();
+    Eigen::Matrix<double, 10, 3 + int(N)> vectors = decltype(vectors)::Zero();
+    CurvatureEquation<N> equation(mesh, e, c.node_normals, positions);
     for (const ShapeValues& s : assembly_points()) {
       const SurfacePoint p = surface_point(local, s);
       const Shapes phi(s.phi.data());
-      const ElementField cosine = local_n.transpose() * p.nu();
-      matrix += (p.dS * phi.cwiseProduct(cosine)) * phi.transpose();
-      const Eigen::Matrix<double, 3, 2> slope = gradient_at(local_position, p);
-      for (int k = 0; k < 2; ++k)
-        vector -= p.dS
-                * Shapes(p.grad[std::size_t(k)].data())
-                      .cwiseProduct(local_n.transpose() * slope.col(k));
+      const ElementField weighted = p.dS * phi;
+      local_mass.noalias() += weighted * phi.transpose();
+      vectors.template leftCols<3>().noalias() += weighted * p.nu().transpose();
+      equation.add(p, phi);
     }
+    vectors.template rightCols<int(N)>() = equation.rhs();
+    mesh.scalars.add(e, local_mass, mass);
+    mesh.scalars.add(e, equation.matrix(), cosines);
+    for (int a = 0; a < 10; ++a) rhs.row(mesh.triangles(a, e)) += vectors.row(a);
+  });
+  if (!rhs.allFinite()) return c.normals.setConstant(failed), c;
+  in_parallel(3 + int(N), [&](int k) {
+    if (k < int(N))
+      c.H[std::size_t(k)] = solve_curvature(cosines, rhs.col(3 + k));
+    else
+      c.normals.row(k - int(N)) =
+          solve_mass(mass, rhs.col(k - int(N)), c.node_normals.row(k - int(N)).transpose())
+              .transpose();
+  });
+  c.normals.colwise().normalize();
+  return c;
+}
+
+}  // namespace
+
+Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& node_normals) {
+  using System = ScalarSystem<1>;
+  const System system(mesh, [&](int e, System::Matrix& matrix, System::Vectors& vector) {
+    const ElementNodes local = on_element(mesh, e, X);
+    CurvatureEquation<1> equation(mesh, e, node_normals, {&X});
+    for (const ShapeValues& s : assembly_points())
+      equation.add(surface_point(local, s), Shapes(s.phi.data()));
+    matrix = equation.matrix();
+    vector = equation.rhs();
   });
   if (!system.rhs.allFinite()) return {};
-  Eigen::BiCGSTAB<SparseMatrix> solver(system.matrix);
-  solver.setTolerance(mass_tolerance);
-  solver.setMaxIterations(mass_iterations);
-  Field H = solver.solve(system.rhs);
-  if (!H.allFinite() || !(solver.error() < mass_accepted)) return {};
+  Field H = solve_curvature(system.matrix, system.rhs);
+  if (!H.allFinite()) return {};
   return H;
 }
 
-Nodes projected_normals(const Triangulation& mesh, const Nodes& X) {
-  using System = ScalarSystem<3>;
-  const System system(mesh, [&](int e, System::Matrix& matrix, System::Vectors& vectors) {
-    const ElementNodes local = on_element(mesh, e, X);
-    for (const ShapeValues& s : assembly_points()) {
-      const SurfacePoint p = surface_point(local, s);
-      const Shapes phi(s.phi.data());
-      matrix += (p.dS * phi) * phi.transpose();
-      vectors += (p.dS * phi) * p.nu().transpose();
-    }
-  });
-  if (!system.rhs.allFinite()) return {};
-  const Nodes guess = node_normals(mesh, X);
-  Nodes n(3, mesh.nodes);
-  in_parallel(3, [&](int k) {
-    Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver(system.matrix);
-    solver.setTolerance(mass_tolerance);
-    solver.setMaxIterations(mass_iterations);
-    n.row(k) = solver.solveWithGuess(system.rhs.col(k), guess.row(k).transpose()).transpose();
-    if (!(solver.error() < mass_accepted)) n(k, 0) = std::numeric_limits<double>::quiet_NaN();
-  });
-  n.colwise().normalize();
-  if (!n.allFinite()) return {};
-  return n;
+std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X) {
+  Curvatures<1> c = curvatures<1>(mesh, X, {&X});
+  if (!c.ok()) return {};
+  return Curvature{std::move(c.node_normals), std::move(c.normals), std::move(c.H[0])};
 }
 
-std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X) {
-  Curvature c{
-      .node_normals = node_normals(mesh, X), .normals = projected_normals(mesh, X), .H = {}};
-  c.H = mean_curvature(mesh, X, c.node_normals);
-  if (c.normals.size() == 0 || c.H.size() == 0) return {};
-  return c;
+std::optional<CurvatureFrom> curvature_of(const Triangulation& mesh, const Nodes& X,
+                                          const Nodes& position) {
+  Curvatures<2> c = curvatures<2>(mesh, X, {&X, &position});
+  if (!c.ok()) return {};
+  return CurvatureFrom{{std::move(c.node_normals), std::move(c.normals), std::move(c.H[0])},
+                       std::move(c.H[1])};
 }
 
 model::ShapeOperator<double> shape_operator(const SurfacePoint& p, const ElementNodes& normals,
@@ -92,11 +167,14 @@ model::ShapeOperator<double> shape_operator(const SurfacePoint& p, const Element
   return B;
 }
 
-bool correct_area_volume(const Triangulation& mesh, Nodes& X, double area_asked,
+bool correct_area_volume(const Triangulation& mesh, Nodes& X, double area, double volume) {
+  const Field H = mean_curvature(mesh, X, node_normals(mesh, X));
+  return H.size() > 0 && correct_area_volume(mesh, X, H, area, volume);
+}
+
+bool correct_area_volume(const Triangulation& mesh, Nodes& X, const Field& H, double area_asked,
                          double volume_asked) {
   const Nodes n = node_normals(mesh, X);
-  const Field H = mean_curvature(mesh, X, n);
-  if (H.size() == 0) return false;
   const Nodes shift = n * H.asDiagonal();
   const auto moved = [&](const Eigen::Vector2d& c) -> Nodes { return X + c[0] * n + c[1] * shift; };
   const auto miss = [&](const Eigen::Vector2d& c) -> Eigen::Vector2d {
@@ -104,17 +182,18 @@ bool correct_area_volume(const Triangulation& mesh, Nodes& X, double area_asked,
     return {now.area / area_asked - 1, now.volume / volume_asked - 1};
   };
   const auto slope = [&](const Eigen::Vector2d& c) -> Eigen::Matrix2d {
-    const Eigen::Array4d sum = integrate<4>(
-        mesh, moved(c), assembly_points(), [&](int e, const ShapeValues& s, const SurfacePoint& p) {
-          Eigen::Array4d rates;  // of A and V
-          int k = 0;
-          for (const Nodes* direction : {&n, &shift}) {
-            const ElementNodes W = on_element(mesh, e, *direction);
-            rates[k++] = p.frame.leftCols<2>().cwiseProduct(gradient_at(W, p)).sum() / area_asked;
-            rates[k++] = value_at(W, s).dot(p.nu()) / volume_asked;
-          }
-          return rates;
-        });
+    const Eigen::Array4d sum = integrate<4>(mesh, moved(c), assembly_points(), [&](int e) {
+      return [=, directions = std::array{on_element(mesh, e, n), on_element(mesh, e, shift)}](
+                 const ShapeValues& s, const SurfacePoint& p) {
+        Eigen::Array4d rates;  // of A and V
+        int k = 0;
+        for (const ElementNodes& W : directions) {
+          rates[k++] = p.frame.leftCols<2>().cwiseProduct(gradient_at(W, p)).sum() / area_asked;
+          rates[k++] = value_at(W, s).dot(p.nu()) / volume_asked;
+        }
+        return rates;
+      };
+    });
     return Eigen::Map<const Eigen::Matrix2d>(sum.data());
   };
   const AreaVolume now = area_and_volume(mesh, X);

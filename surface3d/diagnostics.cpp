@@ -12,17 +12,18 @@ namespace sbeh::surface3d {
 
 Energy energy(const Triangulation& mesh, const model::Material& material, const State& state,
               const Curvature& curvature) {
-  const auto sum = integrate<3>(
-      mesh, state.X, diagnostic_points(), [&](int e, const ShapeValues& s, const SurfacePoint& p) {
-        const double H = value_at(on_element(mesh, e, curvature.H), s);
-        const ElementField beta = on_element(mesh, e, state.beta);
-        const auto B = shape_operator(p, on_element(mesh, e, curvature.normals), H);
-        const auto density =
-            model::energy_density(material, value_at(beta, s), gradient_at(beta, p).squaredNorm(),
-                                  H, model::gauss_curvature(B));
-        return Eigen::Array3d(density.distortion, density.bending + density.gaussian,
-                              density.thermotropic);
-      });
+  const auto sum = integrate<3>(mesh, state.X, diagnostic_points(), [&](int e) {
+    return [&material, H_nodes = on_element(mesh, e, curvature.H),
+            normals = on_element(mesh, e, curvature.normals),
+            beta = on_element(mesh, e, state.beta)](const ShapeValues& s, const SurfacePoint& p) {
+      const double H = value_at(H_nodes, s);
+      const auto density =
+          model::energy_density(material, value_at(beta, s), gradient_at(beta, p).squaredNorm(), H,
+                                model::gauss_curvature(shape_operator(p, normals, H)));
+      return Eigen::Array3d(density.distortion, density.bending + density.gaussian,
+                            density.thermotropic);
+    };
+  });
   return {.distortion = sum[0], .bending = sum[1], .thermotropic = sum[2]};
 }
 

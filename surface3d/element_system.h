@@ -8,27 +8,35 @@
 
 namespace sbeh::surface3d {
 
-/// Where the unknowns of a triangle stand: V_x V_y V_z, p (six, padded to ten), H, Y_x Y_y Y_z, ten
-/// numbers each. The test functions W, q, G, Z stand in the rows of the same numbers.
+/// Where the unknowns of the flow on a triangle stand: V_x V_y V_z, p (six, padded to ten), H, ten numbers
+/// each. The test functions W, q stand in the rows of the same numbers; those of H are zero.
 namespace local {
-inline constexpr int V = 0, p = 30, H = 40, Y = 50, size = 80;
+inline constexpr int V = 0, p = 30, H = 40, size = 50;
 }
 
-/// Matrix (row: test function, column: unknown), right-hand side, and what the multipliers meet:
-/// (ν, W), then (R, W) of the rigid motions R: three translations, three rotations about the axes.
-struct ElementSystem {
-  Eigen::Matrix<double, local::size, local::size> matrix;
+/// Of (Y1) and (H1) on a triangle.
+struct MeshMatrices {
+  using Scalar = Eigen::Matrix<double, 10, 10>;
+  std::array<Scalar, 3> normal_mass;  ///< (ν_k φ_a, φ_b)
+  Scalar stiffness;                   ///< (∇φ_a, ∇φ_b)
+};
+
+/// The parts of the coupled step on a triangle.
+struct ElementSystem : MeshMatrices {
+  Eigen::Matrix<double, local::size, local::size> flow;  // row: test function, column: unknown
   Eigen::Matrix<double, local::size, 1> rhs;
+  /// What the multipliers meet: (ν, W), then (R, W) of the rigid motions R: three translations, three
+  /// rotations about the axes.
   Eigen::Matrix<double, 30, 7> constraints;
 };
 
-/// What a triangle has of the old state; `from` are the positions from which Y counts.
+/// What a triangle has of the old state.
 struct ElementState {
-  ElementNodes X, from, normals;
+  ElementNodes X, normals;
   ElementField beta, H;
 };
 
-/// Sum over the quadrature points of the linear `coupled_step_point`.
+/// Sums over the quadrature points, of the linear `flow_point` among others.
 void assemble_element(const model::Material& material, const ElementState& old,
                       const StepParameters& step, ElementSystem& out);
 

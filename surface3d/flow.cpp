@@ -49,7 +49,7 @@ class Solver {
     return {A, V};
   }
   bool restore(State& state, const Target& target) const {
-    return correct_area_volume(*mesh_, state.X, target.area, target.volume);
+    return correct_area_volume(*mesh_, state.X, fields_.H, target.area, target.volume);
   }
   model::Distance distance(const State& a, const State& b) const {
     const Nodes n = node_normals(*mesh_, a.X);

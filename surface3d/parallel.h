@@ -11,8 +11,12 @@ namespace sbeh::surface3d {
 /// Calls visit(i) for 0 … count − 1, from several threads and in any order.
 void in_parallel(int count, const std::function<void(int)>& visit);
 
-/// ∫ density(e, shape values, surface point) dS, of N numbers: the triangles are summed up one after
-/// the other.
+/// Calls visit(e) for every triangle, from several threads; those with a node in common one after the
+/// other and always in the same order, so that visit may add to what belongs to the nodes of e.
+void for_each_by_colour(const Triangulation& mesh, const std::function<void(int)>& visit);
+
+/// ∫ density dS, of N numbers; density(e) is a function of shape values and surface point on the triangle e.
+/// The triangles are summed up one after the other.
 template <int N, class Density>
 Eigen::Array<double, N, 1> integrate(const Triangulation& mesh, const Nodes& X,
                                      std::span<const ShapeValues> points, Density&& density) {
@@ -20,9 +24,10 @@ Eigen::Array<double, N, 1> integrate(const Triangulation& mesh, const Nodes& X,
   std::vector<Sum> sums(std::size_t(mesh.count()), Sum::Zero());
   in_parallel(mesh.count(), [&](int e) {
     const ElementNodes local = on_element(mesh, e, X);
+    const auto on_triangle = density(e);
     for (const ShapeValues& s : points) {
       const SurfacePoint p = surface_point(local, s);
-      sums[std::size_t(e)] += p.dS * density(e, s, p);
+      sums[std::size_t(e)] += p.dS * on_triangle(s, p);
     }
   });
   Sum total = Sum::Zero();
@@ -42,20 +47,13 @@ struct ScalarSystem {
   template <class Element>
   ScalarSystem(const Triangulation& mesh, Element&& element)
       : matrix(mesh.scalars.zero()), rhs(decltype(rhs)::Zero(mesh.nodes, Columns)) {
-    struct Piece {
-      Matrix matrix = Matrix::Zero();
+    for_each_by_colour(mesh, [&](int e) {
+      Matrix local = Matrix::Zero();
       Vectors vectors = Vectors::Zero();
-    };
-    std::vector<Piece> pieces(std::size_t(mesh.count()));
-    in_parallel(mesh.count(), [&](int e) {
-      Piece& piece = pieces[std::size_t(e)];
-      element(e, piece.matrix, piece.vectors);
+      element(e, local, vectors);
+      mesh.scalars.add(e, local, matrix);
+      for (int a = 0; a < 10; ++a) rhs.row(mesh.triangles(a, e)) += vectors.row(a);
     });
-    for (int e = 0; e < mesh.count(); ++e) {
-      const Piece& piece = pieces[std::size_t(e)];
-      mesh.scalars.add(e, piece.matrix, matrix);
-      for (int a = 0; a < 10; ++a) rhs.row(mesh.triangles(a, e)) += piece.vectors.row(a);
-    }
   }
 };
 

@@ -1,11 +1,13 @@
 #include "surface3d/resolution.h"
 
 #include "surface3d/diagnostics.h"
+#include "surface3d/parallel.h"
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <vector>
 
 namespace sbeh::surface3d {
 
@@ -36,17 +38,21 @@ double largest_shape_operator(const ElementNodes& X, const ElementNodes& normals
   return largest;
 }
 
+struct OfTriangle {
+  double turn, mean_curvature, angle;
+};
+
 double curvature_gap(const Triangulation& mesh, const Nodes& X, const Curvature& curvature) {
-  double gap = 0, total = 0;
-  for_each_point(mesh, X, assembly_points(),
-                 [&](int e, const ShapeValues& s, const SurfacePoint& p) {
-                   const double H = value_at(on_element(mesh, e, curvature.H), s);
-                   const auto slope = gradient_at(on_element(mesh, e, curvature.normals), p);
-                   const double H_n = -(p.frame.leftCols<2>().transpose() * slope).trace();
-                   gap += p.dS * (H - H_n) * (H - H_n);
-                   total += p.dS * H * H;
-                 });
-  return std::sqrt(gap / total);
+  const auto squares = integrate<2>(mesh, X, assembly_points(), [&](int e) {
+    return [H_nodes = on_element(mesh, e, curvature.H),
+            normals = on_element(mesh, e, curvature.normals)](const ShapeValues& s,
+                                                              const SurfacePoint& p) {
+      const double H = value_at(H_nodes, s);
+      const double gap = H + p.frame.leftCols<2>().cwiseProduct(gradient_at(normals, p)).sum();
+      return Eigen::Array2d(gap * gap, H * H);
+    };
+  });
+  return std::sqrt(squares[0] / squares[1]);
 }
 
 }  // namespace
@@ -58,16 +64,22 @@ Resolution resolution_of(const Triangulation& mesh, const Nodes& X, const Curvat
                .mesh_quality = mesh_quality(mesh, X),
                .min_angle = std::numeric_limits<double>::infinity(),
                .sharpest = 0};
-  for (int e = 0; e < mesh.count(); ++e) {
+  std::vector<OfTriangle> triangles(std::size_t(mesh.count()));
+  in_parallel(mesh.count(), [&](int e) {
     const ElementNodes local = on_element(mesh, e, X);
     const ElementField H = on_element(mesh, e, curvature.H);
     const double h = longest_side(local) / 3;
-    const double turn =
-        h * largest_shape_operator(local, on_element(mesh, e, curvature.normals), H);
+    triangles[std::size_t(e)] = {
+        .turn = h * largest_shape_operator(local, on_element(mesh, e, curvature.normals), H),
+        .mean_curvature = h * H.cwiseAbs().maxCoeff(),
+        .angle = smallest_angle_of(local)};
+  });
+  for (int e = 0; e < mesh.count(); ++e) {
+    const auto& [turn, mean_curvature, angle] = triangles[std::size_t(e)];
     if (turn > r.curvature) r.sharpest = e;
     r.curvature = std::max(r.curvature, turn);
-    r.mean_curvature = std::max(r.mean_curvature, h * H.cwiseAbs().maxCoeff());
-    r.min_angle = std::min(r.min_angle, smallest_angle_of(local));
+    r.mean_curvature = std::max(r.mean_curvature, mean_curvature);
+    r.min_angle = std::min(r.min_angle, angle);
   }
   return r;
 }

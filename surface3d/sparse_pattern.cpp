@@ -1,6 +1,7 @@
 #include "surface3d/sparse_pattern.h"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace sbeh::surface3d {
@@ -18,13 +19,18 @@ std::vector<std::vector<Contribution>> contributions_of(int size, const Eigen::M
 }
 }  // namespace
 
-SparsePattern::SparsePattern(int size, Eigen::MatrixXi unknowns, Mask couples)
-    : size_(size), unknowns_(std::move(unknowns)) {
+SparsePattern::SparsePattern(int size, Eigen::MatrixXi unknowns, Mask couples, int common)
+    : size_(size), common_(common), unknowns_(std::move(unknowns)) {
   const int locals = int(unknowns_.rows());
   std::vector<int> first_pair;  // of each local row
+  std::vector<int> order(
+      static_cast<std::size_t>(locals));  // what is near in memory one after the other
+  std::iota(order.begin(), order.end(), 0);
+  if (elements() > 0)
+    std::ranges::sort(order, {}, [&](int j) { return std::pair(unknowns_(j, 0), j); });
   for (int i = 0; i < locals; ++i) {
     first_pair.push_back(int(pairs_.size()));
-    for (int j = 0; j < locals; ++j)
+    for (const int j : order)
       if (couples(i, j)) pairs_.push_back({i, j});
   }
   first_pair.push_back(int(pairs_.size()));
@@ -52,6 +58,19 @@ SparsePattern::SparsePattern(int size, Eigen::MatrixXi unknowns, Mask couples)
     columns_.insert(columns_.end(), columns.begin(), columns.end());
     row_start_.push_back(int(columns_.size()));
   }
+  if (common_ > 0) leave_out_common_pairs();
+}
+
+void SparsePattern::leave_out_common_pairs() {
+  const int first = int(unknowns_.rows()) - common_;
+  const auto is_common = [&](const Pair& pair) {
+    return pair.row >= first && pair.column >= first;
+  };
+  std::size_t kept = 0;
+  for (std::size_t k = 0; k < positions_.size(); ++k)
+    if (!is_common(pairs_[k % pairs_.size()])) positions_[kept++] = positions_[k];
+  positions_.resize(kept);
+  std::erase_if(pairs_, is_common);
 }
 
 SparseMatrix SparsePattern::zero() const {

@@ -15,8 +15,10 @@ class SparsePattern {
   using Mask = Eigen::Array<bool, Eigen::Dynamic, Eigen::Dynamic>;
 
   /// unknowns: local unknowns x elements, the global index of each; couples: local x local, which
-  /// entries (row, column) of an element matrix can be other than zero.
-  SparsePattern(int size, Eigen::MatrixXi unknowns, Mask couples);
+  /// entries (row, column) of an element matrix can be other than zero. The last `common` local unknowns
+  /// are the same in all elements: their entries among themselves are part of the structure, but `add`
+  /// leaves them out, so that elements without a node in common add to different numbers.
+  SparsePattern(int size, Eigen::MatrixXi unknowns, Mask couples, int common = 0);
 
   int size() const { return size_; }
   int elements() const { return int(unknowns_.cols()); }
@@ -26,26 +28,30 @@ class SparsePattern {
   /// A matrix of this structure, all zero.
   SparseMatrix zero() const;
 
-  /// A += the matrix (local x local) of an element; what the mask excludes is left out.
+  /// A += the matrix (local x local) of an element; what the mask excludes is left out, and what the
+  /// common unknowns have among themselves.
   template <class Local>
   void add(int element, const Local& local, SparseMatrix& A) const {
     const int* position = positions_.data() + std::size_t(element) * pairs_.size();
     double* values = A.valuePtr();
     for (const auto& [i, j] : pairs_) values[*position++] += local(i, j);
   }
-  /// rhs += the vector of an element.
+  /// rhs += the vector of an element, but for the common unknowns.
   template <class Local>
   void add(int element, const Local& local, Eigen::VectorXd& rhs) const {
-    for (int i = 0; i < int(unknowns_.rows()); ++i) rhs[unknowns_(i, element)] += local[i];
+    for (int i = 0; i < int(unknowns_.rows()) - common_; ++i)
+      rhs[unknowns_(i, element)] += local[i];
   }
 
  private:
   struct Pair {
     int row, column;
   };
-  int size_;
+  void leave_out_common_pairs();
+
+  int size_, common_;
   Eigen::MatrixXi unknowns_;
-  std::vector<Pair> pairs_;     // the entries of an element matrix that count
+  std::vector<Pair> pairs_;     // the entries of an element matrix that are added
   std::vector<int> positions_;  // pairs x elements: where they are in the values of the matrix
   std::vector<int> row_start_, columns_;
 };

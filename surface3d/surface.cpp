@@ -4,12 +4,64 @@
 #include "model/numerics/quadrature.h"
 #include "surface3d/parallel.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <set>
 #include <stdexcept>
 #include <vector>
 
 namespace sbeh::surface3d {
+
+namespace {
+
+using Patch = Triangulation::Patch;
+
+// Grown from triangle to triangle over their corners, so that few nodes belong to several patches.
+std::vector<Patch> patches_of(const meshing::CurvedMesh& mesh) {
+  constexpr std::size_t size = 16;
+  std::vector<std::vector<int>> at_corner(std::size_t(mesh.vertex_count()));
+  for (int e = 0; e < mesh.triangle_count(); ++e)
+    for (const int corner : mesh.triangles.col(e).head<3>())
+      at_corner[std::size_t(corner)].push_back(e);
+  std::vector<bool> taken(std::size_t(mesh.triangle_count()), false);
+  std::vector<Patch> patches;
+  for (int first = 0; first < mesh.triangle_count(); ++first) {
+    if (taken[std::size_t(first)]) continue;
+    Patch& patch = patches.emplace_back(Patch{first});
+    taken[std::size_t(first)] = true;
+    for (std::size_t k = 0; k < patch.size(); ++k)
+      for (const int corner : mesh.triangles.col(patch[k]).head<3>())
+        for (const int e : at_corner[std::size_t(corner)])
+          if (!taken[std::size_t(e)] && patch.size() < size) {
+            patch.push_back(e);
+            taken[std::size_t(e)] = true;
+          }
+  }
+  return patches;
+}
+
+// Each patch is given the first colour that no other has at its corners.
+std::vector<std::vector<Patch>> coloured(const meshing::CurvedMesh& mesh,
+                                         const std::vector<Patch>& patches) {
+  std::vector<std::vector<Patch>> colours;
+  std::vector<std::set<int>> met(std::size_t(mesh.vertex_count()));  // colours at the corners
+  for (const Patch& patch : patches) {
+    std::set<int> corners;
+    for (const int e : patch)
+      for (const int corner : mesh.triangles.col(e).head<3>()) corners.insert(corner);
+    int colour = 0;
+    while (std::ranges::any_of(
+        corners, [&](int corner) { return met[std::size_t(corner)].contains(colour); }))
+      ++colour;
+    for (const int corner : corners) met[std::size_t(corner)].insert(colour);
+    if (colour == int(colours.size())) colours.emplace_back();
+    colours[std::size_t(colour)].push_back(patch);
+  }
+  return colours;
+}
+
+}  // namespace
 
 Triangulation::Triangulation(const meshing::CurvedMesh& mesh)
     : triangles((mesh.order == 3 && mesh.triangles.rows() == 10)
@@ -18,7 +70,8 @@ Triangulation::Triangulation(const meshing::CurvedMesh& mesh)
       quadratic(6, mesh.triangle_count()),
       nodes(mesh.node_count()),
       quadratic_nodes(mesh.vertex_count() + mesh.edge_count()),
-      scalars(nodes, mesh.triangles, SparsePattern::Mask::Constant(10, 10, true)) {
+      scalars(nodes, mesh.triangles, SparsePattern::Mask::Constant(10, 10, true)),
+      colours(coloured(mesh, patches_of(mesh))) {
   const int vertices = mesh.vertex_count();
   quadratic.topRows<3>() = triangles.topRows<3>();
   for (int e = 0; e < count(); ++e)
@@ -78,10 +131,11 @@ SurfacePoint surface_point(const ElementNodes& X, const ShapeValues& s) {
   p.frame.col(0) = a1 / length;
   p.frame.col(2) = n / jacobian;
   p.frame.col(1) = p.frame.col(2).cross(p.frame.col(0));
-  const double along = a2.dot(p.frame.col(0)), across = a2.dot(p.frame.col(1));
+  const double inverse = 1 / length, along = a2.dot(p.frame.col(0)),
+               inverse_across = 1 / a2.dot(p.frame.col(1));
   for (std::size_t a = 0; a < 10; ++a) {
-    p.grad[0][a] = s.dphi[0][a] / length;
-    p.grad[1][a] = (s.dphi[1][a] - along * p.grad[0][a]) / across;
+    p.grad[0][a] = s.dphi[0][a] * inverse;
+    p.grad[1][a] = (s.dphi[1][a] - along * p.grad[0][a]) * inverse_across;
   }
   p.dS = jacobian * s.weight;
   return p;

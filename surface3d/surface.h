@@ -14,6 +14,7 @@
 
 #include <array>
 #include <span>
+#include <vector>
 
 namespace sbeh::surface3d {
 
@@ -32,6 +33,9 @@ struct Triangulation {
   int nodes;                                         ///< of P3
   int quadratic_nodes;                               ///< of P2
   SparsePattern scalars;                             ///< of matrices (P3, P3)
+  /// Every triangle, in patches of neighbours; patches of one colour have no node in common.
+  using Patch = std::vector<int>;
+  std::vector<std::vector<Patch>> colours;
   int count() const { return int(triangles.cols()); }
 };
 

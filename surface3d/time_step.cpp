@@ -16,23 +16,22 @@ Dissipation dissipation_of(const Triangulation& mesh, const model::Material& m, 
                            const StepFields& f, const Field& beta_new, const Field& beta_from,
                            double tau) {
   const Field rate = (beta_new - beta_from) / tau;
-  const Nodes slip = f.V - f.Y / tau;
-  const auto sum = integrate<3>(
-      mesh, old.X, assembly_points(), [&](int e, const ShapeValues& s, const SurfacePoint& p) {
-        const ElementNodes local_V = on_element(mesh, e, f.V);
-        const Eigen::Vector3d V = value_at(local_V, s);
-        const double beta = value_at(on_element(mesh, e, old.beta), s);
-        const Eigen::Vector2d local_slip =
-            p.frame.leftCols<2>().transpose() * value_at(on_element(mesh, e, slip), s);
-        const double beta_dot = value_at(on_element(mesh, e, rate), s)
-                              + local_slip.dot(gradient_at(on_element(mesh, e, beta_new), p));
-        const double V_n = V.dot(p.nu());
-        const model::Gradient<double> grad_V = p.frame.transpose() * gradient_at(local_V, p);
-        return Eigen::Array3d(
-            m.friction_tangential * (V.squaredNorm() - V_n * V_n) + m.friction_normal * V_n * V_n,
-            m.order_drag() * beta_dot * beta_dot,
-            m.eta(beta) / 2 * model::rate_of_strain(grad_V).squaredNorm());
-      });
+  const Nodes mesh_slip = f.V - f.Y / tau;
+  const auto sum = integrate<3>(mesh, old.X, assembly_points(), [&](int e) {
+    return [&m, velocity = on_element(mesh, e, f.V), slips = on_element(mesh, e, mesh_slip),
+            beta = on_element(mesh, e, old.beta), rates = on_element(mesh, e, rate),
+            beta_end = on_element(mesh, e, beta_new)](const ShapeValues& s, const SurfacePoint& p) {
+      const Eigen::Vector3d V = value_at(velocity, s);
+      const double V_n = V.dot(p.nu());
+      const Eigen::Vector2d slip = p.frame.leftCols<2>().transpose() * value_at(slips, s);
+      const double beta_dot = value_at(rates, s) + slip.dot(gradient_at(beta_end, p));
+      const model::Gradient<double> grad_V = p.frame.transpose() * gradient_at(velocity, p);
+      return Eigen::Array3d(
+          m.friction_tangential * (V.squaredNorm() - V_n * V_n) + m.friction_normal * V_n * V_n,
+          m.order_drag() * beta_dot * beta_dot,
+          m.eta(value_at(beta, s)) / 2 * model::rate_of_strain(grad_V).squaredNorm());
+    };
+  });
   return {.friction = sum[0], .order = sum[1], .viscous = sum[2]};
 }
 
@@ -53,6 +52,13 @@ CoupledSystem system_of(const Triangulation& mesh, const model::Material& materi
 // Solutions with fresh factors are exact to rounding.
 double allowed(Factorisation factorisation, double solver_tolerance) {
   return factorisation == Factorisation::every_step ? LaggedSolver::exact : solver_tolerance;
+}
+
+// Of the tangential motion of the mesh, which is no part of the shape.
+double allowed_in_motion(Factorisation factorisation, double solver_tolerance) {
+  constexpr double laxer = 100;
+  return factorisation == Factorisation::every_step ? LaggedSolver::exact
+                                                    : laxer * solver_tolerance;
 }
 
 Constraints constraints_of(const Triangulation& mesh, const Nodes& X, const Target& target,
@@ -139,15 +145,13 @@ Solution TimeStepper::Workspace::guess(double tau, Pass pass) const {
 int TimeStepper::Workspace::solve_with_factors(Solution& x) {
   const int iterations = flow.solve(system.flow().matrix, system.flow().rhs, x.flow);
   if (iterations == 0 || system.scheme() == Scheme::monolithic) return iterations;
-  Eigen::VectorXd rhs = system.motion().rhs;
-  system.add_normal_motion(system.velocity(x.flow), rhs);
+  const Eigen::VectorXd rhs = system.motion_rhs(x.flow);
   return motion.solve(system.motion().matrix, rhs, x.motion) == 0 ? 0 : iterations;
 }
 
 StepFields TimeStepper::Workspace::fields(const Solution& x) const {
-  const bool split = system.scheme() == Scheme::split;
   return {.V = system.velocity(x.flow),
-          .Y = system.displacement(split ? x.motion : x.flow),
+          .Y = system.displacement(x.flow, x.motion),
           .H = system.curvature(x.flow),
           .p = system.pressure(x.flow),
           .lambda = system.lambda(x.flow)};
@@ -191,7 +195,8 @@ TimeStepper::TimeStepper(const std::shared_ptr<const Triangulation>& mesh,
         .factorisation = factorisation,
         .system = system_of(*mesh, material, model, scheme),
         .flow = LaggedSolver(Symmetry::general, allowed(factorisation, solver_tolerance)),
-        .motion = LaggedSolver(Symmetry::symmetric, allowed(factorisation, solver_tolerance)),
+        .motion =
+            LaggedSolver(Symmetry::symmetric, allowed_in_motion(factorisation, solver_tolerance)),
         .enough = 2 * allowed(factorisation, solver_tolerance),
         .memory = {},
         .counts = {}}) {}
@@ -214,6 +219,10 @@ bool TimeStepper::recall(const StepperMemory& memory) {
     if (!work_->factor(at, memory.factored_tau)) return false;
   }
   work_->memory = memory;
+  for (Solution* x : {&work_->memory.last, &work_->memory.before})
+    if (x->flow.size() != work_->system.flow().rhs.size()
+        || x->motion.size() != work_->system.motion().rhs.size())
+      *x = {};  // of another version
   return true;
 }
 
@@ -236,12 +245,9 @@ StepResult TimeStepper::step(const State& at, const State& from, const Target& t
 StepResult TimeStepper::Workspace::step(const State& at, const State& from,
                                         const Constraints& constraints, double tau, Pass pass) {
   StepResult result;
-  const std::optional<Curvature> curvature = curvature_of(*mesh, at.X);
+  const auto curvature = curvature_of(*mesh, at.X, from.X);
   if (!curvature) return result.fault = model::FlowFault::degenerate, result;
-  const Field H_from =
-      &at == &from ? curvature->H : mean_curvature(*mesh, at.X, curvature->node_normals, from.X);
-  if (H_from.size() == 0) return result.fault = model::FlowFault::degenerate, result;
-  system.assemble(*mesh, at, *curvature, {from.X, H_from}, tau, constraints);
+  system.assemble(*mesh, at, *curvature, {from.X, curvature->H_from}, tau, constraints);
   if (!solve_coupled(at, tau, pass, result.fields)) return result;
   const StepFields& fields = result.fields;
   result.state = {from.X + fields.Y, from.beta};

@@ -42,9 +42,9 @@ TEST(RunCost, is_near_what_was_measured) {
   };
   using enum surface3d::Scheme;
   for (const Measured& run :
-       {Measured{80, split, 0.016, 48}, Measured{320, split, 0.07, 110},
-        Measured{1280, split, 0.36, 312}, Measured{1280, monolithic, 0.55, 470},
-        Measured{5120, split, 1.9, 1207}}) {
+       {Measured{80, split, 0.0075, 48}, Measured{320, split, 0.0325, 110},
+        Measured{1280, split, 0.156, 312}, Measured{1280, monolithic, 0.29, 470},
+        Measured{5120, split, 0.84, 1207}}) {
     RunInput input;
     input.numerics.scheme = run.scheme;
     const RunCost cost = cost_of(input, run.triangles);

@@ -76,7 +76,8 @@ TEST(Drift, of_area_and_volume_is_of_first_order_in_tau_and_pulled_back_of_secon
   }
   EXPECT_NEAR(area.print(), 1, 0.3);
   EXPECT_NEAR(volume.print(), 1, 0.3);
-  EXPECT_NEAR(pulled_area.print(), 2, 0.5);
+  // The tangential motion of the mesh changes the area, too, and here with the other sign.
+  EXPECT_GT(pulled_area.print(), 1.5);
   EXPECT_NEAR(pulled_volume.print(), 2, 0.5);
 }
 

@@ -39,7 +39,7 @@ TEST(RigidMotion, of_the_start_is_that_of_the_result) {
   for (const Scheme scheme : {Scheme::split, Scheme::monolithic})
     for (const double friction : {0.1, 0.}) {
       const Material material = with_friction(friction);
-      TimeStepper stepper(s.mesh, material, Model::SBEH, scheme, Factorisation::lagged, 1e-8);
+      TimeStepper stepper(s.mesh, material, Model::SBEH, scheme, Factorisation::lagged, 1e-10);
       State here = s.state, there = moved.state;
       for (int k = 0; k < 3; ++k) {
         const StepResult a = stepper.step(here, s.target(), 1e-3);

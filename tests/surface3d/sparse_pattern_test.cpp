@@ -52,6 +52,32 @@ TEST(SparsePattern, sums_element_matrices_like_a_dense_matrix) {
   }
 }
 
+TEST(SparsePattern, has_the_entries_of_common_unknowns_but_adds_none) {
+  constexpr int common = 2;
+  Example x(5);
+  for (int e = 0; e < elements; ++e)
+    x.unknowns.bottomRows<common>().col(e) = Eigen::Vector2i(size, size + 1);
+  x.mask.bottomRightCorner<common, common>().setConstant(true);
+  const SparsePattern whole(size + common, x.unknowns, x.mask),
+      pattern(size + common, x.unknowns, x.mask, common);
+  SparseMatrix A = pattern.zero(), all = whole.zero();
+  Eigen::VectorXd b = Eigen::VectorXd::Zero(size + common), whole_b = b;
+  EXPECT_EQ(A.nonZeros(), all.nonZeros());
+  for (int e = 0; e < elements; ++e) {
+    pattern.add(e, x.matrices[std::size_t(e)], A);
+    pattern.add(e, x.vectors[std::size_t(e)], b);
+    whole.add(e, x.matrices[std::size_t(e)], all);
+    whole.add(e, x.vectors[std::size_t(e)], whole_b);
+  }
+  Eigen::MatrixXd expected(all);
+  auto among_themselves = expected.bottomRightCorner<common, common>();
+  EXPECT_GT(among_themselves.minCoeff(), 0);
+  among_themselves.setZero();
+  whole_b.tail<common>().setZero();
+  EXPECT_EQ(Eigen::MatrixXd(A), expected);
+  EXPECT_EQ(b, whole_b);
+}
+
 TEST(SparsePattern, has_each_entry_once_and_columns_in_order) {
   const Example x(4);
   const SparseMatrix A = SparsePattern(size, x.unknowns, x.mask).zero();

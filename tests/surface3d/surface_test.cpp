@@ -152,6 +152,28 @@ TEST(Triangulation, shares_the_pressure_nodes_of_an_edge_between_its_two_triangl
   EXPECT_TRUE(middle.allFinite());
 }
 
+TEST(Triangulation, has_each_triangle_in_one_patch_and_patches_of_a_colour_apart) {
+  const Triangulation t(meshing::sphere({.triangles = 500}));
+  std::vector<int> met(std::size_t(t.count()), 0);
+  for (const auto& patches : t.colours) {
+    std::vector<int> patch_of(std::size_t(t.nodes), -1);
+    int number = 0;
+    for (const auto& patch : patches) {
+      for (const int e : patch) {
+        ++met[std::size_t(e)];
+        for (const int node : t.triangles.col(e)) {
+          int& owner = patch_of[std::size_t(node)];
+          EXPECT_TRUE(owner == -1 || owner == number);
+          owner = number;
+        }
+      }
+      ++number;
+    }
+  }
+  EXPECT_EQ(std::ranges::count(met, 1), t.count());
+  EXPECT_LT(t.colours.size(), 15);
+}
+
 TEST(Triangulation, refuses_a_mesh_of_another_order) {
   for (const int order : {1, 2})
     EXPECT_THROW(Triangulation(meshing::sphere({.triangles = 20, .order = order})),

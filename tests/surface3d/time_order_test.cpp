@@ -51,7 +51,7 @@ double observed_order(Model model, Method method) {
     return moments(start,
                    run_of_equal_steps(start, material, model, duration, steps, method).state);
   };
-  const int fewest = method == Method::two_halves ? 8 : 4;
+  const int fewest = 8;
   Eigen::Array2d before = end(fewest);
   for (const int steps : {2 * fewest, 4 * fewest}) {
     const Eigen::Array2d now = end(steps);
