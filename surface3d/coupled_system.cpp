@@ -5,6 +5,7 @@
 #include <Eigen/IterativeLinearSolvers>
 
 #include <algorithm>
+#include <limits>
 
 namespace sbeh::surface3d {
 
@@ -295,7 +296,9 @@ Nodes CoupledSystem::displacement(const Eigen::VectorXd& flow,
   });
   Eigen::BiCGSTAB<SparseMatrix> solver(normal_flux_);  // nearly a mass matrix
   solver.setTolerance(1e-8);  // of the flux, which is of higher order in the mesh size
-  return Y + normals_ * Field(solver.solve(flux.transpose())).asDiagonal();
+  const Field correction = solver.solve(flux.transpose());
+  if (solver.info() != Eigen::Success) Y.setConstant(std::numeric_limits<double>::quiet_NaN());
+  return Y + normals_ * correction.asDiagonal();
 }
 void CoupledSystem::scale_displacements(double factor, Eigen::VectorXd& flow,
                                         Eigen::VectorXd& motion) const {

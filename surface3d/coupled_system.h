@@ -3,14 +3,15 @@
 // `monolithic`: all of V, p, H, Y, λ at once. `split`: the nodes move along their normals by the normal
 // part of τV. With this displacement in the curvature equation (H1), tested along the node normals,
 // V, p, H, λ stand alone; the tangential part of Y follows from (H1), tested tangentially, with these V
-// and H, and then the normal part, but little different from that of τV, from (Y1). Both schemes have the same states of rest, and differ in motion by the order of the method in
-// τ. Both are cut from the same element matrices.
+// and H, and then the normal part, but little different from that of τV, from (Y1). Both schemes have the
+// same states of rest, and differ in motion by the order of the method in τ. Both are cut from the same
+// element matrices.
 //
 // The mesh does not jump to its own equilibrium within one step, but moves there at a finite rate: with
 // θ = τ/(τ + mesh_relaxation_time) the right-hand side of (H1) is −θ(∇_C X, ∇_C Z) + (1 − θ)(H ν, Z), H that
 // of the old surface. (X are the positions from which the displacement Y counts: the old ones but for
-// two-step methods, and H is theirs on the old surface.) Along the normals this is nothing new; Y/τ has a limit for τ → 0, and errors in
-// time are those of a smooth motion.
+// two-step methods, and H is theirs on the old surface.) Along the normals this is nothing new; Y/τ has a
+// limit for τ → 0, and errors in time are those of a smooth motion.
 //
 // Without friction the rigid motions R cost nothing: six more multipliers make (R, V) = 0.
 //
@@ -73,7 +74,7 @@ class CoupledSystem {
   Field pressure(const Eigen::VectorXd& flow) const;   // P2 nodes
   Field curvature(const Eigen::VectorXd& flow) const;  // nodes
   double lambda(const Eigen::VectorXd& flow) const { return flow[first_multiplier()]; }
-  /// Y, 3 x nodes; `motion` is not read when monolithic.
+  /// Y, 3 x nodes, NaN where the surface is too degenerate for (Y1); `motion` is not read when monolithic.
   Nodes displacement(const Eigen::VectorXd& flow, const Eigen::VectorXd& motion) const;
   /// Multiplies the displacements of these solutions by a factor.
   void scale_displacements(double factor, Eigen::VectorXd& flow, Eigen::VectorXd& motion) const;

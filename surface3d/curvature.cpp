@@ -130,8 +130,7 @@ Curvatures<N> curvatures(const Triangulation& mesh, const Nodes& X, const Positi
 }  // namespace
 
 Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& node_normals) {
-  using System = ScalarSystem<1>;
-  const System system(mesh, [&](int e, System::Matrix& matrix, System::Vectors& vector) {
+  const ScalarSystem system(mesh, [&](int e, ScalarSystem::Matrix& matrix, ElementField& vector) {
     const ElementNodes local = on_element(mesh, e, X);
     CurvatureEquation<1> equation(mesh, e, node_normals, {&X});
     for (const ShapeValues& s : assembly_points())

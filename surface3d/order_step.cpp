@@ -9,8 +9,7 @@ namespace sbeh::surface3d {
 
 Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
                  const Field& from, const Curvature& curvature, const Nodes& slip, double tau) {
-  using System = ScalarSystem<1>;
-  const System system(mesh, [&](int e, System::Matrix& matrix, System::Vectors& vector) {
+  const ScalarSystem system(mesh, [&](int e, ScalarSystem::Matrix& matrix, ElementField& vector) {
     const ElementNodes X = on_element(mesh, e, at.X),
                        normals = on_element(mesh, e, curvature.normals),
                        local_slip = on_element(mesh, e, slip);

@@ -35,24 +35,22 @@ Eigen::Array<double, N, 1> integrate(const Triangulation& mesh, const Nodes& X,
   return total;
 }
 
-/// The sparse (P3, P3) matrix and the right-hand sides of a system; `element(e, matrix, vectors)` has to
-/// fill in the parts of the triangle e.
-template <int Columns>
+/// The sparse (P3, P3) matrix and the right-hand side of a system; `element(e, matrix, vector)` has to fill in
+/// the parts of the triangle e, from several threads.
 struct ScalarSystem {
-  using Vectors = Eigen::Matrix<double, 10, Columns>;
   using Matrix = Eigen::Matrix<double, 10, 10>;
   SparseMatrix matrix;
-  Eigen::Matrix<double, Eigen::Dynamic, Columns> rhs;  // nodes x columns
+  Field rhs;  // nodes
 
   template <class Element>
   ScalarSystem(const Triangulation& mesh, Element&& element)
-      : matrix(mesh.scalars.zero()), rhs(decltype(rhs)::Zero(mesh.nodes, Columns)) {
+      : matrix(mesh.scalars.zero()), rhs(Field::Zero(mesh.nodes)) {
     for_each_by_colour(mesh, [&](int e) {
       Matrix local = Matrix::Zero();
-      Vectors vectors = Vectors::Zero();
-      element(e, local, vectors);
+      ElementField vector = ElementField::Zero();
+      element(e, local, vector);
       mesh.scalars.add(e, local, matrix);
-      for (int a = 0; a < 10; ++a) rhs.row(mesh.triangles(a, e)) += vectors.row(a);
+      for (int a = 0; a < 10; ++a) rhs[mesh.triangles(a, e)] += vector[a];
     });
   }
 };

@@ -56,9 +56,10 @@ double allowed(Factorisation factorisation, double solver_tolerance) {
 
 // Of the tangential motion of the mesh, which is no part of the shape.
 double allowed_in_motion(Factorisation factorisation, double solver_tolerance) {
-  constexpr double laxer = 100;
-  return factorisation == Factorisation::every_step ? LaggedSolver::exact
-                                                    : laxer * solver_tolerance;
+  constexpr double laxer = 100, most = 1e-2;
+  return factorisation == Factorisation::every_step
+           ? LaggedSolver::exact
+           : std::max(solver_tolerance, std::min(laxer * solver_tolerance, most));
 }
 
 Constraints constraints_of(const Triangulation& mesh, const Nodes& X, const Target& target,

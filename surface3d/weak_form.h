@@ -1,7 +1,7 @@
 // The weak form of one time step at a point of the surface, in the labels of model/equations.md.
 //
 // The unknowns of the flow are linear in it, so the same function gives residual (numbers) and matrix
-// (automatic differentiation). Of the mesh there are two matrices only, see ElementSystem.
+// (automatic differentiation). (Y1) and (H1) are made of a few matrices, see MeshMatrices.
 #pragma once
 
 #include "model/terms.h"

@@ -5,6 +5,7 @@
 #include "studies/output.h"
 #include "studies/scan.h"
 #include "studies/scan_table.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -15,20 +16,6 @@ namespace sbeh::studies {
 namespace {
 
 namespace fs = std::filesystem;
-
-// A folder that goes with the test.
-class ScratchFolder {
- public:
-  ScratchFolder() {
-    std::string name = (fs::temp_directory_path() / "sbeh_lines_XXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~ScratchFolder() { fs::remove_all(path_); }
-  const fs::path& path() const { return path_; }
-
- private:
-  fs::path path_;
-};
 
 using Rows = std::vector<std::vector<std::string>>;
 
@@ -47,7 +34,7 @@ struct Lines {
 };
 Lines lines_of(ScanInput input, int elements) {
   input.numerics.elements = elements;
-  const ScratchFolder folder;
+  const sbeh::test::TemporaryFolder folder;
   const ScanSummary summary = run_scan(input, folder.path() / "scan", "test");
   EXPECT_EQ(summary.failed, 0);
   return {rows_of(folder.path() / "scan/folds.csv",
@@ -104,7 +91,7 @@ TEST(LowestBranch, is_that_of_least_energy_among_the_stationary_ones) {
   input.models = {model::Model::SBEH, model::Model::SSH};
   input.branches = {"oblate", "prolate"};
   input.numerics.elements = 32;
-  const ScratchFolder folder;
+  const sbeh::test::TemporaryFolder folder;
   run_scan(input, folder.path() / "scan", "test");
   const Rows lowest =
       rows_of(folder.path() / "scan/lowest.csv", "model,L,reduced_volume,branch,energy");
@@ -137,7 +124,7 @@ TEST(BeyondFold, is_tabled_where_the_fold_is_near_the_scan_and_offers_its_sharp_
   input.L = {0.03, 0.05, 0.06};
   input.models = {model::Model::SBEH};
   input.beyond_fold = true;
-  const ScratchFolder folder;
+  const sbeh::test::TemporaryFolder folder;
   run_scan(input, folder.path() / "scan", "test");
   const Rows states = rows_of(folder.path() / "scan/beyond_fold.csv",
                               "reduced_volume,L,kind,energy,order_rim,H_rim,H_abs_max,resolution,"

@@ -2,11 +2,11 @@
 #pragma once
 
 #include "studies/toml_reader.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <cstdlib>
 #include <filesystem>
 #include <fstream>
 #include <string>
@@ -14,26 +14,8 @@
 
 namespace sbeh::studies::test {
 
-/// A folder of this process alone, removed at its end.
-class Folder {
- public:
-  Folder() {
-    std::string name = (std::filesystem::temp_directory_path() / "sbeh_input_XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-    path_ = name;
-  }
-  ~Folder() {
-    std::error_code ignored;
-    std::filesystem::remove_all(path_, ignored);
-  }
-  const std::filesystem::path& path() const { return path_; }
-
- private:
-  std::filesystem::path path_;
-};
-
 inline std::filesystem::path path_of(const std::string& file) {
-  static const Folder folder;
+  static const sbeh::test::TemporaryFolder folder;
   return folder.path() / file;
 }
 

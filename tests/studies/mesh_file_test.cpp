@@ -4,6 +4,7 @@
 #include "studies/mesh_files/formats.h"
 #include "studies/output.h"
 #include "studies/toml_reader.h"
+#include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
 
@@ -18,12 +19,7 @@ namespace fs = std::filesystem;
 
 class MeshFileTest : public testing::Test {
  protected:
-  MeshFileTest() {
-    std::string name = (fs::temp_directory_path() / "sbeh-mesh-XXXXXX").string();
-    folder_ = mkdtemp(name.data());
-  }
-  ~MeshFileTest() override { fs::remove_all(folder_); }
-  fs::path path(const std::string& name) const { return folder_ / name; }
+  fs::path path(const std::string& name) const { return folder_.path() / name; }
   fs::path write(const std::string& name, std::string_view text) const {
     write_file(path(name), text);
     return path(name);
@@ -42,7 +38,7 @@ class MeshFileTest : public testing::Test {
   }
 
  private:
-  fs::path folder_;
+  sbeh::test::TemporaryFolder folder_;
 };
 
 CurvedMesh example(int order = 3) {

@@ -37,6 +37,17 @@ TEST(Threads, change_no_bit_of_the_assembly_or_of_a_step) {
   }
 }
 
+TEST(Step, forgets_solutions_that_are_not_of_its_systems) {
+  const Surface s = ordered_spheroid(0.8, 80);
+  TimeStepper stepper(s.mesh, paper_material(0.05), Model::SBEH);
+  ASSERT_TRUE(stepper.step(s.state, s.target(), 1e-3).ok());
+  StepperMemory memory = stepper.memory();
+  memory.last.motion.conservativeResize(2 * memory.last.motion.size());
+  ASSERT_TRUE(stepper.recall(memory));
+  EXPECT_EQ(stepper.memory().last.flow.size(), 0);
+  EXPECT_TRUE(stepper.step(s.state, s.target(), 1e-3).ok());
+}
+
 TEST(Step, is_a_function_of_the_state_alone) {
   // A stepper that has made other steps before, and factors again, gives the bits of a fresh one.
   const Surface s = ordered_spheroid(0.8, 80);

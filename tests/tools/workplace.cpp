@@ -68,18 +68,7 @@ std::string Table::without(const std::string& column) const {
   return text;
 }
 
-Workplace::Workplace() {
-  std::string name = (fs::temp_directory_path() / "sbeh_tools_XXXXXX").string();
-  if (!mkdtemp(name.data())) throw std::runtime_error("no temporary folder");
-  top_ = name;
-  folder_ = top_ / "work";
-  fs::create_directory(folder_);
-}
-
-Workplace::~Workplace() {
-  std::error_code ignored;
-  fs::remove_all(top_, ignored);
-}
+Workplace::Workplace() : folder_(top_.path() / "work") { fs::create_directory(folder_); }
 
 fs::path Workplace::write(const std::string& name, const std::string& text) const {
   fs::create_directories(path(name).parent_path());

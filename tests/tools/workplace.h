@@ -1,6 +1,7 @@
 // A temporary folder in which the program is run, and what it leaves there.
 #pragma once
 
+#include "tests/temporary_folder.h"
 #include "tests/tools/program.h"
 
 #include <gtest/gtest.h>
@@ -34,7 +35,6 @@ struct Table {
 class Workplace : public testing::Test {
  protected:
   Workplace();
-  ~Workplace() override;
 
   std::filesystem::path path(const std::string& name) const { return folder_ / name; }
   std::filesystem::path write(const std::string& name, const std::string& text) const;
@@ -56,7 +56,8 @@ class Workplace : public testing::Test {
   void must_refuse(const std::vector<std::string>& arguments, const std::string& start) const;
 
  private:
-  std::filesystem::path top_, folder_;
+  sbeh::test::TemporaryFolder top_;
+  std::filesystem::path folder_;
 };
 
 }  // namespace sbeh::tools::test
