@@ -1,11 +1,31 @@
 #include "surface3d/order_step.h"
 
 #include "model/order_step.h"
+#include "surface3d/direct_solver.h"
 #include "surface3d/parallel.h"
 
 #include <Eigen/IterativeLinearSolvers>
 
 namespace sbeh::surface3d {
+
+namespace {
+
+// Where the mass matrix dominates, a dozen iterations lead to rounding; where the material passes several
+// triangles in a step they may lead nowhere, and the matrix is factored.
+Field solve(const SparseMatrix& matrix, const Field& rhs, const Field& guess) {
+  Eigen::BiCGSTAB<SparseMatrix> iteration(matrix);
+  iteration.setTolerance(1e-13);
+  iteration.setMaxIterations(200);
+  Field x = iteration.solveWithGuess(rhs, guess);
+  if (x.allFinite() && iteration.error() < 1e-10) return x;
+  DirectSolver direct(Symmetry::general);
+  if (!direct.factor(matrix)) return {};
+  x = rhs;
+  direct.solve(x);
+  return x.allFinite() ? x : Field();
+}
+
+}  // namespace
 
 Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
                  const Field& from, const Curvature& curvature, const Nodes& slip, double tau) {
@@ -36,13 +56,7 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
       vector += x.dS * d.rhs * phi;
     }
   });
-  // Dominated by the mass matrix: a few dozen iterations to rounding.
-  Eigen::BiCGSTAB<SparseMatrix> solver(system.matrix);
-  solver.setTolerance(1e-13);
-  solver.setMaxIterations(2000);
-  const Field beta = solver.solveWithGuess(system.rhs, at.beta);
-  if (!beta.allFinite() || !(solver.error() < 1e-10)) return {};
-  return beta;
+  return solve(system.matrix, system.rhs, at.beta);
 }
 
 }  // namespace sbeh::surface3d
