@@ -25,7 +25,7 @@ void for_each_number(FlowData<T>& d, Visit&& visit) {
 std::array<model::DataRow<10>, flow_data_size> data_rows(const ShapeValues& s,
                                                          const SurfacePoint& x) {
   std::array<model::DataRow<10>, flow_data_size> rows{};
-  auto row = rows.begin();
+  auto* row = rows.data();
   const auto values = [&](int first) { *row++ = {first, s.phi.data()}; };
   const auto gradients = [&](int first) {
     for (const auto& grad : x.grad) *row++ = {first, grad.data()};

@@ -28,6 +28,8 @@ CBLAS_TRANSPOSE transposition(char option) { return is(option, 'N') ? CblasNoTra
 
 }  // namespace
 
+// NOLINTBEGIN(readability-identifier-naming): the names of BLAS
+
 // C = β C + α op(A) op(B); C: m x n, op(A): m x k.
 extern "C" void sgemm_(const char* op_A, const char* op_B, const int* m, const int* n, const int* k,
                        const float* alpha, const float* A, const int* lda, const float* B,
@@ -69,3 +71,5 @@ extern "C" void strsm_(const char* side, const char* half, const char* op_A, con
   else
     solve<Eigen::Lower>(triangle, transposed, x);
 }
+
+// NOLINTEND(readability-identifier-naming)

@@ -95,6 +95,7 @@ ShapeValues shape_values(const Eigen::Vector2d& x, double weight) {
 std::vector<ShapeValues> tabulate(int degree) {
   const model::TriangleRule rule = model::triangle_rule(degree);
   std::vector<ShapeValues> table;
+  table.reserve(std::size_t(rule.size()));
   for (int q = 0; q < rule.size(); ++q)
     table.push_back(shape_values(rule.points.col(q), rule.weights[q]));
   return table;
@@ -114,9 +115,10 @@ std::span<const ShapeValues> diagnostic_points() {
 
 std::span<const ShapeValues> node_points() {
   static const std::vector<ShapeValues> table = [] {
-    std::vector<ShapeValues> points;
     const Eigen::Matrix2Xd nodes = model::TriangleElement(3).nodes();
-    for (int a = 0; a < 10; ++a) points.push_back(shape_values(nodes.col(a), 0));
+    std::vector<ShapeValues> points;
+    points.reserve(std::size_t(nodes.cols()));
+    for (int a = 0; a < nodes.cols(); ++a) points.push_back(shape_values(nodes.col(a), 0));
     return points;
   }();
   return table;

@@ -55,7 +55,9 @@ class BlockMatrix {
   }
 
  private:
-  static constexpr std::size_t index(int i, int j) { return std::size_t(j * Blocks + i); }
+  static constexpr std::size_t index(int i, int j) {
+    return std::size_t(j) * std::size_t(Blocks) + std::size_t(i);
+  }
   std::array<Eigen::Matrix<double, padded, Count>, std::size_t(Blocks* Blocks)> blocks_;
   std::array<bool, std::size_t(Blocks* Blocks)> met_{};
 };

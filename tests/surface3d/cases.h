@@ -17,7 +17,9 @@
 namespace sbeh::surface3d {
 
 // Words instead of bytes in GoogleTest's messages.
-inline void PrintTo(FlowStop stop, std::ostream* out) { *out << describe(stop); }
+inline void PrintTo(FlowStop stop, std::ostream* out) {  // NOLINT: GoogleTest's name
+  *out << describe(stop);
+}
 
 }  // namespace sbeh::surface3d
 
@@ -72,7 +74,7 @@ inline FlowResult run_of_equal_steps(const Surface& start, const Material& mater
   numerics.integrator =
       method == Method::two_step ? Integrator::two_step : Integrator::step_doubling;
   numerics.extrapolate = method == Method::extrapolated;
-  const FlowResult run =
+  FlowResult run =
       run_flow(start.mesh, material, model, {.state = start.state}, start.target(), numerics,
                {.end_time = duration, .output_times = {}, .stop_at_rest = false}, observe);
   EXPECT_EQ(run.stop, FlowStop::end_time);

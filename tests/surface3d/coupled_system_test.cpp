@@ -93,29 +93,27 @@ Dense dense_system(const Surface& s, const Material& material, int multipliers) 
                       .beta = on_element(mesh, e, s.state.beta),
                       .H = on_element(mesh, e, curvature->H)},
                      {.area_rate = pulled.area_rate}, element);
-    std::vector<int> index(local::size, -1);
+    Eigen::VectorXi index = Eigen::VectorXi::Constant(local::size, -1);
     for (int a = 0; a < 10; ++a) {
-      for (int k = 0; k < 3; ++k)
-        index[std::size_t(local::V + 10 * k + a)] = 3 * mesh.triangles(a, e) + k;
-      if (a < 6) index[std::size_t(local::p + a)] = d.p() + mesh.quadratic(a, e);
-      index[std::size_t(local::H + a)] = d.H() + mesh.triangles(a, e);
+      for (int k = 0; k < 3; ++k) index[local::V + 10 * k + a] = 3 * mesh.triangles(a, e) + k;
+      if (a < 6) index[local::p + a] = d.p() + mesh.quadratic(a, e);
+      index[local::H + a] = d.H() + mesh.triangles(a, e);
     }
     EXPECT_EQ(element.flow.bottomRows<10>().norm(), 0);  // (H1) is no part of it
     for (int i = 0; i < local::H; ++i) {
-      if (index[std::size_t(i)] < 0) {  // the padding of the pressure
+      if (index[i] < 0) {  // the padding of the pressure
         EXPECT_EQ(element.flow.row(i).norm() + element.flow.col(i).norm(), 0);
         continue;
       }
-      d.rhs[index[std::size_t(i)]] += element.rhs[i];
+      d.rhs[index[i]] += element.rhs[i];
       for (int j = 0; j < local::size; ++j)
-        if (index[std::size_t(j)] >= 0)
-          d.matrix(index[std::size_t(i)], index[std::size_t(j)]) += element.flow(i, j);
+        if (index[j] >= 0) d.matrix(index[i], index[j]) += element.flow(i, j);
     }
     add_mesh_equations(s, e, element, d);
     for (int i = 0; i < 30; ++i)
       for (int k = 0; k < multipliers; ++k) {
-        d.matrix(index[std::size_t(i)], d.border() + k) += element.constraints(i, k);
-        d.matrix(d.border() + k, index[std::size_t(i)]) += element.constraints(i, k);
+        d.matrix(index[i], d.border() + k) += element.constraints(i, k);
+        d.matrix(d.border() + k, index[i]) += element.constraints(i, k);
       }
   }
   d.rhs[d.border()] = pulled.volume_rate;
@@ -260,7 +258,7 @@ std::vector<Nodes> rigid_motions(const Nodes& X) {
   std::vector<Nodes> motions;
   for (int k = 0; k < 3; ++k) {
     const Eigen::Vector3d axis = Eigen::Vector3d::Unit(k);
-    motions.push_back(axis.replicate(1, X.cols()));
+    motions.emplace_back(axis.replicate(1, X.cols()));
     Nodes turn(3, X.cols());
     for (Eigen::Index i = 0; i < X.cols(); ++i) turn.col(i) = axis.cross(X.col(i));
     motions.push_back(turn);

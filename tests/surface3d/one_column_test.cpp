@@ -6,6 +6,7 @@
 #include <limits>
 #include <string>
 
+// NOLINTBEGIN(readability-identifier-naming): the names of BLAS
 extern "C" {
 void sgemm_(const char* op_A, const char* op_B, const int* m, const int* n, const int* k,
             const float* alpha, const float* A, const int* lda, const float* B, const int* ldb,
@@ -14,6 +15,7 @@ void strsm_(const char* side, const char* half, const char* op_A, const char* di
             const int* m, const int* n, const float* alpha, const float* A, const int* lda,
             float* B, const int* ldb);
 }
+// NOLINTEND(readability-identifier-naming)
 
 namespace {
 

@@ -20,8 +20,8 @@ struct Example {
     const auto below = [&](int n) { return int(random() % unsigned(n)); };
     for (int e = 0; e < elements; ++e) {
       for (int i = 0; i < locals; ++i) unknowns(i, e) = below(size);  // some twice in one element
-      matrices.push_back(Eigen::MatrixXd::Zero(locals, locals));
-      vectors.push_back(Eigen::VectorXd::Zero(locals));
+      matrices.emplace_back(Eigen::MatrixXd::Zero(locals, locals));
+      vectors.emplace_back(Eigen::VectorXd::Zero(locals));
       for (double& x : matrices.back().reshaped()) x = below(1000);  // integers: sums are exact
       for (double& x : vectors.back()) x = below(1000);
     }
