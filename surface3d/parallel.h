@@ -35,8 +35,8 @@ Eigen::Array<double, N, 1> integrate(const Triangulation& mesh, const Nodes& X,
   return total;
 }
 
-/// The sparse (P3, P3) matrix and the right-hand side of a system; `element(e, matrix, vector)` has to fill in
-/// the parts of the triangle e, from several threads.
+/// The sparse (P3, P3) matrix and the right-hand side of a system; `element(e, matrix, vector)` has to
+/// fill in the parts of the triangle e, and is called from several threads.
 struct ScalarSystem {
   using Matrix = Eigen::Matrix<double, 10, 10>;
   SparseMatrix matrix;
