@@ -149,9 +149,10 @@ RunSummary run_surface(const RunInput& input, const fs::path& path, std::string_
     recorder.finish(run);
     return {run, recorder.frames(), from.record.time, recorder.unresolved_from()};
   } catch (const OutputError& error) {
-    throw OutputError(fmt::format(
-        "{}; once that is mended, the same command with --resume goes on from the newest frame",
-        error.what()));
+    throw OutputError(
+        fmt::format("{}; once that is mended, the same command goes on from the newest frame (sbeh "
+                    "run with --resume)",
+                    error.what()));
   }
 }
 

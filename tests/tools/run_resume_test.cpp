@@ -185,7 +185,8 @@ void fill_disk_for(const fs::path& file) {
   fs::create_symlink("/dev/full", file.string() + ".part");
 }
 const std::string advice =
-    "; once that is mended, the same command with --resume goes on from the newest frame\n";
+    "; once that is mended, the same command goes on from the newest frame (sbeh run with "
+    "--resume)\n";
 
 TEST_F(ResumeRun, after_a_frame_had_no_room_finds_the_older_ones_intact) {
   input(start + many_rows + many_frames);
