@@ -202,6 +202,7 @@ void write_time(TomlText& toml, const auto& input, const char* states,
   toml.value("end", input.end_time);
   toml.value("output", input.output_times);
   toml.value(states, state_times);
+  toml.value("every_step", input.every_step);
   toml.value("stop_at_rest", input.stop_at_rest);
 }
 

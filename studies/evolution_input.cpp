@@ -66,6 +66,7 @@ Times read_times(const TomlTable& time, std::string_view states) {
   const Interval run = between(0, times.end);
   times.output = time.grid("output", run, default_output_times(times.end));
   times.states = time.grid(states, run, default_profile_times(times.end));
+  times.every_step = time.boolean("every_step", false);
   times.stop_at_rest = time.boolean("stop_at_rest", true);
   return times;
 }

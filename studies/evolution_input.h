@@ -39,10 +39,11 @@ struct Times {
   double end;                  ///< > 0
   std::vector<double> output;  ///< 0 … end, ascending
   std::vector<double> states;  ///< likewise
+  bool every_step;             ///< a row of the history for each step too
   bool stop_at_rest;
 };
 
-/// The keys end, output, stop_at_rest of [time], and `states`, the name of the key with the times of whole
+/// The keys end, output, every_step, stop_at_rest of [time], and `states`, the name of the key with the times of whole
 /// states. Throws InputError; other keys are the caller's.
 Times read_times(const TomlTable& time, std::string_view states);
 

@@ -96,7 +96,8 @@ class Recorder {
   }
 
   bool operator()(const axisym::FlowRecord& record, const State& state, bool exact) {
-    if (exact && contains(input_.output_times, record.time)) write_row(record, state);
+    if (input_.every_step || (exact && contains(input_.output_times, record.time)))
+      write_row(record, state);
     if (exact && contains(input_.profile_times, record.time)) write_state(record, state);
     if (terminal_ && ++steps_ % 20 == 0)
       tell(fmt::format("\r\033[Kt = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}", record.time,

@@ -59,6 +59,7 @@ void read_time(const TomlTable& time, RelaxInput& input) {
   input.end_time = times.end;
   input.output_times = std::move(times.output);
   input.profile_times = std::move(times.states);
+  input.every_step = times.every_step;
   input.stop_at_rest = times.stop_at_rest;
 }
 

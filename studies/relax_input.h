@@ -40,6 +40,7 @@ struct RelaxInput {
   double end_time = 0;                ///< > 0
   std::vector<double> output_times;   ///< of the energy history; 0 … end_time, ascending
   std::vector<double> profile_times;  ///< at which the profile is written; likewise
+  bool every_step = false;            ///< rows of the history after each step too
   bool stop_at_rest = true;           ///< end before end_time when nothing moves any more
 };
 

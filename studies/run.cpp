@@ -60,8 +60,8 @@ std::optional<Frame> newest_frame(const RunInput& input, const OutputFolder& fol
     try {
       Frame frame = read_frame(path);
       const double time = frame.record.time;
-      if (!reaches(series, input.output_times, time) || !reaches(frames, input.frame_times, time))
-        continue;
+      const std::vector<double> rows = input.every_step ? std::vector{time} : input.output_times;
+      if (!reaches(series, rows, time) || !reaches(frames, input.frame_times, time)) continue;
       if (!newest || frame.record.time > newest->record.time) newest = std::move(frame);
       if (path != candidates.front()) break;  // those before it are older
     } catch (const InputError& error) {

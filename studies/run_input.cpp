@@ -52,6 +52,7 @@ void read_time(const TomlTable& time, RunInput& input) {
   input.end_time = times.end;
   input.output_times = std::move(times.output);
   input.frame_times = std::move(times.states);
+  input.every_step = times.every_step;
   input.stop_at_rest = times.stop_at_rest;
 }
 

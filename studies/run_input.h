@@ -50,6 +50,7 @@ struct RunInput {
   double end_time = 0;               ///< > 0
   std::vector<double> output_times;  ///< of the rows of series.csv; 0 … end_time, ascending
   std::vector<double> frame_times;   ///< of the frames; likewise
+  bool every_step = false;           ///< rows of series.csv after each step too
   bool stop_at_rest = true;          ///< end before end_time when nothing moves any more
   double checkpoint_minutes = 10;    ///< of wall time between checkpoints, > 0
 };

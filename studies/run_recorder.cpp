@@ -97,7 +97,8 @@ bool RunRecorder::operator()(const FlowRecord& record, const State& state,
   mesh_ = view.mesh;
   last_ = {view.fields, view.memory};
   if (record.ends) return true;  // what remains is for finish()
-  if (exact && contains(input_.output_times, record.time)) write_row(record, state);
+  if (input_.every_step || (exact && contains(input_.output_times, record.time)))
+    write_row(record, state);
   if (exact && contains(input_.frame_times, record.time)) write_frame_of(record, state);
   if (interrupt_signal() == 0) return keep(record, state), true;
   write(folder_ / checkpoint_name, record, state);

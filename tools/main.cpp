@@ -150,6 +150,11 @@ int run_3d(const Arguments& a) {
   return wrong ? 1 : exit_code_of_success();
 }
 
+// What an evolution's history has besides the rows of the output times.
+const char* beside_times(const auto& input) {
+  return input.every_step ? " and one for each step" : "";
+}
+
 int check_run(const Arguments& a) {
   const studies::RunInput input = studies::read_run(a.input);
   const studies::RunStart start = studies::start_of(input);
@@ -158,11 +163,11 @@ int check_run(const Arguments& a) {
   fmt::print(
       "{}: a 3D run of {} to t = {}, reduced volume {:.6g}, {} triangles, {} unknowns; about "
       "{:.2g} s "
-      "a step and {:.0f} MB of memory; {} lines of history, {} frames of {:.2f} MB\n\n{}",
+      "a step and {:.0f} MB of memory; {} lines of history{}, {} frames of {:.2f} MB\n\n{}",
       a.input, model::name(input.model), input.end_time,
       surface3d::reduced_volume(start.target.area, start.target.volume), triangles, cost.unknowns,
-      cost.seconds_per_step, cost.megabytes, input.output_times.size(), input.frame_times.size(),
-      cost.frame_megabytes, studies::describe(input, SBEH_VERSION));
+      cost.seconds_per_step, cost.megabytes, input.output_times.size(), beside_times(input),
+      input.frame_times.size(), cost.frame_megabytes, studies::describe(input, SBEH_VERSION));
   return 0;
 }
 
@@ -202,9 +207,9 @@ int check(const Arguments& a) {
   const axisym::Diagnostics d = axisym::diagnose(start.material, start.state);
   fmt::print(
       "{}: an evolution of {} to t = {}, from reduced volume {:.6g}, energy {:.6g}; "
-      "{} lines of history, {} profiles\n\n{}",
+      "{} lines of history{}, {} profiles\n\n{}",
       a.input, model::name(input.model), input.end_time, d.reduced_volume, d.energy.total(),
-      input.output_times.size(), input.profile_times.size(),
+      input.output_times.size(), beside_times(input), input.profile_times.size(),
       studies::describe(input, SBEH_VERSION));
   return 0;
 }

@@ -122,6 +122,7 @@ TEST(RelaxInput, has_the_documented_defaults) {
   EXPECT_FALSE(ellipsoid.prolate);
   EXPECT_EQ(input.initial_order, model::full_order);
   EXPECT_EQ(input.end_time, 10);
+  EXPECT_FALSE(input.every_step);
   EXPECT_TRUE(input.stop_at_rest);
   expect_same(input.material, model::Material{});
   expect_same(input.numerics, axisym::Numerics{});
@@ -147,11 +148,12 @@ TEST(RelaxInput, takes_an_ellipsoid_with_axes_and_order) {
   const RelaxInput input = relax_of(
       "model = \"SBEH\"\n[start]\nshape = \"ellipsoid\"\naxes = [1.2, 0.5]\norder = 0.6667\n"
       "[time]\nend = 2\noutput = { from = 0.01, to = 1, count = 3, spacing = \"log\" }\n"
-      "profiles = [2, 0]\nstop_at_rest = false\n");
+      "profiles = [2, 0]\nevery_step = true\nstop_at_rest = false\n");
   EXPECT_EQ(std::get<Ellipsoid>(input.start).axes, (std::array{1.2, 0.5}));
   EXPECT_EQ(input.initial_order, 0.6667);
   EXPECT_EQ(input.output_times, (std::vector{0.01, 0.1, 1.0}));
   EXPECT_EQ(input.profile_times, (std::vector{0.0, 2.0}));
+  EXPECT_TRUE(input.every_step);
   EXPECT_FALSE(input.stop_at_rest);
 }
 
@@ -275,7 +277,7 @@ TEST(RelaxInput, with_a_wrong_time_or_model_is_refused_with_line_key_and_value) 
        ":5: [time] stop_at_rest = 'no': must be true or false"},
       {"[time]\nend = 3\nprofile = 3",
        ":5: [time] profile: unknown key; did you mean 'profiles'? Known: end, output, profiles, "
-       "stop_at_rest"},
+       "every_step, stop_at_rest"},
       {"[tiem]\nend = 3",
        ":3: [tiem]: unknown table; did you mean 'time'? Known: model, start, time, material, "
        "numerics"},

@@ -30,6 +30,7 @@ TEST(RunInput, has_the_documented_defaults) {
   EXPECT_EQ(input.end_time, 10);
   EXPECT_EQ(input.output_times, default_output_times(10));
   EXPECT_EQ(input.frame_times, default_profile_times(10));
+  EXPECT_FALSE(input.every_step);
   EXPECT_TRUE(input.stop_at_rest);
   EXPECT_EQ(input.checkpoint_minutes, 10);
   expect_same(input.material, model::Material{});
@@ -51,7 +52,7 @@ TEST(RunInput, reads_back_from_its_description_as_the_same_run) {
       sbeh + "[surface]\nshape = 'frame'\nfile = 'f.vtu'\n" + time
           + "[material]\nL1 = 0.1\nL2 = -0.05\nL3 = 0.07\nresidual_stiffness = 0.01\n",
       ssh + "[surface]\nshape = 'scan'\nfolder = 'out'\nreduced_volume = 0.7\nL = 0.03\n"
-          + "triangles = 5120\n" + time,
+          + "triangles = 5120\n" + time + "every_step = true\n",
   };
   for (const std::string& text : texts) {
     const RunInput input = run_of(text);
@@ -185,6 +186,7 @@ TEST(RunInput, with_wrong_times_is_refused_with_line_key_and_value) {
                    {"end = inf", ":6: [time] end = inf: must be a finite number"},
                    {"ent = 1", ":6: [time] ent: unknown key; did you mean 'end'?"}});
   std::vector<Case> cases{
+      {"every_step = 1", ":7: [time] every_step = 1: must be true or false"},
       {"stop_at_rest = 1", ":7: [time] stop_at_rest = 1: must be true or false"},
       {"checkpoint_minutes = '1'", ":7: [time] checkpoint_minutes = '1': must be a number"},
       {"checkpoint_minutes = 0", ":7: [time] checkpoint_minutes = 0: must be > 0"},
@@ -192,10 +194,10 @@ TEST(RunInput, with_wrong_times_is_refused_with_line_key_and_value) {
       {"checkpoint_minutes = inf", ":7: [time] checkpoint_minutes = inf: must be a finite number"},
       {"checkpoint_minute = 1",
        ":7: [time] checkpoint_minute: unknown key; did you mean 'checkpoint_minutes'? Known: end, "
-       "output, frames, stop_at_rest, checkpoint_minutes"},
+       "output, frames, every_step, stop_at_rest, checkpoint_minutes"},
       {"profiles = [0]",
-       ":7: [time] profiles: unknown key. Known: end, output, frames, "
-       "stop_at_rest, checkpoint_minutes"},
+       ":7: [time] profiles: unknown key. Known: end, output, frames, every_step, stop_at_rest, "
+       "checkpoint_minutes"},
   };
   for (const std::string key : {"output", "frames"}) {
     const std::string at = ":7: [time] " + key;

@@ -106,8 +106,9 @@ inline auto tie(const ScanRow& start) {
 
 inline void expect_same(const RelaxInput& a, const RelaxInput& b) {
   const auto tie_rest = [](const RelaxInput& input) {
-    const auto& [model, start, order, material, numerics, end, output, profiles, rest] = input;
-    return std::tie(model, order, end, output, profiles, rest);
+    const auto& [model, start, order, material, numerics, end, output, profiles, every_step, rest] =
+        input;
+    return std::tie(model, order, end, output, profiles, every_step, rest);
   };
   EXPECT_TRUE(tie_rest(a) == tie_rest(b));
   ASSERT_EQ(a.start.index(), b.start.index());
@@ -131,8 +132,9 @@ inline auto tie(const FrameStart& start) { return std::tie(start.file); }
 inline void expect_same(const RunInput& a, const RunInput& b) {
   const auto tie_rest = [](const RunInput& input) {
     const auto& [model, start, triangles, order, perturbation, material, numerics, end, output,
-                 frames, rest, checkpoint] = input;
-    return std::tie(model, triangles, order, perturbation, end, output, frames, rest, checkpoint);
+                 frames, every_step, rest, checkpoint] = input;
+    return std::tie(model, triangles, order, perturbation, end, output, frames, every_step, rest,
+                    checkpoint);
   };
   EXPECT_TRUE(tie_rest(a) == tie_rest(b));
   ASSERT_EQ(a.start.index(), b.start.index());

@@ -21,13 +21,15 @@ TEST_F(Check, of_a_scan_counts_its_points_and_prints_every_parameter) {
 
 TEST_F(Check, of_an_evolution_tells_its_start_and_prints_every_parameter) {
   write("in.toml",
-        "model = \"SSH\"\ntime.end = 3\n[start]\nshape = \"ellipsoid\"\nreduced_volume = 0.7\n");
+        "model = \"SSH\"\ntime.end = 3\ntime.every_step = true\n[start]\nshape = \"ellipsoid\"\n"
+        "reduced_volume = 0.7\n");
   const Ended ended = sbeh({"check", "in.toml"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_TRUE(
       ended.out.starts_with("in.toml: an evolution of SSH to t = 3, from reduced volume 0.7, "))
       << ended.out;
-  for (const char* key : {"\nend = 3", "\noutput = ", "\nfriction_normal = ", "\nfirst_step = "})
+  for (const char* key : {" lines of history and one for each step, 8 profiles\n", "\nend = 3",
+                          "\noutput = ", "\nfriction_normal = ", "\nfirst_step = "})
     EXPECT_NE(ended.out.find(key), std::string::npos) << key;
   EXPECT_EQ(contents("").size(), 1u);
 }

@@ -1,6 +1,7 @@
 // One evolution: the columns and times of its history, its profiles, and where it starts from.
 #include "tests/tools/workplace.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sbeh::tools::test {
@@ -24,6 +25,19 @@ std::string from_the_scan(const std::string& model, const std::string& L) {
   return "model = \"" + model + "\"\n[time]\nend = 0.2\noutput = [0, 0.1, 0.2]\n"
        + "stop_at_rest = false\n[start]\nshape = \"scan\"\nfolder = \"scan\"\nmodel = \"SBEH\"\n"
        + "reduced_volume = 0.8\nL = " + L + "\n";
+}
+
+TEST_F(Relax, may_leave_a_row_for_every_step) {
+  write("in.toml", ellipsoid + "[time]\nend = 0.01\noutput = 0.003\nevery_step = true\n");
+  must(into("out", "relax"));
+  const std::vector<double> times = table("out/series.csv").numbers("time");
+  const std::vector<double> steps = table("out/series.csv").numbers("time_step");
+  ASSERT_GT(times.size(), 10u);
+  EXPECT_EQ(std::count(times.begin(), times.end(), 0.003), 1);
+  EXPECT_EQ(times.front(), 0);
+  EXPECT_EQ(times.back(), 0.01);
+  for (std::size_t row = 1; row < times.size(); ++row)
+    EXPECT_NEAR(times[row] - times[row - 1], steps[row], 1e-15);
 }
 
 TEST_F(Relax, leaves_a_history_with_every_column_at_exactly_the_times_asked_for) {

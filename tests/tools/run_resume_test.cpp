@@ -21,7 +21,7 @@ const std::string start =
     "[numerics]\ntolerance = 0.01\n[time]\nend = 0.08\n";
 const std::string many_rows = "output = {from = 0.0005, to = 0.08, count = 160}\n";
 const std::string many_frames = "frames = {from = 0.004, to = 0.08, count = 20}\n";
-const std::string every_step = "checkpoint_minutes = 1e-9\n";
+const std::string checkpoint_each_step = "checkpoint_minutes = 1e-9\n";
 
 class ResumeRun : public Workplace {
  protected:
@@ -69,7 +69,7 @@ void ResumeRun::kill_while_writing(const std::string& file) const {
 }
 
 TEST_F(ResumeRun, after_kills_at_many_moments_ends_with_the_same_bits) {
-  input(start + many_rows + many_frames + every_step);
+  input(start + many_rows + many_frames + checkpoint_each_step);
   int killed = 0;
   for (const int milliseconds : {5, 10, 20, 30, 40, 55, 70, 90, 120, 160, 210, 270, 340, 420}) {
     Program program(here(), resumed("out"));
@@ -85,7 +85,7 @@ TEST_F(ResumeRun, after_kills_at_many_moments_ends_with_the_same_bits) {
 }
 
 TEST_F(ResumeRun, takes_no_notice_of_what_was_being_written) {
-  input(start + many_rows + many_frames + every_step);
+  input(start + many_rows + many_frames + checkpoint_each_step);
   for (const char* file : {"frames/0000.vtu", "checkpoint.vtu", "frames/0007.vtu"}) {
     fs::remove_all(path("out"));
     kill_while_writing(file);
@@ -94,17 +94,21 @@ TEST_F(ResumeRun, takes_no_notice_of_what_was_being_written) {
 }
 
 TEST_F(ResumeRun, takes_no_notice_of_rows_that_were_cut) {
-  input(start + many_rows + many_frames);
-  for (const std::string table : {"out/series.csv", "out/frames.csv"}) {
+  for (const std::string rows : {many_rows, std::string("output = 0\nevery_step = true\n")}) {
+    input(start + rows + many_frames);
+    for (const std::string table : {"out/series.csv", "out/frames.csv"}) {
+      fs::remove_all(path("out"));
+      kill_when(into("out", "run"), [&] { return lines(table) > 6; });
+      fs::resize_file(path(table), read(table).rfind('\n') - 4);
+      must_end_as_the_whole();
+    }
+    fs::remove_all(path("whole"));
     fs::remove_all(path("out"));
-    kill_when(into("out", "run"), [&] { return lines(table) > 6; });
-    fs::resize_file(path(table), read(table).rfind('\n') - 4);
-    must_end_as_the_whole();
   }
 }
 
 TEST_F(ResumeRun, goes_on_from_the_newest_of_frames_and_checkpoint) {
-  input(start + many_rows + "frames = [0]\n" + every_step);
+  input(start + many_rows + "frames = [0]\n" + checkpoint_each_step);
   kill_when(into("out", "run"), [&] { return lines("out/series.csv") > 20; });
   ASSERT_TRUE(exists(path("out/checkpoint.vtu")));
   // It may have been killed between a row and the checkpoint of the same step.
@@ -218,7 +222,7 @@ TEST_F(ResumeRun, after_the_history_had_no_room_goes_on_with_it) {
 }
 
 TEST_F(ResumeRun, is_not_needed_when_a_checkpoint_had_no_room) {
-  input(start + many_rows + many_frames + every_step);
+  input(start + many_rows + many_frames + checkpoint_each_step);
   fill_disk_for(path("out/checkpoint.vtu"));
   const Ended ended = sbeh(into("out", "run"));
   EXPECT_EQ(ended.exit_code, 0);

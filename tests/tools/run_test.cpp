@@ -62,6 +62,23 @@ TEST_F(Run3d, leaves_a_history_frames_and_an_input_that_gives_the_same_again) {
   EXPECT_EQ(contents("again"), contents("out"));
 }
 
+TEST_F(Run3d, may_leave_a_row_for_every_step) {
+  write("in.toml", ellipsoid + "[time]\nend = 0.1\noutput = [0.05]\nevery_step = true\n");
+  const Ended ended = sbeh(into("out", "run"));
+  const Table series = table("out/series.csv");
+  const std::size_t steps = series.rows.size() - 1;
+  EXPECT_NE(ended.out.find("after " + std::to_string(steps) + " steps"), std::string::npos)
+      << ended.out;
+  const auto at = [&](std::size_t row, const char* column) { return series.number(row, column); };
+  for (std::size_t row = 1; row <= steps; ++row) {
+    EXPECT_NEAR(at(row, "time") - at(row - 1, "time"), at(row, "time_step"), 1e-15);
+    const double dissipation = at(row, "dissipation_friction") + at(row, "dissipation_order")
+                             + at(row, "dissipation_viscous");
+    EXPECT_NEAR(at(row - 1, "energy") - at(row, "energy"),
+                at(row, "energy_balance") * at(row, "time_step") * dissipation, 1e-13);
+  }
+}
+
 TEST_F(Run3d, that_was_interrupted_or_killed_is_resumed_to_the_same_bits) {
   write("in.toml", ellipsoid + times);
   must(into("whole", "run"));
