@@ -38,7 +38,7 @@ Dissipation combine(double a, const Dissipation& x, double b, const Dissipation&
 /// How a run chooses its time steps.
 struct TimeControl {
   double tolerance = 1e-5;       ///< error allowed in one step, positions and order, 1e-12 … 0.1
-  double first_step = 1e-6;      ///< τ of the first try, > 0
+  double first_step = 1e-6;      ///< τ of the first try, also on a new mesh, > 0
   double smallest_step = 1e-12;  ///< below it the run stops: "time step too small", > 0
   double largest_step = 0.05;    ///< τ never exceeds it, > 0; the explicit coupling of shape and
                                  ///< order oscillates from about 0.1 on
@@ -256,7 +256,7 @@ void Flow<Solver, Integrator>::renew_mesh(FlowResult<State>& run, double& tau) {
   if (!solver_.renew(run.state)) return;
   integrator_.forget();
   run.last.energy = solver_.energy(run.state);
-  tau = std::max(tau / 10, control_.smallest_step);  // the new mesh settles
+  tau = std::min(tau, control_.first_step);  // the new mesh settles
 }
 
 template <class Solver, class Integrator>

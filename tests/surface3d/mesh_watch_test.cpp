@@ -28,14 +28,16 @@ Watched watch(const Surface& s, const Numerics& numerics, double end) {
   const Target target = s.target();
   w.run = run_flow(s.mesh, paper_material(0.05), Model::SSH, {s.state}, target, numerics,
                    {.end_time = end, .output_times = {}},
-                   [&](const FlowRecord&, const State& x, const StepView& view, bool) {
+                   [&](const FlowRecord& record, const State& x, const StepView& view, bool) {
                      EXPECT_EQ(x.X.cols(), view.mesh->nodes);
                      EXPECT_NEAR(area(*view.mesh, x.X) / target.area, 1, 1e-11);
                      EXPECT_NEAR(volume(*view.mesh, x.X) / target.volume, 1, 1e-11);
                      w.triangles.push_back(view.mesh->count());
                      w.resolved = resolved(view.resolution);
-                     if (view.remeshed && view.remeshed->mesh)
+                     if (view.remeshed && view.remeshed->mesh) {
                        w.changes.push_back(view.remeshed->report);
+                       EXPECT_EQ(record.next_step, numerics.first_step);
+                     }
                      if (view.remeshed && !view.remeshed->mesh)
                        w.refusals.push_back(view.remeshed->refusal);
                      return true;
@@ -47,6 +49,7 @@ TEST(MeshWatch, makes_new_triangles_where_they_do_not_resolve_the_surface_and_go
   Numerics numerics;
   numerics.remesh = true;
   numerics.most_triangles = 620;
+  numerics.first_step = 1e-6;
   const Watched w = watch(flat(180, 0.75), numerics, 4e-5);
   EXPECT_EQ(w.run.stop, FlowStop::end_time);
   ASSERT_FALSE(w.changes.empty()) << w.refusals.front();
