@@ -14,17 +14,16 @@ Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& nod
 
 /// What the scheme knows of the curvature of a surface.
 struct Curvature {
-  Nodes node_normals;  // 3 x nodes, unit, see node_normals()
-  Nodes
-      normals;  // 3 x nodes, the L2 projection of the normals into (P3)³, of unit length at the nodes
-  Field H;      // nodes, see mean_curvature()
+  Nodes node_normals;  ///< 3 x nodes, unit, see node_normals()
+  Nodes normals;       ///< 3 x nodes, L2 projection of the normals into (P3)³, unit at the nodes
+  Field H;             ///< nodes, see mean_curvature()
 };
 /// Empty when the surface is degenerate.
 std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X);
 
 /// The same, and the H of (H1) for other positions on it: (H ν, Z) = −(∇_C position, ∇_C Z).
 struct CurvatureFrom : Curvature {
-  Field H_from;  // nodes
+  Field H_from;  ///< nodes
 };
 std::optional<CurvatureFrom> curvature_of(const Triangulation& mesh, const Nodes& X,
                                           const Nodes& position);
