@@ -27,8 +27,9 @@ std::vector<double> default_times(double first, double end, int count) {
 
 std::string read_shape(const TomlTable& start, const std::vector<StartShape>& shapes) {
   std::vector<std::string> names;
+  names.reserve(shapes.size());
   for (const StartShape& shape : shapes) names.push_back(shape.name);
-  const std::string chosen = start.word("shape", names);
+  std::string chosen = start.word("shape", names);
   const StartShape& own = *std::find_if(
       shapes.begin(), shapes.end(), [&](const StartShape& shape) { return shape.name == chosen; });
   for (const StartShape& other : shapes)

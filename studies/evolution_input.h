@@ -43,8 +43,8 @@ struct Times {
   bool stop_at_rest;
 };
 
-/// The keys end, output, every_step, stop_at_rest of [time], and `states`, the name of the key with the times of whole
-/// states. Throws InputError; other keys are the caller's.
+/// The keys end, output, every_step, stop_at_rest of [time], and `states`, the name of the key with the
+/// times of whole states. Throws InputError; other keys are the caller's.
 Times read_times(const TomlTable& time, std::string_view states);
 
 /// 0 and 200 times in equal ratios up to `end`, from 1e-5 or, if smaller, end/100.

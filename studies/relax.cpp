@@ -25,6 +25,7 @@ namespace {
 
 std::vector<axisym::Mode> modes_of(const std::vector<std::pair<int, double>>& pairs) {
   std::vector<axisym::Mode> modes;
+  modes.reserve(pairs.size());
   for (const auto& [l, amplitude] : pairs) modes.push_back({l, amplitude});
   return modes;
 }

@@ -169,8 +169,8 @@ void RunRecorder::note_events(const FlowRecord& record, const surface3d::StepVie
 
 // From time to time. Where there is no room the run goes on: of its results nothing is missing.
 void RunRecorder::keep(const FlowRecord& record, const State& state) {
-  using minutes = std::chrono::duration<double, std::ratio<60>>;
-  if (minutes(steady_clock::now() - kept_).count() < input_.checkpoint_minutes) return;
+  using Minutes = std::chrono::duration<double, std::ratio<60>>;
+  if (Minutes(steady_clock::now() - kept_).count() < input_.checkpoint_minutes) return;
   try {
     write(folder_ / checkpoint_name, record, state);
   } catch (const OutputError& error) {
