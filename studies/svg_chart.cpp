@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 
 namespace sbeh::studies {
 
@@ -61,6 +62,17 @@ std::vector<Tick> ShownAxis::ticks() const {
   return ticks;
 }
 
+// The least place that is shown on the axis of y.
+double floor_of(const std::vector<ChartLine>& lines, const ShownAxis& y) {
+  constexpr double infinity = std::numeric_limits<double>::infinity(), shown_decades = 16;
+  if (y.scale == AxisScale::linear) return -infinity;
+  double highest = -infinity;
+  for (const ChartLine& line : lines)
+    for (const double value : line.y)
+      if (std::isfinite(value)) highest = std::fmax(highest, y.place(value));
+  return highest - shown_decades;
+}
+
 struct Place {
   double x, y;
 };
@@ -68,12 +80,13 @@ using Curve = std::vector<Place>;
 
 // Curves on the axes; points too close to tell apart are one.
 std::vector<Curve> placed(const std::vector<ChartLine>& lines, ShownAxis& x, ShownAxis& y) {
+  const double floor = floor_of(lines, y);
   std::vector<Curve> curves;
   for (const ChartLine& line : lines) {
     Curve& curve = curves.emplace_back();
     for (std::size_t i = 0; i < line.x.size(); ++i) {
       const Place p{x.place(line.x[i]), y.place(line.y[i])};
-      if (!std::isfinite(p.x) || !std::isfinite(p.y)) continue;
+      if (!std::isfinite(p.x) || !std::isfinite(p.y) || p.y < floor) continue;
       curve.push_back(p);
       x.include(p.x);
       y.include(p.y);

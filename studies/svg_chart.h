@@ -19,7 +19,8 @@ struct ChartFrame {
 };
 
 /// A <figure> with the chart, at most four lines. Points that an axis cannot show (not finite, not
-/// positive on a logarithmic one) are left out; empty when fewer than two are left in every line.
+/// positive on a logarithmic one) are left out, on a logarithmic y axis also those 16 decades below
+/// the largest value, which are rounding; empty when fewer than two are left in every line.
 std::string svg_chart(const ChartFrame& frame, const std::vector<ChartLine>& lines);
 
 }  // namespace sbeh::studies

@@ -61,6 +61,18 @@ TEST(Chart, leaves_out_what_an_axis_cannot_show) {
   EXPECT_EQ(text.find("inf"), std::string::npos);
 }
 
+TEST(Chart, leaves_out_lines_of_rounding_on_a_logarithmic_axis) {
+  constexpr auto log = AxisScale::logarithmic;
+  const std::vector<ChartLine> lines{{"large", {1, 2}, {1, 1e-10}},
+                                     {"rounding", {1, 2}, {1e-28, 1e-30}}};
+  const std::string text = svg_chart({.title = "c", .x_name = "t", .y = log}, lines);
+  EXPECT_NE(text.find("large"), std::string::npos);
+  EXPECT_NE(text.find("1e-10"), std::string::npos);
+  EXPECT_EQ(text.find("rounding"), std::string::npos);
+  EXPECT_EQ(text.find("1e-20"), std::string::npos);
+  EXPECT_NE(svg_chart({.title = "c", .x_name = "t"}, lines).find("rounding"), std::string::npos);
+}
+
 TEST(Chart, of_a_constant_has_ticks) {
   for (const double constant : {0., 2. / 3, -1e9, 1e-12}) {
     const std::string text =

@@ -109,7 +109,8 @@ Axis decade_axis(double log_low, double log_high, std::string title) {
     for (int factor = 1; factor < 10; ++factor) {
       const double tick = exponent + std::log10(double(factor));
       if (tick < log_low - 1e-9 || tick > log_high + 1e-9) continue;
-      const bool labelled = factor == 1 || (decades < 2.3 && (factor == 2 || factor == 5));
+      const bool labelled =
+          factor == 1 || (decades < 2.3 && (factor == 2 || factor == 5)) || decades < 0.8;
       axis.ticks.push_back(tick);
       axis.labels.push_back(labelled ? decade_label(exponent, factor) : "");
     }

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numeric>
 
 namespace sbeh::picture {
@@ -18,6 +19,7 @@ namespace {
 
 constexpr std::size_t most_shapes = 8;
 constexpr std::size_t most_in_a_row = 5;
+constexpr double shown_decades = 5;  // from the largest energy down: what is less is not seen in it
 
 struct Part {
   const char* column;
@@ -33,25 +35,29 @@ void draw_relaxation_energy(Canvas& canvas, const Options& options) {
   const std::vector<double> time = table.numbers("time");
   const double shift = options.energy_shift;
   const std::string suffix = options.energy_name().substr(1);  // " + 4π"
+  // The total is the widest and below the others: at full order the bending energy is the same.
   const Part parts[] = {
-      {"energy_distortion", "distortion", 0.0, {.colour = {0, 114, 178}, .width = 2.0}},
-      {"energy_bending", "bending", 0.0, {.colour = {213, 94, 0}, .width = 2.0}},
+      {"energy", "total " + options.energy_name(), shift, {.colour = black, .width = 4.5}},
       {"energy_thermotropic",
        "thermotropic" + suffix,
        shift,
        {.colour = {0, 158, 115}, .width = 2.0, .dashed = true}},
-      {"energy", "total " + options.energy_name(), shift, {.colour = black, .width = 3.0}}};
+      {"energy_bending", "bending", 0.0, {.colour = {213, 94, 0}, .width = 2.0}},
+      {"energy_distortion", "distortion", 0.0, {.colour = {0, 114, 178}, .width = 2.0}}};
 
   std::vector<Points> curves;
   std::vector<LineStyle> styles;
   std::vector<LegendEntry> legend;
+  double floor = -std::numeric_limits<double>::infinity();
   for (const Part& part : parts) {
     if (part.column != std::string("energy") && !table.has(part.column)) continue;
     Points points = History{time, table.numbers(part.column)}.log_log(part.shift);
+    for (const auto& point : points) floor = std::max(floor, point[1] - shown_decades);
+    std::erase_if(points, [&](const auto& point) { return point[1] < floor; });
     if (points.size() < 2) continue;
     curves.push_back(std::move(points));
     styles.push_back(part.style);
-    legend.insert(legend.begin(), line_entry(part.style, part.name));
+    legend.push_back(line_entry(part.style, part.name));
   }
   if (curves.empty()) {
     fmt::print("no energy: {} is positive nowhere; set --energy-shift\n", options.energy_name());
