@@ -14,7 +14,6 @@
 #include <algorithm>
 #include <memory>
 #include <optional>
-#include <ranges>
 #include <sstream>
 
 namespace sbeh::studies {
@@ -52,8 +51,8 @@ std::optional<Frame> newest_frame(const RunInput& input, const OutputFolder& fol
   std::vector<fs::path> candidates{folder / checkpoint_name};
   const std::vector<TimedRow> series = timed_rows(folder / "series.csv", 0);
   const std::vector<TimedRow> frames = timed_rows(folder / "frames.csv", 1);
-  for (const TimedRow& row : std::views::reverse(frames))
-    candidates.push_back(folder / split_csv(row.line)[2]);
+  for (std::size_t k = frames.size(); k-- > 0;)
+    candidates.push_back(folder / split_csv(frames[k].line)[2]);
   std::optional<Frame> newest;
   bool damaged = false;
   for (const fs::path& path : candidates) {
