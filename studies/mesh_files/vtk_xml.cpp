@@ -116,8 +116,8 @@ std::vector<int> renumber(const Eigen::MatrixXi& cells, const meshing::TriangleM
 CurvedFile curved_file(vtkDataSet& data, const Eigen::MatrixXi& cells, int order,
                        const std::string& file) {
   const Eigen::Matrix3Xd points = points_of(data);
-  std::vector<int> corner_points(cells.topRows<3>().reshaped().begin(),
-                                 cells.topRows<3>().reshaped().end());
+  const auto of_corners = cells.topRows<3>().reshaped();
+  std::vector<int> corner_points(of_corners.begin(), of_corners.end());
   std::sort(corner_points.begin(), corner_points.end());
   corner_points.erase(std::unique(corner_points.begin(), corner_points.end()), corner_points.end());
   std::vector<int> vertex(std::size_t(points.cols()), -1);
