@@ -26,7 +26,8 @@ Axis linear_axis(double low, double high, double length, double spacing, std::st
 /// The same axis from `low` to `high`, with the ticks that lie there.
 Axis cropped(const Axis& axis, double low, double high);
 
-/// For data given as log₁₀: a tick per decade (or at 1, 2, 5, or at all), lesser ones unlabelled between.
+/// For data given as log₁₀: a labelled tick per decade, on shorter axes also at 2 and 5, or at all
+/// digits; the ticks between are unlabelled.
 Axis decade_axis(double log_low, double log_high, std::string title);
 
 enum class Marker { full, hollow, cross };
