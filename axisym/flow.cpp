@@ -1,7 +1,7 @@
 #include "axisym/flow.h"
 
 #include "axisym/curvature.h"
-#include "model/step_doubling.h"
+#include "model/time/step_doubling.h"
 
 namespace sbeh::axisym {
 

@@ -1,4 +1,4 @@
-// An evolution in time of the axisymmetric solver; see model/flow.h.
+// An evolution in time of the axisymmetric solver; see model/time/flow.h.
 #pragma once
 
 #include "axisym/diagnostics.h"

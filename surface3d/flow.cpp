@@ -1,6 +1,6 @@
 #include "surface3d/flow.h"
 
-#include "surface3d/self_contact.h"
+#include "surface3d/mesh/self_contact.h"
 
 #include <fmt/format.h>
 

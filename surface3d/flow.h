@@ -1,11 +1,11 @@
-// An evolution in time of the 3D solver; see model/flow.h.
+// An evolution in time of the 3D solver; see model/time/flow.h.
 #pragma once
 
-#include "model/two_step.h"
+#include "model/time/two_step.h"
 #include "surface3d/diagnostics.h"
+#include "surface3d/mesh/remesh.h"
+#include "surface3d/mesh/resolution.h"
 #include "surface3d/options.h"
-#include "surface3d/remesh.h"
-#include "surface3d/resolution.h"
 #include "surface3d/time_step.h"
 
 namespace sbeh::surface3d {

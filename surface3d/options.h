@@ -1,14 +1,14 @@
 // What a user may choose of the numerics of the 3D solver.
 #pragma once
 
-#include "model/flow.h"
+#include "model/time/flow.h"
 #include "surface3d/time_step.h"
 
 namespace sbeh::surface3d {
 
 enum class Integrator {
-  two_step,      ///< second order for one solve a step, see model/two_step.h
-  step_doubling  ///< three solves a step, see model/step_doubling.h
+  two_step,      ///< second order for one solve a step, see model/time/two_step.h
+  step_doubling  ///< three solves a step, see model/time/step_doubling.h
 };
 /// "two-step" or "step-doubling".
 const char* name(Integrator integrator);

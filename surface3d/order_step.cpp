@@ -1,7 +1,7 @@
 #include "surface3d/order_step.h"
 
 #include "model/order_step.h"
-#include "surface3d/direct_solver.h"
+#include "surface3d/linear/direct_solver.h"
 #include "surface3d/parallel.h"
 
 #include <Eigen/IterativeLinearSolvers>

@@ -7,7 +7,7 @@
 #include "meshing/curved_mesh.h"
 #include "model/numerics/area_volume.h"
 #include "model/terms.h"
-#include "surface3d/sparse_pattern.h"
+#include "surface3d/linear/sparse_pattern.h"
 
 #include <Eigen/Core>
 #include <Eigen/Geometry>

@@ -1,7 +1,7 @@
 #include "surface3d/time_step.h"
 
 #include "surface3d/diagnostics.h"
-#include "surface3d/lagged_solver.h"
+#include "surface3d/linear/lagged_solver.h"
 #include "surface3d/order_step.h"
 #include "surface3d/parallel.h"
 

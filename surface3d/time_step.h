@@ -1,8 +1,8 @@
 // One time step of the ALE scheme: velocity, pressure, curvature and mesh motion, then the order.
 #pragma once
 
-#include "model/flow.h"
 #include "model/material.h"
+#include "model/time/flow.h"
 #include "surface3d/coupled_system.h"
 #include "surface3d/surface.h"
 

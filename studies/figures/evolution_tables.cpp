@@ -1,9 +1,9 @@
 // The tables of the evolution from the perturbed sphere: figures 3 and 4.
-#include "studies/csv_table.h"
 #include "studies/figures/tables.h"
-#include "studies/output.h"
-#include "studies/surface_moments.h"
-#include "studies/witness_state.h"
+#include "studies/io/csv_table.h"
+#include "studies/io/output.h"
+#include "studies/states/surface_moments.h"
+#include "studies/witnesses/state.h"
 #include "surface3d/diagnostics.h"
 
 #include <Eigen/Eigenvalues>

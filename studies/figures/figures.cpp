@@ -1,12 +1,12 @@
 #include "studies/figures/figures.h"
 
-#include "studies/csv_line.h"
 #include "studies/figures/tables.h"
-#include "studies/interrupt.h"
-#include "studies/output.h"
-#include "studies/progress.h"
-#include "studies/scan.h"
-#include "studies/toml_reader.h"
+#include "studies/io/csv_line.h"
+#include "studies/io/interrupt.h"
+#include "studies/io/output.h"
+#include "studies/io/progress.h"
+#include "studies/io/toml_reader.h"
+#include "studies/scan/scan.h"
 
 #include <fmt/format.h>
 

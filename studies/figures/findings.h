@@ -1,8 +1,8 @@
 // What came out, beside what the paper says.
 #pragma once
 
-#include "studies/csv_table.h"
 #include "studies/figures/plan.h"
+#include "studies/io/csv_table.h"
 
 #include <string>
 #include <vector>

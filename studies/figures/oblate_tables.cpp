@@ -1,11 +1,11 @@
 // The tables of the stationary oblates: figures 1 and 2.
 #include "meshing/cross_section.h"
-#include "studies/csv_table.h"
 #include "studies/figures/tables.h"
-#include "studies/meridian.h"
-#include "studies/output.h"
-#include "studies/profile_file.h"
-#include "studies/scan_table.h"
+#include "studies/io/csv_table.h"
+#include "studies/io/output.h"
+#include "studies/scan/scan_table.h"
+#include "studies/states/meridian.h"
+#include "studies/states/profile_file.h"
 #include "surface3d/diagnostics.h"
 
 #include <fmt/format.h>

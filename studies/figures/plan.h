@@ -1,8 +1,8 @@
 // The paper's figures 1 to 4: what each of them is drawn from.
 #pragma once
 
-#include "studies/run_input.h"
-#include "studies/scan_input.h"
+#include "studies/evolution/run_input.h"
+#include "studies/scan/scan_input.h"
 
 #include <array>
 #include <filesystem>

@@ -1,12 +1,12 @@
 #include "studies/figures/runs.h"
 
-#include "studies/csv_table.h"
-#include "studies/frame_file.h"
+#include "studies/evolution/frame_file.h"
+#include "studies/evolution/run_recorder.h"
+#include "studies/io/csv_table.h"
+#include "studies/io/output.h"
+#include "studies/io/progress.h"
+#include "studies/io/toml_reader.h"
 #include "studies/mesh_files/mesh_file.h"
-#include "studies/output.h"
-#include "studies/progress.h"
-#include "studies/run_recorder.h"
-#include "studies/toml_reader.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // The 3D runs in the folder of the figures: which are there, and completing one.
 #pragma once
 
+#include "studies/evolution/run.h"
 #include "studies/figures/plan.h"
-#include "studies/run.h"
 
 namespace sbeh::studies::figures {
 

@@ -1,10 +1,10 @@
 #include "studies/mesh_files/mesh_file.h"
 
 #include "meshing/curving.h"
+#include "studies/io/output.h"
+#include "studies/io/toml_reader.h"
 #include "studies/mesh_files/formats.h"
 #include "studies/mesh_files/text_lines.h"
-#include "studies/output.h"
-#include "studies/toml_reader.h"
 
 #include <fmt/format.h>
 

@@ -1,8 +1,8 @@
 // STL: triangles without connectivity, text or binary; binary in single precision.
+#include "studies/io/toml_reader.h"
 #include "studies/mesh_files/bytes.h"
 #include "studies/mesh_files/formats.h"
 #include "studies/mesh_files/text_lines.h"
-#include "studies/toml_reader.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>

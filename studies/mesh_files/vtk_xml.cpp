@@ -1,7 +1,7 @@
 // Reading VTU and VTP with VTK's own readers: all their encodings and compressions.
 #include "meshing/curving.h"
+#include "studies/io/toml_reader.h"
 #include "studies/mesh_files/formats.h"
-#include "studies/toml_reader.h"
 
 #include <fmt/format.h>
 #include <vtkCallbackCommand.h>

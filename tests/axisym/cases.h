@@ -1,12 +1,12 @@
 // Start shapes, stationary states and tables of observed orders which the tests of axisym share.
 #pragma once
 
-#include "axisym/continuation.h"
 #include "axisym/curvature.h"
 #include "axisym/diagnostics.h"
 #include "axisym/flow.h"
 #include "axisym/redistribute.h"
 #include "axisym/start_shapes.h"
+#include "axisym/stationary/continuation.h"
 #include "tests/order_table.h"
 
 #include <gtest/gtest.h>

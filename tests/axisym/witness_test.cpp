@@ -1,13 +1,13 @@
 // Finite elements, shooting and minimisation must agree on the classical shapes, and the first and the
 // last on the ordered ones.
 
-#include "axisym/branch_entry.h"
-#include "axisym/classical_branches.h"
-#include "axisym/newton_system.h"
-#include "axisym/seifert_shooting.h"
 #include "axisym/shape_class.h"
-#include "axisym/spectral_minimiser.h"
-#include "axisym/stability.h"
+#include "axisym/shooting/seifert_shooting.h"
+#include "axisym/spectral/minimiser.h"
+#include "axisym/stationary/branch_entry.h"
+#include "axisym/stationary/classical_branches.h"
+#include "axisym/stationary/newton_system.h"
+#include "axisym/stationary/stability.h"
 #include "tests/axisym/cases.h"
 
 #include <Eigen/Eigenvalues>

@@ -1,10 +1,10 @@
 // What a time step, its parts, and a stationary point cost; `tools/bench` prints the table.
 
-#include "axisym/continuation.h"
 #include "axisym/curvature.h"
 #include "axisym/diagnostics.h"
-#include "axisym/newton_system.h"
 #include "axisym/start_shapes.h"
+#include "axisym/stationary/continuation.h"
+#include "axisym/stationary/newton_system.h"
 
 #include <benchmark/benchmark.h>
 

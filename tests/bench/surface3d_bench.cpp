@@ -10,9 +10,9 @@
 
 #include "meshing/shapes.h"
 #include "meshing/spherical_harmonics.h"
-#include "model/two_step.h"
-#include "surface3d/direct_solver.h"
+#include "model/time/two_step.h"
 #include "surface3d/flow.h"
+#include "surface3d/linear/direct_solver.h"
 
 #include <sys/resource.h>
 #include <tbb/global_control.h>

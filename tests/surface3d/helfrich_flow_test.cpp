@@ -1,9 +1,9 @@
 // The L² flows of the Helfrich energy in 3D, by themselves and against the axisymmetric solver.
-#include "axisym/continuation.h"
 #include "axisym/curvature.h"
 #include "axisym/diagnostics.h"
 #include "axisym/flow.h"
 #include "axisym/start_shapes.h"
+#include "axisym/stationary/continuation.h"
 #include "tests/surface3d/cases.h"
 
 #include <algorithm>

@@ -72,7 +72,7 @@ TEST_F(Check, of_a_start_that_is_not_there_is_refused) {
 }
 
 TEST_F(Check, of_the_inputs_that_come_with_the_toolkit_finds_them_right) {
-  for (const auto& entry : std::filesystem::directory_iterator("studies"))
+  for (const auto& entry : std::filesystem::directory_iterator("studies/inputs"))
     if (entry.path().extension() == ".toml") must({"check", absolute(entry.path()).string()});
 }
 

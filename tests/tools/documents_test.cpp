@@ -1,5 +1,5 @@
 // What the documents tell to type.
-#include "tests/studies/document.h"
+#include "tests/studies/docs/document.h"
 #include "tests/tools/workplace.h"
 
 namespace sbeh::tools::test {

@@ -1,4 +1,4 @@
-// The energies of the paper's stationary oblates, studies/paper_scan.toml.
+// The energies of the paper's stationary oblates, studies/inputs/paper_scan.toml.
 #include "tests/tools/workplace.h"
 
 #include <cmath>
@@ -32,7 +32,7 @@ constexpr Reference references[] = {
 class PaperScan : public Workplace {
  protected:
   PaperScan() {
-    must(into("out", "scan", std::filesystem::absolute("studies/paper_scan.toml").string()));
+    must(into("out", "scan", std::filesystem::absolute("studies/inputs/paper_scan.toml").string()));
     scan = table("out/scan.csv");
   }
   Table scan;

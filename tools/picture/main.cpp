@@ -1,17 +1,17 @@
 // sbeh-picture: the pictures of a scan, of one evolution, of the classical branches, of a comparison, of a
 // study of stability or of a mesh, and the paper's figures, from the files they leave.
-#include "tools/picture/classical.h"
-#include "tools/picture/compare.h"
-#include "tools/picture/csv.h"
-#include "tools/picture/cuts.h"
-#include "tools/picture/diagram.h"
-#include "tools/picture/energy.h"
-#include "tools/picture/figures.h"
-#include "tools/picture/mesh.h"
-#include "tools/picture/relax.h"
-#include "tools/picture/run.h"
-#include "tools/picture/stability.h"
-#include "tools/picture/virtual_display.h"
+#include "tools/picture/canvas/csv.h"
+#include "tools/picture/canvas/virtual_display.h"
+#include "tools/picture/evolution/mesh.h"
+#include "tools/picture/evolution/relax.h"
+#include "tools/picture/evolution/run.h"
+#include "tools/picture/figures/figures.h"
+#include "tools/picture/scan/cuts.h"
+#include "tools/picture/scan/diagram.h"
+#include "tools/picture/scan/energy.h"
+#include "tools/picture/studies/classical.h"
+#include "tools/picture/studies/compare.h"
+#include "tools/picture/studies/stability.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

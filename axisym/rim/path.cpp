@@ -1,0 +1,207 @@
+#include "axisym/rim/path.h"
+
+#include <Eigen/Dense>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sbeh::axisym::spectral {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+using std::numbers::pi;
+
+namespace {
+
+constexpr int most_iterations = 12;
+constexpr double converged = 1e-9;    // largest change; the error left is about its square
+constexpr double far = 0.5;           // a larger change leaves the neighbourhood
+constexpr double least_cosine = 0.6;  // between tangents of a step: more turning means a jump
+
+// ∂(gradient)/∂L: the energy is linear in L.
+VectorXd gradient_rate(const RimProblem& problem, const VectorXd& y) {
+  return expand(problem.at(1), y)->gradient - expand(problem.at(0), y)->gradient;
+}
+
+// The linearised equations in (y, multipliers, L) with a last row over (y, L).
+struct Linearised {
+  MatrixXd matrix;
+  VectorXd residual;  // without the last
+};
+std::optional<Linearised> linearise(const RimProblem& problem, const RimState& s,
+                                    const VectorXd& row) {
+  if (!(s.L > 0)) return {};
+  const Problem at = problem.at(s.L);
+  const auto e = expand(at, s.y);
+  if (!e) return {};
+  const Index n = s.y.size(), m = s.multipliers.size(), last = n + m;
+  Linearised out{MatrixXd::Zero(last + 1, last + 1), VectorXd(last)};
+  out.matrix.topLeftCorner(n, n) = hessian(at, s.y, s.multipliers);
+  out.matrix.block(0, n, n, m) = e->jacobian.transpose();
+  out.matrix.block(n, 0, m, n) = e->jacobian;
+  out.matrix.block(0, last, n, 1) = gradient_rate(problem, s.y);
+  out.matrix.row(last).head(n) = row.head(n).transpose();
+  out.matrix(last, last) = row[n];
+  out.residual << e->gradient + e->jacobian.transpose() * s.multipliers,
+      e->measures - problem.target();
+  return out;
+}
+
+// Newton with the last equation row·(y, L) = value.
+std::optional<RimState> newton(const RimProblem& problem, RimState s, const VectorXd& row,
+                               double value) {
+  const Index n = s.y.size(), m = s.multipliers.size();
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const auto system = linearise(problem, s, row);
+    if (!system) return {};
+    VectorXd miss(n + m + 1);
+    miss << system->residual, row.head(n).dot(s.y) + row[n] * s.L - value;
+    const VectorXd step = -system->matrix.partialPivLu().solve(miss);
+    const double change = step.head(n).cwiseAbs().maxCoeff();
+    if (!(change < far)) return {};
+    s.y += step.head(n);
+    s.multipliers += step.segment(n, m);
+    s.L += step[n + m];
+    if (change < converged) return s;
+  }
+  return {};
+}
+
+VectorXd along_L(Index n) { return VectorXd::Unit(n + 1, n); }
+
+// Weights of the length: the mean over y, and L.
+VectorXd weighted(VectorXd tangent) {
+  const Index n = tangent.size() - 1;
+  tangent.head(n) /= double(n);
+  return tangent;
+}
+
+}  // namespace
+
+VectorXd RimProblem::angles_at_nodes(const VectorXd& y) const {
+  VectorXd psi = pi * rim_nodes(mesh);  // the base, exact where the rim prescribes it
+  psi.segment(1, basis->S.cols()) += y.segment(1, basis->S.cols());
+  return psi;
+}
+
+VectorXd RimProblem::order_at_nodes(const VectorXd& y) const {
+  VectorXd beta = VectorXd::Zero(mesh.elements * mesh.degree + 1);
+  beta.head(basis->C.cols()) = y.tail(basis->C.cols());
+  return beta;
+}
+
+VectorXd RimProblem::unknowns(double length, const VectorXd& psi, const VectorXd& beta) const {
+  const VectorXd base = pi * rim_nodes(mesh);
+  VectorXd y(1 + basis->S.cols() + basis->C.cols());
+  y << length, (psi - base).segment(1, basis->S.cols()), beta.head(basis->C.cols());
+  return y;
+}
+
+std::optional<RimState> solve(const RimProblem& problem, RimState guess) {
+  const double L = guess.L;
+  const Index n = guess.y.size();
+  return newton(problem, std::move(guess), along_L(n), L);
+}
+
+std::optional<RimState> minimise(const RimProblem& problem, double L, const VectorXd& y) {
+  const auto found = spectral::minimise(problem.at(L), problem.target(), y);
+  if (!found) return {};
+  return RimState{L, found->y, found->multipliers};
+}
+
+std::optional<RimPathState> with_tangent(const RimProblem& problem, const RimState& s,
+                                         const VectorXd* forward) {
+  const Index n = s.y.size(), m = s.multipliers.size();
+  const auto system = linearise(problem, s, forward ? weighted(*forward) : along_L(n));
+  if (!system) return {};
+  const VectorXd whole = system->matrix.partialPivLu().solve(VectorXd::Unit(n + m + 1, n + m));
+  if (!whole.allFinite()) return {};
+  VectorXd tangent(n + 1);
+  tangent << whole.head(n), whole[n + m];
+  return RimPathState{s, tangent / std::sqrt(tangent.dot(weighted(tangent)))};
+}
+
+std::optional<RimPathState> arc_step(const RimProblem& problem, const RimPathState& from,
+                                     double ds) {
+  const Index n = from.s.y.size();
+  const VectorXd row = weighted(from.tangent);
+  RimState guess = from.s;
+  guess.y += ds * from.tangent.head(n);
+  guess.L += ds * from.slope();
+  if (!(guess.L > 0)) return {};
+  const auto e = expand(problem.at(guess.L), guess.y);
+  if (!e) return {};
+  guess.multipliers = estimate_multipliers(*e);
+  const double value = row.head(n).dot(from.s.y) + row[n] * from.s.L + ds;
+  const auto s = newton(problem, std::move(guess), row, value);
+  if (!s) return {};
+  auto next = with_tangent(problem, *s, &from.tangent);
+  return next && row.dot(next->tangent) > least_cosine ? next : std::nullopt;
+}
+
+RimPathState locate_fold(const RimProblem& problem, const RimPathState& before,
+                         const RimPathState& beyond, double ds) {
+  double low = 0, high = ds, at_low = before.slope(), at_high = beyond.slope();
+  RimPathState best = beyond;
+  for (int iteration = 0; iteration < 60 && std::abs(best.slope()) > 1e-9; ++iteration) {
+    // Regula falsi, kept off the ends.
+    const double zero = (low * at_high - high * at_low) / (at_high - at_low);
+    const double h = std::clamp(zero, low + 0.02 * (high - low), high - 0.02 * (high - low));
+    const auto next = arc_step(problem, before, h);
+    if (!next) break;
+    if (std::abs(next->slope()) < std::abs(best.slope())) best = *next;
+    const bool not_there = next->slope() * at_low > 0;
+    (not_there ? low : high) = h;
+    (not_there ? at_low : at_high) = next->slope();
+  }
+  return best;
+}
+
+namespace {
+
+// Negative eigenvalues of H among the directions that these rows (one each) map to zero. The unknowns are
+// scaled to diagonal entries of 1: those of the smallest elements would drown the others in rounding.
+int negative_among(MatrixXd H, MatrixXd rows) {
+  const VectorXd scale = H.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
+  H = scale.asDiagonal() * H * scale.asDiagonal();
+  rows = rows * scale.asDiagonal();
+  const Eigen::HouseholderQR<MatrixXd> qr(rows.transpose());
+  H.applyOnTheLeft(qr.householderQ().adjoint());
+  H.applyOnTheRight(qr.householderQ());
+  const Index tangential = H.rows() - rows.rows();
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H.bottomRightCorner(tangential, tangential),
+                                                      Eigen::EigenvaluesOnly);
+  return int((eigen.eigenvalues().array() < 0).count());
+}
+
+}  // namespace
+
+int negative_directions(const RimProblem& problem, const RimState& s) {
+  const RimProblem free(problem.material, problem.reduced_volume, Rim::free, problem.mesh);
+  const VectorXd y =
+      free.unknowns(s.y[0], problem.angles_at_nodes(s.y), problem.order_at_nodes(s.y));
+  const Problem at = free.at(s.L);
+  const MatrixXd H = hessian(at, y, s.multipliers);
+  const Basis& B = *free.basis;
+  const Index n = B.modes(), order_at_rim = y.size() - 1, angle_at_rim = n;
+
+  // Both halves vary alike: the rim keeps what is prescribed there.
+  MatrixXd alike = MatrixXd::Zero(3, y.size());
+  alike.topRows(2) = expand(at, y)->jacobian;
+  alike(2, problem.rim == Rim::smooth ? angle_at_rim : order_at_rim) = 1;
+
+  // They vary oppositely, which keeps area and volume: radius ℓ∫cos ψ dσ and order of the rim, which they
+  // share, cannot change. A smooth rim is no point of its own: where the curve is divided is not counted.
+  const Angles angles = spectral::angles(curve_of(at, y));
+  MatrixXd opposite = MatrixXd::Zero(problem.rim == Rim::smooth ? 3 : 2, y.size());
+  opposite(0, 0) = B.even.dot(angles.psi.array().cos().matrix());
+  opposite.row(0).segment(1, n) =
+      -s.y[0] * (B.even.array() * angles.psi.array().sin()).matrix().transpose() * B.S;
+  opposite(1, order_at_rim) = 1;
+  if (problem.rim == Rim::smooth) opposite(2, 0) = 1;
+  return negative_among(H, alike) + negative_among(H, opposite);
+}
+
+}  // namespace sbeh::axisym::spectral

@@ -1,0 +1,129 @@
+#include "axisym/spectral/newton.h"
+
+#include <Eigen/Cholesky>
+#include <Eigen/Eigenvalues>
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sbeh::axisym::spectral {
+
+using Eigen::Index;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+namespace {
+
+constexpr int most_iterations = 60;
+constexpr double tolerance = 1e-10;
+constexpr double rounding = 1e-14;  // a residual that no step improves
+constexpr double penalty = 1e3;     // on the constraints, in the merit of a step
+constexpr double shortest = 1e-4;   // part of a step
+constexpr double softest = 1e-3;    // eigenvalue by which an uphill direction is turned round
+
+// Orthonormal coordinates (normal, tangential) to the constraints.
+class Split {
+ public:
+  explicit Split(const MatrixXd& jacobian) : m_(jacobian.rows()), qr_(jacobian.transpose()) {}
+
+  MatrixXd rotated(MatrixXd H) const {
+    H.applyOnTheLeft(qr_.householderQ().adjoint());
+    H.applyOnTheRight(qr_.householderQ());
+    return H;
+  }
+  VectorXd rotated(const VectorXd& v) const { return qr_.householderQ().adjoint() * v; }
+  VectorXd back(const VectorXd& v) const { return qr_.householderQ() * v; }
+  // The normal step that changes the measures by this much, to first order.
+  VectorXd normal_step(const VectorXd& change) const {
+    return qr_.matrixQR().topLeftCorner(m_, m_).triangularView<Eigen::Upper>().transpose().solve(
+        change);
+  }
+
+ private:
+  Index m_;
+  Eigen::HouseholderQR<MatrixXd> qr_;
+};
+
+double smallest_eigenvalue(const MatrixXd& symmetric) {
+  return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
+      .eigenvalues()[0];
+}
+
+// H⁻¹ force, or downhill all the same where H is not positive.
+VectorXd descend(const MatrixXd& H, const VectorXd& force) {
+  const Eigen::LLT<MatrixXd> llt(H);
+  if (llt.info() == Eigen::Success) return llt.solve(force);
+  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H);
+  const VectorXd stiff = eigen.eigenvalues().cwiseAbs().cwiseMax(softest);
+  return eigen.eigenvectors() * (eigen.eigenvectors().transpose() * force).cwiseQuotient(stiff);
+}
+
+// Derivatives by high modes are as large as the mode's number times rounding.
+double largest_force(const Problem& problem, const VectorXd& lagrangian_gradient) {
+  const int n = problem.basis->modes();
+  double largest = 0;
+  for (Index i = 0; i < lagrangian_gradient.size(); ++i) {
+    const Index mode = i <= n ? i : i - n - 1;
+    largest = std::max(largest, std::abs(lagrangian_gradient[i]) / double(1 + mode));
+  }
+  return largest;
+}
+
+}  // namespace
+
+std::optional<Critical> minimise(const Problem& problem, const VectorXd& target, VectorXd y) {
+  std::optional<Expansion> at = expand(problem, y);
+  double before = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; at && iteration < most_iterations; ++iteration) {
+    const Multipliers lambda = estimate_multipliers(*at);
+    const VectorXd gradient = at->gradient + at->jacobian.transpose() * lambda;
+    const VectorXd miss = at->measures - target;
+    const double residual = std::max(largest_force(problem, gradient), miss.cwiseAbs().maxCoeff());
+
+    const Split split(at->jacobian);
+    const MatrixXd H = split.rotated(hessian(problem, y, lambda));
+    const Index m = miss.size(), tangential = y.size() - m;
+    if (residual < rounding || (residual < tolerance && residual > 0.1 * before)) {
+      const double lowest = smallest_eigenvalue(H.bottomRightCorner(tangential, tangential));
+      if (!(lowest > 0)) return {};
+      return Critical{.y = y,
+                      .multipliers = lambda,
+                      .energy = at->energy,
+                      .residual = residual,
+                      .stiffness = lowest,
+                      .iterations = iteration};
+    }
+    before = residual;
+
+    VectorXd step(y.size());
+    step.head(m) = split.normal_step(-miss);
+    step.tail(tangential) = descend(H.bottomRightCorner(tangential, tangential),
+                                    -split.rotated(gradient).tail(tangential)
+                                        - H.bottomLeftCorner(tangential, m) * step.head(m));
+    step = split.back(step);
+
+    const auto merit = [&](const Expansion& e) {
+      const VectorXd off = e.measures - target;
+      return e.energy + lambda.dot(off) + penalty / 2 * off.squaredNorm();
+    };
+    const double accepted = merit(*at) + 1e-11 * (1 + std::abs(at->energy));
+    double part = 1;
+    for (at = expand(problem, y + step); !at || merit(*at) > accepted;) {
+      part /= 2;
+      if (part < shortest) return {};
+      at = expand(problem, y + part * step);
+    }
+    y += part * step;
+  }
+  return {};
+}
+
+double stiffness(const MatrixXd& hessian, const MatrixXd& constraint_jacobian) {
+  const Index tangential = hessian.rows() - constraint_jacobian.rows();
+  return smallest_eigenvalue(
+      Split(constraint_jacobian).rotated(hessian).bottomRightCorner(tangential, tangential));
+}
+
+}  // namespace sbeh::axisym::spectral

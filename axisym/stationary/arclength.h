@@ -1,0 +1,66 @@
+// Steps along a branch of stationary states, parametrised by its own length, so that folds are no
+// obstacle.
+#pragma once
+
+#include "axisym/stationary/continuation.h"
+#include "axisym/stationary/newton_system.h"
+
+#include <optional>
+
+namespace sbeh::axisym {
+
+/// A straight line through the (V_r, L) plane, μ = 0 at `from`, 1 at `to`, and beyond both.
+class Line {
+ public:
+  Line(const model::Material& material, model::Model model, PlanePoint from, PlanePoint to)
+      : material_(material), model_(model), from_(from), to_(to) {}
+
+  PlanePoint at(double mu) const;
+  Target target(double mu) const { return target_of(at(mu).reduced_volume); }
+  model::Material material(double mu) const { return material_.with_L(at(mu).L); }
+  model::Model model() const { return model_; }
+  /// Whether there are states to look for: V_r <= 1, L > 0.
+  bool contains(double mu) const { return at(mu).L > 0 && at(mu).reduced_volume <= 1; }
+
+  double volume_rate() const { return target(1).volume - target(0).volume; }
+  Eigen::VectorXd gradient_rate(double mu, const StationaryState& s) const;
+
+ private:
+  model::Material material_;
+  model::Model model_;
+  PlanePoint from_, to_;
+};
+
+/// A state on the line with its tangent of unit length (root mean square of displacement and order,
+/// and μ).
+struct PathState {
+  double mu;
+  StationaryState s;
+  Increment tangent;
+  int determinant_sign;
+};
+
+Increment scaled(Increment t, double factor);
+
+/// Largest displacement or change of order in a step.
+double largest_change(const Increment& step);
+
+/// The state with its tangent, pointing the way of `forward`, or of growing μ without it. Empty where
+/// the matrix is singular.
+std::optional<PathState> with_tangent(const Line& line, double mu, const StationaryState& s,
+                                      const Increment* forward);
+
+/// Newton on the hyperplane at distance ds along the tangent. Empty when it does not converge within
+/// a few iterations, or arrives with a tangent so different that it must have jumped to another part.
+std::optional<PathState> arc_step(const Line& line, const PathState& from, double ds);
+
+/// The fold between a state and the one ds further, where the tangent's μ changes sign: its zero, by
+/// secants that move on from the nearest state before the fold.
+PathState locate_fold(const Line& line, const PathState& before, const PathState& beyond,
+                      double ds);
+
+/// Redistributes the nodes of a state on the path and solves again; the state itself where that
+/// fails. Keeps the direction of the tangent.
+PathState with_fresh_nodes(const Line& line, const PathState& state, double grading);
+
+}  // namespace sbeh::axisym

@@ -1,0 +1,172 @@
+#include "axisym/stationary/lagrangian.h"
+
+#include "model/numerics/contraction.h"
+#include "model/numerics/second_order.h"
+
+#include <ceres/jet.h>
+
+namespace sbeh::axisym {
+
+namespace {
+
+constexpr int data = lagrangian_data;
+constexpr int element_unknowns = 4 * node_unknowns;
+using First = ceres::Jet<double, nonlinear_data>;
+using Second = model::SecondOrder<nonlinear_data>;
+
+// Shape values times a component of the node normals, for the fields that live on the normals.
+struct NormalShapes {
+  std::array<double, 4> r, z, dr, dz;
+  NormalShapes(const Nodes& n, int e, const ShapeValues& s) {
+    for (std::size_t a = 0; a < 4; ++a) {
+      const auto node = n.col(3 * e + int(a));
+      r[a] = s.phi[a] * node[0];
+      z[a] = s.phi[a] * node[1];
+      dr[a] = s.dphi[a] * node[0];
+      dz[a] = s.dphi[a] * node[1];
+    }
+  }
+};
+
+// Rows of B in the order of LagrangianData; element unknowns component-wise.
+std::array<model::DataRow<4>, data> data_rows(const NormalShapes& n, const ShapeValues& s) {
+  constexpr int d = 4 * node_d, L = 4 * node_Lambda, H = 4 * node_H, b = 4 * node_beta;
+  return {{{d, n.r.data()},
+           {d, n.dr.data()},
+           {d, n.dz.data()},
+           {H, s.phi.data()},
+           {b, s.phi.data()},
+           {b, s.dphi.data()},
+           {L, n.r.data()},
+           {L, n.z.data()},
+           {L, n.dr.data()},
+           {L, n.dz.data()}}};
+}
+
+std::array<double, data> point_data(const StationaryState& state, const NormalShapes& n, int e,
+                                    const ShapeValues& s) {
+  std::array<double, data> q{};
+  for (int a = 0; a < 4; ++a) {
+    const int i = 3 * e + a;
+    q[at_r] += s.phi[a] * state.state.X(0, i);
+    q[at_dr] += s.dphi[a] * state.state.X(0, i);
+    q[at_dz] += s.dphi[a] * state.state.X(1, i);
+    q[at_Lr] += n.r[a] * state.Lambda[i];
+    q[at_Lz] += n.z[a] * state.Lambda[i];
+    q[at_dLr] += n.dr[a] * state.Lambda[i];
+    q[at_dLz] += n.dz[a] * state.Lambda[i];
+  }
+  q[at_H] = value_at(state.H, e, s);
+  q[at_beta] = value_at(state.state.beta, e, s);
+  q[at_dbeta] = slope_at(state.state.beta, e, s);
+  return q;
+}
+
+template <class T>
+PointFields<T> independent(const std::array<double, data>& q) {
+  PointFields<T> x;
+  for (int i = 0; i < nonlinear_data; ++i) x[i] = T(q[i], i);
+  return x;
+}
+
+// Gradient and Hessian of the density by all data.
+struct PointDerivatives {
+  Eigen::Matrix<double, data, 1> gradient;
+  Eigen::Matrix<double, data, data> hessian;
+};
+PointDerivatives differentiate(const model::Material& material, const StationaryState& state,
+                               const std::array<double, data>& q) {
+  const auto L =
+      lagrangian_density(material, state.tension, state.pressure, independent<Second>(q));
+  PointDerivatives d;
+  d.hessian.setZero();
+  auto gradient = d.gradient.head<nonlinear_data>();
+  auto hessian = d.hessian.topLeftCorner<nonlinear_data, nonlinear_data>();
+  gradient = L.energy.g;
+  hessian = L.energy.h;
+  for (int k = 0; k < 4; ++k) {
+    const Second& c = L.curvature[k];
+    const int i = nonlinear_data + k;
+    gradient += q[i] * c.g;
+    hessian += q[i] * c.h;
+    d.gradient[i] = c.a;
+    d.hessian.col(i).head<nonlinear_data>() = c.g;
+    d.hessian.row(i).head<nonlinear_data>() = c.g.transpose();
+  }
+  return d;
+}
+
+// ∂(density) by all data for a density that does not know the multiplier.
+Eigen::Matrix<double, data, 1> padded(const First& density) {
+  Eigen::Matrix<double, data, 1> g = Eigen::Matrix<double, data, 1>::Zero();
+  g.head<nonlinear_data>() = density.v;
+  return g;
+}
+
+}  // namespace
+
+LagrangianDerivatives::LagrangianDerivatives(int nodes)
+    : hessian(node_unknowns * nodes, 4 * node_unknowns - 1),
+      gradient(node_unknowns * nodes),
+      constraints(node_unknowns * nodes, 2),
+      area(0),
+      volume(0) {}
+
+void assemble(const model::Material& material, const StationaryState& state, const Nodes& normals,
+              LagrangianDerivatives& out) {
+  out.hessian.set_zero();
+  out.gradient.setZero();
+  out.constraints.setZero();
+  out.area = out.volume = 0;
+  Eigen::Matrix<double, element_unknowns, element_unknowns> matrix;
+  Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV;
+  for (int e = 0; e < element_count(state.state.X); ++e) {
+    matrix.setZero();
+    vector.setZero();
+    dA.setZero();
+    dV.setZero();
+    for (const ShapeValues& s : assembly_points()) {
+      const NormalShapes shapes(normals, e, s);
+      const auto rows = data_rows(shapes, s);
+      const auto q = point_data(state, shapes, e, s);
+      const PointDerivatives L = differentiate(material, state, q);
+      const First A = area_density(independent<First>(q)),
+                  V = volume_density(independent<First>(q));
+      model::add_matrix(rows, L.hessian, s.weight, matrix);
+      model::add_vector(rows, L.gradient, s.weight, vector);
+      model::add_vector(rows, padded(A), s.weight, dA);
+      model::add_vector(rows, padded(V), s.weight, dV);
+      out.area += s.weight * A.a;
+      out.volume += s.weight * V.a;
+    }
+    const auto global = [e](int k) { return node_unknowns * (3 * e + k % 4) + k / 4; };
+    for (int j = 0; j < element_unknowns; ++j) {
+      out.gradient[global(j)] += vector[j];
+      out.constraints(global(j), 0) += dA[j];
+      out.constraints(global(j), 1) -= dV[j];
+      for (int i = 0; i < element_unknowns; ++i) out.hessian(global(i), global(j)) += matrix(i, j);
+    }
+  }
+}
+
+Eigen::VectorXd gradient_rate_by_L(const model::Material& material, const StationaryState& state,
+                                   const Nodes& normals) {
+  const model::Material unit = material.with_L(1), zero = material.with_L(0);
+  Eigen::VectorXd rate = Eigen::VectorXd::Zero(node_unknowns * state.state.beta.size());
+  Eigen::Matrix<double, element_unknowns, 1> vector;
+  for (int e = 0; e < element_count(state.state.X); ++e) {
+    vector.setZero();
+    for (const ShapeValues& s : assembly_points()) {
+      const NormalShapes shapes(normals, e, s);
+      const auto q = independent<First>(point_data(state, shapes, e, s));
+      const First difference =
+          lagrangian_density(unit, 0, 0, q).energy - lagrangian_density(zero, 0, 0, q).energy;
+      model::add_vector(data_rows(shapes, s), padded(difference), s.weight, vector);
+    }
+    for (int k = 0; k < element_unknowns; ++k)
+      rate[node_unknowns * (3 * e + k % 4) + k / 4] += vector[k];
+  }
+  return rate;
+}
+
+}  // namespace sbeh::axisym

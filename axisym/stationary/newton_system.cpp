@@ -1,0 +1,128 @@
+#include "axisym/stationary/newton_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sbeh::axisym {
+
+namespace {
+
+// Area that every node stands for: ∫ |φ_i| dS, since ∫ φ_i dS may vanish in P3.
+Field node_areas(const Nodes& X) {
+  Field areas = Field::Zero(X.cols());
+  for_each_point(X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
+    for (int a = 0; a < 4; ++a) areas[3 * e + a] += p.dS * std::abs(s.phi[a]);
+  });
+  return areas;
+}
+
+Eigen::VectorXd scattered(const Increment& row) {
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(node_unknowns * row.d.size());
+  for (Eigen::Index i = 0; i < row.d.size(); ++i) {
+    v[index(i, node_d)] = row.d[i];
+    v[index(i, node_beta)] = row.beta[i];
+  }
+  return v;
+}
+
+void displace(const Nodes& normals, const Increment& step, double scale, StationaryState& s) {
+  s.state.X += normals * (scale * step.d).asDiagonal();
+  s.state.beta += scale * step.beta;
+  s.Lambda += scale * step.Lambda;
+  s.H += scale * step.H;
+  s.tension += scale * step.tension;
+  s.pressure += scale * step.pressure;
+}
+
+}  // namespace
+
+NewtonSystem::NewtonSystem(const model::Material& material, model::Model model, int nodes)
+    : material_(material), model_(model), derivatives_(nodes) {}
+
+bool NewtonSystem::linearise(const StationaryState& s) {
+  normals_ = node_normals(s.state.X);
+  assemble(material_, s, normals_, derivatives_);
+  for_each_pinned(model_, s.state.beta.size(), [&](int i) {
+    derivatives_.hessian.set_identity_row(i);
+    derivatives_.gradient[i] = 0;
+    derivatives_.constraints.row(i).setZero();
+  });
+  areas_ = node_areas(s.state.X);
+  return derivatives_.gradient.allFinite() && derivatives_.hessian.factor();
+}
+
+double NewtonSystem::residual() const {
+  double largest = 0;
+  for (Eigen::Index i = 0; i < areas_.size(); ++i)
+    for (const NodeUnknown c : {node_d, node_beta})
+      largest = std::max(largest, std::abs(derivatives_.gradient[index(i, c)]) / areas_[i]);
+  return largest;
+}
+
+bool NewtonSystem::newton_step(const Target& target, Increment& step) {
+  const Eigen::Vector2d miss(target.area - derivatives_.area, derivatives_.volume - target.volume);
+  return solve(-derivatives_.gradient, miss, nullptr, step);
+}
+
+bool NewtonSystem::newton_step(const Target& target, const Parameter& parameter, double arc,
+                               Increment& step) {
+  const Eigen::Vector3d miss(target.area - derivatives_.area, derivatives_.volume - target.volume,
+                             arc);
+  return solve(-derivatives_.gradient, miss, &parameter, step);
+}
+
+bool NewtonSystem::tangent(const Eigen::VectorXd& gradient_rate, double volume_rate,
+                           Increment& direction) {
+  const bool ok = solve(-gradient_rate, Eigen::Vector2d(0, -volume_rate), nullptr, direction);
+  direction.parameter = 1;
+  return ok;
+}
+
+bool NewtonSystem::tangent(const Parameter& parameter, Increment& direction) {
+  return solve(Eigen::VectorXd::Zero(derivatives_.gradient.size()), Eigen::Vector3d(0, 0, 1),
+               &parameter, direction);
+}
+
+bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& border_rhs,
+                         const Parameter* parameter, Increment& out) {
+  const Eigen::Index n = rhs.size(), m = border_rhs.size();
+  Eigen::MatrixXd B(n, m), C(n, m), D = Eigen::MatrixXd::Zero(m, m);
+  B.leftCols(2) = C.leftCols(2) = derivatives_.constraints;
+  if (parameter) {
+    B.col(2) = parameter->gradient_rate;
+    C.col(2) = scattered(parameter->row);
+    D(1, 2) = parameter->volume_rate;
+    D(2, 2) = parameter->row.parameter;
+  }
+  Eigen::VectorXd f = rhs;
+  for_each_pinned(model_, n / node_unknowns, [&](int i) {
+    f[i] = 0;
+    B.row(i).setZero();
+  });
+  const auto solution = model::solve_bordered(derivatives_.hessian, B, C, D, f, border_rhs);
+  if (solution.x.size() == 0 || !solution.x.allFinite()) return false;
+  determinant_sign_ = solution.determinant_sign;
+
+  const Eigen::Index nodes = n / node_unknowns;
+  for (auto [field, c] : {std::pair{&out.d, node_d},
+                          {&out.Lambda, node_Lambda},
+                          {&out.H, node_H},
+                          {&out.beta, node_beta}}) {
+    field->resize(nodes);
+    for (Eigen::Index i = 0; i < nodes; ++i) (*field)[i] = solution.x[index(i, c)];
+  }
+  out.tension = solution.y[0];
+  out.pressure = solution.y[1];
+  out.parameter = parameter ? solution.y[2] : 0;
+  return true;
+}
+
+void NewtonSystem::apply(const Increment& step, double scale, StationaryState& s) const {
+  displace(normals_, step, scale, s);
+}
+
+void displace(const Increment& step, double scale, StationaryState& s) {
+  displace(node_normals(s.state.X), step, scale, s);
+}
+
+}  // namespace sbeh::axisym

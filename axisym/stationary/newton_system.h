@@ -1,0 +1,76 @@
+// One linearised stationary problem: assembled, factored, and solved for any right-hand side.
+#pragma once
+
+#include "axisym/stationary/lagrangian.h"
+
+namespace sbeh::axisym {
+
+/// Position of a node's unknown in the global vector.
+inline int index(Eigen::Index node, NodeUnknown c) { return node_unknowns * int(node) + c; }
+
+/// Visits the unknowns that are not free: the north pole's displacement, and the order of SSH.
+template <class Visit>
+void for_each_pinned(model::Model model, Eigen::Index nodes, Visit&& visit) {
+  visit(index(0, node_d));
+  if (!model::has_free_order(model))
+    for (Eigen::Index i = 0; i < nodes; ++i) visit(index(i, node_beta));
+}
+
+/// A direction or a step in all unknowns; fields are nodal, `d` along the node normals.
+struct Increment {
+  Field d, Lambda, H, beta;
+  double tension = 0, pressure = 0;
+  double parameter = 0;  ///< of the continuation; 0 where there is none
+};
+
+/// A further unknown μ with its equation row·(d, β) + row_parameter δμ = right-hand side.
+struct Parameter {
+  Eigen::VectorXd gradient_rate;  // 4 nodes: ∂(gradient of 𝓛)/∂μ
+  double volume_rate;             ///< ∂V₀/∂μ
+  Increment row;                  ///< only d, β and parameter are used
+};
+
+/// s moves by scale · step along its node normals.
+void displace(const Increment& step, double scale, StationaryState& s);
+
+class NewtonSystem {
+ public:
+  NewtonSystem(const model::Material& material, model::Model model, int nodes);
+
+  /// Assembles at s and factors. False when the matrix is singular or not finite.
+  bool linearise(const StationaryState& s);
+
+  /// The Newton step towards `target`; with a parameter, μ changes too so that its equation holds
+  /// with right-hand side `arc`. False when singular.
+  bool newton_step(const Target& target, Increment& step);
+  bool newton_step(const Target& target, const Parameter& parameter, double arc, Increment& step);
+  /// The change of the solution per change of μ (parameter = 1).
+  bool tangent(const Eigen::VectorXd& gradient_rate, double volume_rate, Increment& direction);
+
+  /// The direction along the branch with row·(d, β, μ) = 1; regular at folds as well.
+  bool tangent(const Parameter& parameter, Increment& direction);
+
+  /// s moves by scale · step along the normals of the last linearisation.
+  void apply(const Increment& step, double scale, StationaryState& s) const;
+
+  const Eigen::VectorXd& gradient() const { return derivatives_.gradient; }
+  /// Area that every node stands for, ∫ |φ_i| dS, at the last linearisation.
+  const Field& areas() const { return areas_; }
+  /// Largest force and order residual per area of its node, at the last linearisation.
+  double residual() const;
+  /// Sign of the determinant of the bordered matrix: flips at a fold. After a step or a tangent.
+  int determinant_sign() const { return determinant_sign_; }
+
+ private:
+  bool solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& border_rhs,
+             const Parameter* parameter, Increment& out);
+
+  model::Material material_;
+  model::Model model_;
+  LagrangianDerivatives derivatives_;
+  Nodes normals_;
+  Field areas_;
+  int determinant_sign_ = 0;
+};
+
+}  // namespace sbeh::axisym

@@ -1,0 +1,80 @@
+#include "axisym/stationary/stability.h"
+
+#include "axisym/stationary/newton_system.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace sbeh::axisym {
+
+namespace {
+
+constexpr int block = 3 * node_unknowns;  // an element without its last node
+using Block = Eigen::Matrix<double, block, block>;
+using Border = Eigen::Matrix<double, block, 2>;
+
+// Counts negative eigenvalues while eliminating the blocks of a symmetric block tridiagonal matrix
+// with two border columns.
+class InertiaCounter {
+ public:
+  // `below` couples the block to the next one.
+  void eliminate(const Block& diagonal, const Block& below, const Border& border) {
+    const Block pivot = diagonal - coupling_ * carried_;
+    const Border b = border - coupling_ * carried_border_;
+    const Eigen::SelfAdjointEigenSolver<Block> eigen(pivot);
+    negative_ += int((eigen.eigenvalues().array() < 0).count());
+    const Block inverse = eigen.eigenvectors() * eigen.eigenvalues().cwiseInverse().asDiagonal()
+                        * eigen.eigenvectors().transpose();
+    corner_ -= b.transpose() * inverse * b;
+    coupling_ = below;
+    carried_ = inverse * below.transpose();
+    carried_border_ = inverse * b;
+  }
+  int finish() {
+    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(corner_);
+    return negative_ + int((eigen.eigenvalues().array() < 0).count());
+  }
+
+ private:
+  Block coupling_ = Block::Zero(), carried_ = Block::Zero();
+  Border carried_border_ = Border::Zero();
+  Eigen::Matrix2d corner_ = Eigen::Matrix2d::Zero();
+  int negative_ = 0;
+};
+
+}  // namespace
+
+int negative_directions(const model::Material& material, model::Model model,
+                        const StationaryState& s) {
+  const int nodes = int(s.state.beta.size()), size = node_unknowns * nodes;
+  LagrangianDerivatives L(nodes);
+  assemble(material, s, node_normals(s.state.X), L);
+  // Pinned unknowns leave the matrix symmetrically; a 1 on the diagonal counts as no negative.
+  std::vector<bool> pinned(std::size_t(size), false);
+  for_each_pinned(model, nodes, [&](int i) { pinned[std::size_t(i)] = true; });
+  const auto entry = [&](int i, int j) {
+    if (i >= size || j >= size || pinned[std::size_t(i)] || pinned[std::size_t(j)])
+      return i == j ? 1. : 0.;
+    return std::abs(i - j) <= L.hessian.half_width() ? L.hessian(i, j) : 0.;
+  };
+
+  InertiaCounter counter;
+  const int blocks = (size + block - 1) / block;  // the last one is padded
+  for (int k = 0; k < blocks; ++k) {
+    Block diagonal, below;
+    Border border;
+    for (int i = 0; i < block; ++i) {
+      const int row = block * k + i;
+      for (int j = 0; j < block; ++j) {
+        diagonal(i, j) = entry(row, block * k + j);
+        below(i, j) = entry(row + block, block * k + j);
+      }
+      for (int c = 0; c < 2; ++c)
+        border(i, c) = row < size && !pinned[std::size_t(row)] ? L.constraints(row, c) : 0;
+    }
+    counter.eliminate(diagonal, below, border);
+  }
+  constexpr int global_multipliers = 2;  // tension and pressure
+  return counter.finish() - nodes - global_multipliers;
+}
+
+}  // namespace sbeh::axisym

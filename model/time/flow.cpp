@@ -1,0 +1,82 @@
+#include "model/time/flow.h"
+
+#include <fmt/format.h>
+
+#include <stdexcept>
+
+namespace sbeh::model {
+
+Dissipation combine(double a, const Dissipation& x, double b, const Dissipation& y) {
+  return {a * x.friction + b * y.friction, a * x.order + b * y.order,
+          a * x.viscous + b * y.viscous};
+}
+
+void TimeControl::validate() const {
+  const auto require_range = [](const char* name, double value, double low, double high) {
+    if (!(value >= low && value <= high))
+      throw std::invalid_argument(
+          fmt::format("{} = {}: must be in {} ... {}", name, value, low, high));
+  };
+  require_range("tolerance", tolerance, 1e-12, 0.1);
+  require_range("first_step", first_step, 1e-14, 10.0);
+  require_range("smallest_step", smallest_step, 1e-16, 1.0);
+  require_range("largest_step", largest_step, 1e-14, 1e3);
+  require_range("rest_speed", rest_speed, 1e-14, 1.0);
+  if (smallest_step > largest_step || first_step > largest_step)
+    throw std::invalid_argument(
+        fmt::format("largest_step = {}: must be >= first_step and smallest_step", largest_step));
+}
+
+std::vector<double> stops_of(const FlowSchedule& schedule) {
+  std::vector<double> stops = schedule.output_times;
+  stops.push_back(schedule.end_time);
+  std::sort(stops.begin(), stops.end());
+  const auto same = [](double a, double b) { return b - a <= same_time * std::abs(b); };
+  stops.erase(std::unique(stops.begin(), stops.end(), same), stops.end());
+  if (same(stops.back(), schedule.end_time)) stops.back() = schedule.end_time;
+  return stops;
+}
+
+std::string describe(FlowStop stop) {
+  switch (stop) {
+    case FlowStop::end_time:
+      return "end time reached";
+    case FlowStop::at_rest:
+      return "at rest";
+    case FlowStop::unresolved:
+      return "curvature falls below the mesh scale";
+    case FlowStop::self_contact:
+      return "the surface touches itself";
+    case FlowStop::step_too_small:
+      return "time step too small";
+    case FlowStop::interrupted:
+      return "interrupted";
+  }
+  return "";
+}
+
+std::string describe(FlowFault fault) {
+  switch (fault) {
+    case FlowFault::none:
+      return "";
+    case FlowFault::linear_solve:
+      return "the linear system of a step could not be solved: it is singular, as for a shape that "
+             "cannot move within its area and volume, or the mesh is too coarse or degenerate";
+    case FlowFault::degenerate:
+      return "a step turns a triangle over or leaves the surface degenerate, however small: the "
+             "mesh is too coarse for the shape; more triangles may help";
+    case FlowFault::area_volume:
+      return "area and volume could not be restored after a step: the mesh is too coarse for the "
+             "shape; more triangles may help";
+    case FlowFault::error:
+      return "the error of a step stays above the tolerance, however small: the shape or the order "
+             "has become sharper than the mesh resolves; more triangles or a larger tolerance may "
+             "help";
+    case FlowFault::energy_rises:
+      return "the energy rises in every step, however small: the mesh does not resolve the shape "
+             "or the order; more triangles may help";
+  }
+  return "";
+}
+
+}  // namespace sbeh::model

@@ -1,0 +1,348 @@
+#include "studies/compare/compare.h"
+
+#include "model/time/flow.h"
+#include "studies/io/csv_line.h"
+#include "studies/io/interrupt.h"
+#include "studies/io/output.h"
+#include "studies/parameters/describe.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <numeric>
+
+namespace sbeh::studies {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// ---- the methods --------------------------------------------------------------------------------
+
+WitnessState state_of(Witness witness, const CompareInput& input,
+                      const std::vector<WitnessState>& before, std::optional<axisym::State>& newton,
+                      const fs::path& frame) {
+  const auto by_newton = [&] {
+    NewtonState found = newton_state(input);
+    newton = found.state;
+    return found.found;
+  };
+  switch (witness) {
+    case Witness::newton:
+      return by_newton();
+    case Witness::shooting:
+      return shooting_state(input);
+    case Witness::minimiser:
+      return minimiser_state(input);
+    case Witness::flow:
+      return flow_state(input);
+    case Witness::surface3d:
+      if (input.surface3d.revolved && !newton) by_newton();
+      if (input.surface3d.revolved && !newton)
+        return {.witness = witness, .failure = "newton has no state to revolve"};
+      return surface_state(input, newton, frame);
+    case Witness::harmonics: {
+      const auto start =
+          std::find_if(before.begin(), before.end(), [](const auto& s) { return s.mesh; });
+      return harmonic_state(input, start == before.end() ? std::nullopt : start->mesh);
+    }
+  }
+  return {};
+}
+
+std::vector<WitnessState> states_of(const CompareInput& input, const fs::path& frame) {
+  std::vector<WitnessState> states;
+  std::optional<axisym::State> newton;
+  for (const Witness witness : input.methods) {
+    const auto start = std::chrono::steady_clock::now();
+    states.push_back(state_of(witness, input, states, newton, frame));
+    states.back().seconds =
+        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    if (interrupt_signal()) throw Interrupted("interrupted");
+  }
+  return states;
+}
+
+// ---- profiles -----------------------------------------------------------------------------------
+
+// The first curve there is: what the others are measured from.
+const Meridian* reference_of(const std::vector<WitnessState>& states) {
+  for (const WitnessState& state : states)
+    if (state.meridian) return &*state.meridian;
+  return nullptr;
+}
+
+// Moves points along the axis to where they are nearest to the curve, by least squares.
+void align(Eigen::Matrix2Xd& points, const Meridian& curve) {
+  for (int iteration = 0; iteration < 8; ++iteration) {
+    double weight = 0, sum = 0;
+    for (const auto x : points.colwise()) {
+      const double t = curve.nearest(x);
+      const double n_z = curve.tangent(t).normalized()[0];
+      weight += n_z * n_z;
+      sum += n_z * curve.normal_distance(t, x);
+    }
+    points.row(1).array() -= sum / weight;
+    if (std::abs(sum / weight) < 1e-12) break;
+  }
+}
+
+double distance_of(const WitnessState& a, const WitnessState& b) {
+  if (a.meridian && b.meridian) return distance(*a.meridian, *b.meridian);
+  const WitnessState& curve = a.meridian ? a : b;
+  const WitnessState& nodes = a.meridian ? b : a;
+  double largest = curve.meridian && nodes.points.size() > 0 ? 0 : not_known;
+  if (curve.meridian)
+    for (const auto x : nodes.points.colwise()) {
+      const double t = curve.meridian->nearest(x);
+      largest = std::max(largest, (curve.meridian->at(t) - x).norm());
+    }
+  return largest;
+}
+
+// Largest difference at the times that both have; not_known where there are none.
+double history_difference(const WitnessState& a, const WitnessState& b) {
+  double largest = not_known;
+  for (const EnergyAt& p : a.history)
+    for (const EnergyAt& q : b.history)
+      if (p.time > 0 && std::abs(p.time - q.time) <= model::same_time * p.time)
+        largest = std::fmax(largest, std::abs(p.energy - q.energy));
+  return largest;
+}
+
+struct PlacedPoint {
+  double arc_length, r, z, order, distance;
+};
+
+std::vector<PlacedPoint> placed(const WitnessState& state, const Meridian& reference) {
+  std::vector<PlacedPoint> points;
+  for (Eigen::Index i = 0; i < state.points.cols(); ++i) {
+    const Eigen::Vector2d x = state.points.col(i);
+    const double t = reference.nearest(x);
+    const bool own = &reference == (state.meridian ? &*state.meridian : nullptr);
+    points.push_back({reference.arc_length(t), x[0], x[1], state.order[i],
+                      own ? 0 : reference.normal_distance(t, x)});
+  }
+  if (!state.meridian)
+    std::sort(points.begin(), points.end(), [](const PlacedPoint& a, const PlacedPoint& b) {
+      return a.arc_length < b.arc_length;
+    });
+  return points;
+}
+
+// ---- comparisons --------------------------------------------------------------------------------
+
+std::optional<double> tolerance_of(const CompareInput& input, const Comparison& of) {
+  const auto is_3d = [](Witness w) { return w == Witness::surface3d || w == Witness::harmonics; };
+  const bool in_3d = is_3d(of.first) || is_3d(of.second);
+  const Tolerances& tolerances = in_3d ? input.tolerance_3d : input.tolerance;
+  const auto at = tolerances.find(of.quantity);
+  return at == tolerances.end() ? std::nullopt : std::optional(at->second);
+}
+
+std::vector<Comparison> compare(const CompareInput& input, const WitnessState& a,
+                                const WitnessState& b) {
+  std::vector<Comparison> all;
+  for (const Quantity& quantity : quantities()) {
+    Comparison one{.quantity = quantity.name, .first = a.witness, .second = b.witness};
+    one.first_value = a.measures.*quantity.value;
+    one.second_value = b.measures.*quantity.value;
+    one.difference = std::abs(one.first_value - one.second_value);
+    if (quantity.is_energy) one.relative_difference = one.difference / std::abs(a.measures.energy);
+    all.push_back(one);
+  }
+  if (a.meridian || b.meridian) {
+    Comparison profiles{.quantity = "distance", .first = a.witness, .second = b.witness};
+    profiles.difference = distance_of(a, b);
+    all.push_back(profiles);
+  }
+  if (!a.history.empty() && !b.history.empty()) {
+    Comparison history{.quantity = "history", .first = a.witness, .second = b.witness};
+    history.difference = history_difference(a, b);
+    history.relative_difference = history.difference / std::abs(a.measures.energy);
+    all.push_back(history);
+  }
+  for (Comparison& one : all) one.tolerance = tolerance_of(input, one);
+  return all;
+}
+
+// ---- tables -------------------------------------------------------------------------------------
+
+std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
+
+std::string comparisons_text(const std::vector<Comparison>& comparisons) {
+  std::string text =
+      "quantity,first,second,first_value,second_value,difference,relative_difference,tolerance,"
+      "agrees\n";
+  for (const Comparison& c : comparisons)
+    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", c.quantity, name(c.first), name(c.second),
+                        field(c.first_value), field(c.second_value), field(c.difference),
+                        field(c.relative_difference), field(c.tolerance.value_or(not_known)),
+                        !c.tolerance ? ""
+                        : c.misses() ? "no"
+                                     : "yes");
+  return text;
+}
+
+std::string methods_text(const std::vector<WitnessState>& states) {
+  std::string text = "method,status";
+  for (const Quantity& quantity : quantities()) text += fmt::format(",{}", quantity.name);
+  text += ",seconds,remark\n";
+  for (const WitnessState& state : states) {
+    text += fmt::format("{},{}", name(state.witness), state.failure.empty() ? "found" : "failed");
+    for (const Quantity& quantity : quantities())
+      text += fmt::format(",{}", field(state.measures.*quantity.value));
+    text += fmt::format(",{:.4g},{}\n", state.seconds,
+                        csv_field(state.failure.empty() ? state.remark : state.failure));
+  }
+  return text;
+}
+
+std::string profiles_text(const std::vector<WitnessState>& states) {
+  std::string text = "method,arc_length,r,z,order,distance\n";
+  if (const Meridian* reference = reference_of(states))
+    for (const WitnessState& state : states)
+      for (const PlacedPoint& p : placed(state, *reference))
+        text += fmt::format("{},{},{},{},{},{}\n", name(state.witness), p.arc_length, p.r, p.z,
+                            p.order, p.distance);
+  return text;
+}
+
+std::string histories_text(const std::vector<WitnessState>& states) {
+  std::string text;
+  for (const WitnessState& state : states)
+    for (const EnergyAt& at : state.history)
+      text += fmt::format("{},{},{}\n", name(state.witness), at.time, at.energy);
+  return text.empty() ? text : "method,time,energy\n" + text;
+}
+
+// ---- tables for people --------------------------------------------------------------------------
+
+constexpr int name_width = 20, cell_width = 18;
+std::string cell(double value, const char* format) {
+  return fmt::format("{:>{}}", std::isnan(value) ? "-" : fmt::format(fmt::runtime(format), value),
+                     cell_width);
+}
+
+std::string values_for_people(const std::vector<WitnessState>& states) {
+  std::string text = fmt::format("{:<{}}", "", name_width);
+  for (const WitnessState& state : states)
+    text += fmt::format("{:>{}}", name(state.witness), cell_width);
+  for (const Quantity& quantity : quantities()) {
+    text += fmt::format("\n{:<{}}", quantity.name, name_width);
+    for (const WitnessState& state : states)
+      text += cell(state.measures.*quantity.value, "{:.11g}");
+  }
+  text += fmt::format("\n{:<{}}", "seconds", name_width);
+  for (const WitnessState& state : states) text += cell(state.seconds, "{:.3g}");
+  return text + "\n";
+}
+
+// Those of all others from the first; the history, which few pairs have, stands elsewhere.
+std::string differences_for_people(const CompareSummary& summary) {
+  const Witness reference = summary.states.front().witness;
+  std::string text =
+      fmt::format("differences from {} (energies: relative to the total; ! tolerance missed)\n",
+                  name(reference));
+  for (const std::string& quantity : tolerated_quantities()) {
+    if (quantity == "history") continue;
+    text += fmt::format("{:<{}}{:>{}}", quantity, name_width, "", cell_width);
+    for (const WitnessState& state : summary.states) {
+      if (state.witness == reference) continue;
+      const auto at = std::find_if(
+          summary.comparisons.begin(), summary.comparisons.end(), [&](const Comparison& c) {
+            return c.quantity == quantity && c.first == reference && c.second == state.witness;
+          });
+      const bool there = at != summary.comparisons.end();
+      text += cell(there ? at->judged() : not_known, there && at->misses() ? "! {:.2e}" : "{:.2e}");
+    }
+    text += "\n";
+  }
+  return text;
+}
+
+void refuse_results(const OutputFolder& folder) {
+  for (const char* result : {"run.toml", "compare.csv", "scan.csv", "series.csv", "branches.csv"})
+    if (fs::exists(folder / result))
+      throw OutputError(
+          fmt::format("{}: already holds results (see its {}), which are not overwritten; choose "
+                      "another folder with -o or move it away",
+                      folder.path().string(), result));
+}
+
+}  // namespace
+
+double Comparison::judged() const {
+  return std::isnan(relative_difference) ? difference : relative_difference;
+}
+
+bool Comparison::misses() const { return tolerance && !(judged() <= *tolerance); }
+
+bool CompareSummary::agrees() const {
+  return std::all_of(states.begin(), states.end(),
+                     [](const WitnessState& s) { return s.failure.empty(); })
+      && std::none_of(comparisons.begin(), comparisons.end(),
+                      [](const Comparison& c) { return c.misses(); });
+}
+
+CompareSummary run_compare(const CompareInput& input, const fs::path& path,
+                           std::string_view version) {
+  const OutputFolder folder(path);
+  refuse_results(folder);
+  CompareSummary summary{.states = states_of(input, folder / "surface3d.vtu"), .comparisons = {}};
+  std::vector<WitnessState>& states = summary.states;
+  if (const Meridian* reference = reference_of(states))
+    for (WitnessState& state : states)
+      if (!state.meridian && state.points.size() > 0) align(state.points, *reference);
+  for (std::size_t i = 0; i < states.size(); ++i)
+    for (std::size_t j = i + 1; j < states.size(); ++j)
+      if (states[i].failure.empty() && states[j].failure.empty())
+        for (const Comparison& one : compare(input, states[i], states[j]))
+          summary.comparisons.push_back(one);
+  write_file(folder / "profiles.csv", profiles_text(states));
+  write_file(folder / "methods.csv", methods_text(states));
+  if (const std::string histories = histories_text(states); !histories.empty())
+    write_file(folder / "histories.csv", histories);
+  write_file(folder / "compare.csv", comparisons_text(summary.comparisons));
+  write_file(folder / "run.toml", describe(input, version));
+  return summary;
+}
+
+std::string table_of(const CompareSummary& summary) {
+  std::string text = values_for_people(summary.states) + "\n" + differences_for_people(summary);
+  for (const Comparison& c : summary.comparisons)
+    if (c.quantity == "history")
+      text += fmt::format("energies of {} and {} over time differ by {:.2e} of the last one{}\n",
+                          name(c.first), name(c.second), c.judged(), c.misses() ? " !" : "");
+  for (const WitnessState& state : summary.states)
+    if (!state.remark.empty()) text += fmt::format("{}: {}\n", name(state.witness), state.remark);
+  return text;
+}
+
+std::vector<std::string> complaints(const CompareSummary& summary) {
+  std::vector<std::string> sentences;
+  for (const WitnessState& state : summary.states)
+    if (!state.failure.empty())
+      sentences.push_back(fmt::format("{} has no state: {}", name(state.witness), state.failure));
+  for (const Comparison& c : summary.comparisons) {
+    if (!c.misses()) continue;
+    const std::string first = name(c.first), second = name(c.second);
+    const std::string values =
+        c.quantity == "distance" || c.quantity == "history"
+            ? fmt::format("of {} and {}", first, second)
+            : fmt::format("{} by {}, {} by {}", c.first_value, first, c.second_value, second);
+    sentences.push_back(
+        std::isnan(c.judged())
+            ? fmt::format(
+                "{}: not known of both {} and {}, so that its tolerance {} cannot be judged",
+                c.quantity, first, second, *c.tolerance)
+            : fmt::format("{}: {}: the {}difference {:.3g} is more than the tolerance {}",
+                          c.quantity, values, std::isnan(c.relative_difference) ? "" : "relative ",
+                          c.judged(), *c.tolerance));
+  }
+  return sentences;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,62 @@
+// One case by several independent methods, side by side.
+//
+// compare.csv, a row per quantity and pair of methods:
+//   quantity, first, second, first_value, second_value, difference, relative_difference (of the energies,
+//   to the total energy of the first), tolerance (empty: none is stated), agrees (yes, no or empty)
+// methods.csv, a row per method:
+//   method, status (found or failed), the quantities of witness_state.h, seconds, remark
+// profiles.csv, a row per point of every method's meridian, of surface3d and harmonics per node:
+//   method, arc_length (of the nearest point of the first method's curve), r, z, order, distance (from that
+//   curve along its outward normal; 0 for the first method itself)
+// histories.csv, of flow and of surface3d from the ellipsoid:
+//   method, time, energy
+#pragma once
+
+#include "studies/compare/compare_input.h"
+#include "studies/witnesses/state.h"
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sbeh::studies {
+
+/// One quantity of two methods. Two have no values, only the difference: "distance", the largest of either
+/// profile's points (of surface3d and harmonics: nodes) from the other curve, which these two do not have
+/// from each other, and "history", the largest difference of the energies at equal times, of flow and
+/// surface3d alone.
+struct Comparison {
+  std::string quantity;
+  Witness first, second;
+  double first_value = not_known, second_value = not_known;
+  double difference = not_known;
+  double relative_difference = not_known;  ///< of energies
+  std::optional<double> tolerance = {};
+
+  /// What the tolerance is meant for.
+  double judged() const;
+  /// Whether a tolerance is stated and missed, or cannot be judged.
+  bool misses() const;
+};
+
+struct CompareSummary {
+  std::vector<WitnessState> states;  ///< in the order of the input's methods
+  std::vector<Comparison> comparisons;
+  bool agrees() const;  ///< every method found its state, no tolerance is missed
+};
+
+/// Runs the methods one after the other and leaves run.toml (the input, resolved), compare.csv,
+/// methods.csv, profiles.csv, histories.csv and, of a 3D run of its own, surface3d.vtu in the folder. A folder that
+/// holds results already is refused. Throws InputError, OutputError and Interrupted.
+CompareSummary run_compare(const CompareInput& input, const std::filesystem::path& folder,
+                           std::string_view version);
+
+/// The summary as tables for people: the values, and the differences from the first method.
+std::string table_of(const CompareSummary& summary);
+
+/// A sentence for every method without a state and for every tolerance that is missed.
+std::vector<std::string> complaints(const CompareSummary& summary);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,171 @@
+#include "studies/compare/compare_input.h"
+
+#include "studies/io/spelling.h"
+#include "studies/io/toml_reader.h"
+#include "studies/parameters/material_input.h"
+#include "studies/scan/scan_input.h"
+#include "studies/witnesses/state.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+
+namespace sbeh::studies {
+
+namespace {
+
+constexpr std::array<const char*, 6> witness_names{"newton", "shooting",  "minimiser",
+                                                   "flow",   "surface3d", "harmonics"};
+constexpr double least_harmonic_volume = 0.65;
+constexpr int fewest_triangles = 20, most_triangles = 200'000;
+
+// The surface must be near enough to an ellipsoid.
+void require_harmonic_shape(const TomlTable& table, const CompareInput& input) {
+  if (!input.has(Witness::harmonics)) return;
+  if (input.model != model::Model::SSH)
+    table.fail("methods",
+               "must not contain \"harmonics\" for model = \"SBEH\": it has full order only");
+  if (input.branch == "stomatocyte" || input.reduced_volume < least_harmonic_volume)
+    table.fail("methods",
+               fmt::format("must not contain \"harmonics\" but for oblates and prolates with "
+                           "reduced_volume >= {}",
+                           least_harmonic_volume));
+}
+
+void read_case(const TomlTable& table, CompareInput& input) {
+  input.model = model_of(table.word("model", scan_model_words()));
+  input.branch = table.word("branch", known_branches(), input.branch);
+  input.reduced_volume = table.number("reduced_volume", {.low = 0, .high = 1, .low_open = true});
+  if (input.reduced_volume == 1)
+    table.fail("reduced_volume", "must be < 1: there is only the sphere, and nothing to compare");
+  input.L = table.number("L", above(0));
+  const std::vector<std::string> known(witness_names.begin(), witness_names.end());
+  for (const std::string& word : table.words("methods", known))
+    input.methods.push_back(Witness(std::find(known.begin(), known.end(), word) - known.begin()));
+  if (input.methods.size() < 2)
+    table.fail("methods", "must be two at least, to be compared with each other");
+  if (input.has(Witness::shooting) && input.model != model::Model::SSH)
+    table.fail("methods",
+               "must not contain \"shooting\" for model = \"SBEH\": it has full order only");
+  if (input.has(Witness::flow) && input.branch == "stomatocyte")
+    table.fail("methods",
+               "must not contain \"flow\" for branch = \"stomatocyte\": an ellipsoid does "
+               "not go there");
+  require_harmonic_shape(table, input);
+  table.reject_unknown_keys();
+}
+
+HarmonicMethod read_harmonic_method(const TomlTable& table) {
+  HarmonicMethod method;
+  method.degree = table.integer("degree", 8, 24, method.degree);
+  table.reject_unknown_keys();
+  return method;
+}
+
+SurfaceMethod read_surface_method(const TomlTable& table, const CompareInput& input) {
+  SurfaceMethod method;
+  if (table.has("run")) {
+    for (const char* key : {"start", "triangles", "end", "tolerance", "rest_speed"})
+      table.refuse(key, "must not be given together with run, which has it");
+    method.run = table.text("run");
+  }
+  method.revolved = table.word("start", {"ellipsoid", "revolved"}, "ellipsoid") == "revolved";
+  if (input.has(Witness::surface3d) && input.branch == "stomatocyte" && method.run.empty()
+      && !method.revolved)
+    table.fail("start",
+               "must be \"revolved\" for branch = \"stomatocyte\": an ellipsoid does not go "
+               "there");
+  method.triangles = table.integer("triangles", fewest_triangles, most_triangles, method.triangles);
+  method.end_time = table.number("end", above(0), method.end_time);
+  method.numerics.tolerance = table.number("tolerance", {}, method.numerics.tolerance);
+  method.numerics.rest_speed = table.number("rest_speed", {}, method.numerics.rest_speed);
+  table.reject_unknown_keys();
+  try {
+    method.numerics.validate();
+  } catch (const std::invalid_argument& error) {
+    table.fail_from(error);
+  }
+  return method;
+}
+
+Tolerances read_tolerances(const TomlTable& table) {
+  Tolerances tolerances;
+  for (const std::string& quantity : tolerated_quantities())
+    if (table.has(quantity)) tolerances[quantity] = table.number(quantity, above(0));
+  table.reject_unknown_keys();
+  return tolerances;
+}
+
+// Only flow and surface3d have histories, and from a revolved state there is none to tell of.
+void require_histories(const TomlTable& tolerance_3d, const CompareInput& input) {
+  if (!input.tolerance_3d.contains("history")) return;
+  if (!input.has(Witness::flow) || !input.has(Witness::surface3d) || input.surface3d.revolved)
+    tolerance_3d.fail("history",
+                      "needs the methods \"flow\" and \"surface3d\", both from an ellipsoid");
+}
+
+// With a spontaneous curvature the classical shapes are others.
+void refuse_spontaneous_curvature(const TomlTable& material, const CompareInput& input) {
+  if (input.material.spontaneous_curvature == 0 || input.model != model::Model::SSH) return;
+  for (const Witness witness : {Witness::shooting, Witness::minimiser, Witness::harmonics})
+    if (input.has(witness))
+      material.fail(
+          "spontaneous_curvature",
+          fmt::format("must be 0 for the method \"{}\" of model = \"SSH\"", name(witness)));
+}
+
+}  // namespace
+
+std::vector<std::string> tolerated_quantities() {
+  std::vector<std::string> names;
+  for (const Quantity& quantity : quantities()) names.emplace_back(quantity.name);
+  names.emplace_back("distance");
+  names.emplace_back("history");
+  return names;
+}
+
+const char* name(Witness witness) { return witness_names[std::size_t(witness)]; }
+
+SurfaceMethod::SurfaceMethod() {
+  numerics.tolerance = 1e-3;
+  numerics.rest_speed = 1e-5;
+}
+
+bool CompareInput::has(Witness witness) const {
+  return std::find(methods.begin(), methods.end(), witness) != methods.end();
+}
+
+CompareInput read_compare(const std::filesystem::path& path) {
+  const TomlTable file = TomlFile::parse(path);
+  const TomlTable cases = file.table("compare"), material = file.table("material"),
+                  numerics = file.table("numerics");
+  const bool has_surface = file.has("surface3d"), has_harmonics = file.has("harmonics"),
+             has_tolerance_3d = file.has("tolerance_3d");
+  const TomlTable surface = file.table("surface3d"), harmonics = file.table("harmonics"),
+                  tolerance = file.table("tolerance"), tolerance_3d = file.table("tolerance_3d");
+  file.reject_unknown_keys();
+  CompareInput input;
+  read_case(cases, input);
+  const bool in_3d = input.has(Witness::surface3d), by_harmonics = input.has(Witness::harmonics);
+  if (!in_3d && has_surface)
+    file.refuse("surface3d", "has no place without \"surface3d\" among the methods");
+  if (!by_harmonics && has_harmonics)
+    file.refuse("harmonics", "has no place without \"harmonics\" among the methods");
+  if (!in_3d && !by_harmonics && has_tolerance_3d)
+    file.refuse("tolerance_3d",
+                "has no place without \"surface3d\" or \"harmonics\" among the methods");
+  input.material = read_material_without_L(material, "a comparison, where L comes from [compare]")
+                       .with_L(input.L);
+  refuse_spontaneous_curvature(material, input);
+  input.numerics = read_numerics(numerics);
+  input.surface3d = read_surface_method(surface, input);
+  input.harmonics = read_harmonic_method(harmonics);
+  tolerance.refuse("history", "has its place in [tolerance_3d]: flow is compared with surface3d");
+  input.tolerance = read_tolerances(tolerance);
+  input.tolerance_3d = read_tolerances(tolerance_3d);
+  require_histories(tolerance_3d, input);
+  return input;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,144 @@
+#include "studies/evolution/frame_file.h"
+
+#include "studies/io/output.h"
+#include "studies/io/toml_reader.h"
+#include "studies/mesh_files/mesh_file.h"
+
+#include <fmt/format.h>
+
+namespace sbeh::studies {
+
+namespace {
+
+Eigen::VectorXd number(double value) { return Eigen::VectorXd::Constant(1, value); }
+
+// What a record tells of the step that led to the state, besides its energy.
+Eigen::VectorXd of_step(const surface3d::FlowRecord& r) {
+  return (Eigen::VectorXd(10) << r.time_step, r.dissipation.friction, r.dissipation.order,
+          r.dissipation.viscous, r.energy_balance, r.normal_speed, r.order_speed, r.speed_max,
+          r.lambda, r.ends ? int(*r.ends) : -1)
+      .finished();
+}
+void set_step(surface3d::FlowRecord& r, const Eigen::VectorXd& step) {
+  r.time_step = step[0];
+  r.dissipation = {step[1], step[2], step[3]};
+  r.energy_balance = step[4];
+  r.normal_speed = step[5];
+  r.order_speed = step[6];
+  r.speed_max = step[7];
+  r.lambda = step[8];
+  if (step[9] >= 0) r.ends = surface3d::FlowStop(int(step[9]));
+}
+
+// Of a frame; throws when the file has it not, or not of this size.
+template <class Map>
+const auto& part(const Map& parts, const char* name, Eigen::Index size,
+                 const std::filesystem::path& path) {
+  const auto found = parts.find(name);
+  if (found == parts.end() || found->second.size() != size)
+    throw InputError(
+        fmt::format("{}: is no frame of a run: it lacks the field {}", path.string(), name));
+  return found->second;
+}
+
+// What the stepper remembers, among the fields and globals of a frame, and back.
+void remember(const surface3d::StepperMemory& memory, NodeFields& at_nodes, Globals& globals) {
+  if (memory.solves == 0) return;
+  at_nodes["factored_at"] = memory.factored_at.X;
+  at_nodes["factored_order"] = memory.factored_at.beta.transpose();
+  globals["factored"] = Eigen::Vector4d(memory.factored_tau, memory.solves, memory.iterations,
+                                        memory.last_iterations);
+  for (const auto& [name, solution] :
+       {std::pair("solution", &memory.last), std::pair("solution_before", &memory.before)}) {
+    if (solution->flow.size() == 0) continue;
+    globals[std::string(name) + "_flow"] = solution->flow;
+    globals[std::string(name) + "_motion"] = solution->motion;
+    globals[std::string(name) + "_step"] = number(solution->tau);
+  }
+}
+
+surface3d::Solution solution_of(const Globals& globals, const std::string& name) {
+  const auto flow = globals.find(name + "_flow"), motion = globals.find(name + "_motion"),
+             step = globals.find(name + "_step");
+  if (flow == globals.end() || step == globals.end() || step->second.size() != 1) return {};
+  return {.flow = flow->second,
+          .motion = motion == globals.end() ? Eigen::VectorXd() : motion->second,
+          .tau = step->second[0]};
+}
+
+surface3d::StepperMemory memory_of(const CurvedFile& file, const std::filesystem::path& path) {
+  if (!file.globals.contains("factored")) return {};
+  const Eigen::VectorXd& factored = part(file.globals, "factored", 4, path);
+  const Eigen::Index nodes = file.mesh.node_count();
+  return {.factored_at = {part(file.fields, "factored_at", 3 * nodes, path),
+                          part(file.fields, "factored_order", nodes, path).transpose()},
+          .factored_tau = factored[0],
+          .solves = int(factored[1]),
+          .iterations = int(factored[2]),
+          .last_iterations = int(factored[3]),
+          .last = solution_of(file.globals, "solution"),
+          .before = solution_of(file.globals, "solution_before")};
+}
+
+}  // namespace
+
+void write_frame(const std::filesystem::path& path, const Frame& frame, const FrameFields& fields) {
+  NodeFields at_nodes{{"order", frame.beta.transpose()},
+                      {"mean_curvature", fields.H.transpose()},
+                      {"normal", fields.normals}};
+  if (fields.velocity.size() > 0) at_nodes["velocity"] = fields.velocity;
+  const surface3d::FlowRecord& r = frame.record;
+  Globals globals{{"TimeValue", number(r.time)},
+                  {"next_step", number(r.next_step)},
+                  {"rejected_steps", number(r.rejected)},
+                  {"step", of_step(r)},
+                  {"target", Eigen::Vector2d(frame.target.area, frame.target.volume)}};
+  globals["remeshing_over"] = number(frame.memory.remeshing_over);
+  remember(frame.memory.stepper, at_nodes, globals);
+  if (const auto& past = frame.memory.past) {
+    at_nodes["past"] = past->state.X;
+    at_nodes["past_order"] = past->state.beta.transpose();
+    const auto& [friction, order, viscous] = past->dissipation;
+    globals["past_step"] = Eigen::Vector4d(past->tau, friction, order, viscous);
+  }
+  write_file(path, vtu_text(frame.mesh, at_nodes, globals));
+}
+
+Frame read_frame(const std::filesystem::path& path) {
+  MeshFile file = read_mesh(path);
+  auto* curved = std::get_if<CurvedFile>(&file);
+  if (!curved || curved->mesh.order != 3)
+    throw InputError(
+        fmt::format("{}: is no frame of a run: its triangles are not of order 3", path.string()));
+  Frame frame{.mesh = curved->mesh, .beta = {}, .record = {}, .target = {}, .memory = {}};
+  frame.beta = part(curved->fields, "order", frame.mesh.node_count(), path).transpose();
+  frame.record.time = part(curved->globals, "TimeValue", 1, path)[0];
+  frame.record.next_step = part(curved->globals, "next_step", 1, path)[0];
+  frame.record.rejected = int(part(curved->globals, "rejected_steps", 1, path)[0]);
+  set_step(frame.record, part(curved->globals, "step", 10, path));
+  const Eigen::VectorXd& target = part(curved->globals, "target", 2, path);
+  frame.target = {target[0], target[1]};
+  frame.memory.remeshing_over = part(curved->globals, "remeshing_over", 1, path)[0] != 0;
+  frame.memory.stepper = memory_of(*curved, path);
+  if (curved->globals.contains("past_step")) {
+    const Eigen::VectorXd& step = part(curved->globals, "past_step", 4, path);
+    const Eigen::Index nodes = frame.mesh.node_count();
+    frame.memory.past = {.state = {part(curved->fields, "past", 3 * nodes, path),
+                                   part(curved->fields, "past_order", nodes, path).transpose()},
+                         .tau = step[0],
+                         .dissipation = {step[1], step[2], step[3]}};
+  }
+  return frame;
+}
+
+std::string pvd_text(const std::vector<FrameEntry>& frames) {
+  std::string text =
+      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
+      "byte_order=\"LittleEndian\">\n<Collection>\n";
+  for (const FrameEntry& frame : frames)
+    text +=
+        fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, frame.file);
+  return text + "</Collection>\n</VTKFile>\n";
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,134 @@
+#include "studies/evolution/run_start.h"
+
+#include "meshing/curving.h"
+#include "meshing/defects.h"
+#include "meshing/fitted_surface.h"
+#include "meshing/measures.h"
+#include "meshing/revolution.h"
+#include "meshing/shapes.h"
+#include "studies/evolution/frame_file.h"
+#include "studies/io/output.h"
+#include "studies/io/toml_reader.h"
+#include "studies/mesh/make_mesh.h"
+#include "studies/mesh_files/mesh_file.h"
+#include "studies/scan/scan_table.h"
+#include "studies/states/profile_file.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace sbeh::studies {
+
+namespace {
+
+using meshing::CurvedMesh;
+constexpr double unit_area = 4 * std::numbers::pi;
+
+// A surface and, where the start brings it, its order.
+struct Start {
+  CurvedMesh mesh;
+  Eigen::VectorXd beta;  // nodes, or empty
+};
+
+// Throws std::invalid_argument for what no mesh maker has checked.
+void require_sound(const CurvedMesh& mesh) {
+  quality_of_sound(mesh);
+  if (!(meshing::volume(mesh) > 0))
+    throw std::invalid_argument("the surface is turned inside out: its volume is negative");
+}
+
+// The same for the mesh of a file.
+CurvedMesh sound(CurvedMesh mesh, const std::string& file) {
+  try {
+    require_sound(mesh);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", file, error.what()));
+  }
+  return mesh;
+}
+
+Start make(const Ellipsoid3d& e, const RunInput& input) {
+  const meshing::Resolution resolution{.triangles = input.triangles};
+  return {e.axes ? meshing::ellipsoid(*e.axes / e.axes->maxCoeff(), resolution)
+                 : meshing::ellipsoid(*e.reduced_volume, e.prolate, resolution),
+          {}};
+}
+
+Start make(const HarmonicSphere& sphere, const RunInput& input) {
+  return {meshing::harmonic_sphere(sphere.modes, {.triangles = input.triangles}), {}};
+}
+
+Start make(const MeshFileStart& start, const RunInput&) {
+  MeshFile file = read_mesh(start.file);
+  if (auto* curved = std::get_if<CurvedFile>(&file); curved && curved->mesh.order == 3)
+    return {sound(std::move(curved->mesh), start.file), {}};
+  const meshing::TriangleMesh triangles = std::holds_alternative<CurvedFile>(file)
+                                            ? meshing::corners(std::get<CurvedFile>(file).mesh)
+                                            : std::get<meshing::TriangleMesh>(file);
+  if (const auto defect = meshing::find_defect(triangles))
+    throw InputError(fmt::format("{}: {}", start.file, defect->text));
+  const meshing::FittedSurface surface(triangles);
+  const auto at = [&](int t, const Eigen::Vector3d& x) { return surface.at(t, x); };
+  return {sound(meshing::curved(triangles, 3, at), start.file), {}};
+}
+
+Start make(const ScanRow& row, const RunInput& input) {
+  const axisym::State profile = state_of(row);
+  meshing::RevolvedMesh revolved =
+      meshing::revolved({profile.X, profile.beta}, {.triangles = input.triangles});
+  return {std::move(revolved.mesh), std::move(revolved.beta)};
+}
+
+Start make(const FrameStart& start, const RunInput&) {
+  Frame frame = read_frame(start.file);
+  if (!frame.beta.allFinite())
+    throw InputError(fmt::format("{}: its order is no finite number everywhere", start.file));
+  return {sound(std::move(frame.mesh), start.file), std::move(frame.beta)};
+}
+
+}  // namespace
+
+void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
+  const surface3d::Triangulation triangulation(mesh);
+  const surface3d::Nodes n = surface3d::node_normals(triangulation, mesh.nodes);
+  const Eigen::Vector3d centre = mesh.nodes.rowwise().mean();
+  for (Eigen::Index i = 0; i < mesh.nodes.cols(); ++i) {
+    const Eigen::Vector3d direction = (mesh.nodes.col(i) - centre).normalized();
+    mesh.nodes.col(i) += meshing::harmonic_sum(modes, direction) * n.col(i);
+  }
+  try {
+    require_sound(mesh);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("is too large: {}", error.what()));
+  }
+}
+
+RunStart start_of(const RunInput& input) {
+  Start start;
+  try {
+    start = std::visit([&](const auto& shape) { return make(shape, input); }, input.start);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("[surface] {}", error.what()));
+  }
+  try {
+    if (!input.perturbation.empty()) perturb(start.mesh, input.perturbation);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("[surface] perturbation: {}", error.what()));
+  }
+  // A frame goes on as it is; what has the area already keeps its bits.
+  if (std::abs(meshing::area(start.mesh) / unit_area - 1) > 1e-14)
+    meshing::scale_to_area(start.mesh, unit_area);
+  const surface3d::Triangulation triangulation(start.mesh);
+  RunStart result{.mesh = std::move(start.mesh), .beta = std::move(start.beta), .target = {}};
+  const bool free_order = model::has_free_order(input.model);
+  if (!free_order || result.beta.size() == 0)
+    result.beta.setConstant(result.mesh.node_count(),
+                            free_order ? input.initial_order : model::full_order);
+  result.target = {surface3d::area(triangulation, result.mesh.nodes),
+                   surface3d::volume(triangulation, result.mesh.nodes)};
+  return result;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,102 @@
+#include "studies/io/output.h"
+
+#include <fcntl.h>
+#include <fmt/format.h>
+#include <sys/file.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <iterator>
+
+namespace sbeh::studies {
+
+namespace fs = std::filesystem;
+
+namespace {
+[[noreturn]] void fail(const fs::path& path, std::string_view what) {
+  const std::string reason = errno ? std::strerror(errno) : "no reason given by the system";
+  throw OutputError(fmt::format("{}: {}: {}", path.string(), what, reason));
+}
+
+fs::path temporary_of(const fs::path& path) { return path.string() + ".part"; }
+}  // namespace
+
+void write_file(const fs::path& path, std::string_view text) {
+  const fs::path temporary = temporary_of(path);
+  errno = 0;
+  std::ofstream file(temporary, std::ios::binary);
+  file << text;
+  file.close();
+  if (!file) {
+    std::error_code ignored;
+    const int reason = errno;
+    fs::remove(temporary, ignored);
+    errno = reason;
+    fail(path, "cannot be written");
+  }
+  std::error_code error;
+  fs::rename(temporary, path, error);
+  if (error) {
+    std::error_code ignored;
+    fs::remove(temporary, ignored);
+    throw OutputError(fmt::format("{}: cannot be written: {}", path.string(), error.message()));
+  }
+}
+
+void remove_file(const fs::path& path) {
+  std::error_code ignored;
+  fs::remove(path, ignored);
+  fs::remove(temporary_of(path), ignored);
+}
+
+std::string read_file(const fs::path& path) {
+  errno = 0;
+  std::ifstream file(path, std::ios::binary);
+  if (!file) fail(path, "cannot be read");
+  return {std::istreambuf_iterator<char>(file), {}};
+}
+
+void make_folder(const fs::path& path) {
+  std::error_code error, ignored;
+  fs::create_directories(path, error);
+  if (fs::is_directory(path, ignored)) return;
+  const bool file = fs::exists(path, ignored);
+  throw OutputError(fmt::format("{}: cannot be made a folder for results: {}", path.string(),
+                                file ? "there is a file of that name" : error.message()));
+}
+
+OutputFolder::OutputFolder(fs::path path) : path_(std::move(path)) {
+  make_folder(path_);
+  const fs::path lock = path_ / ".lock";
+  errno = 0;
+  lock_ = ::open(lock.c_str(), O_RDWR | O_CREAT | O_CLOEXEC, 0666);
+  if (lock_ < 0) fail(path_, "cannot be written; choose another folder with -o");
+  if (::flock(lock_, LOCK_EX | LOCK_NB) != 0) {
+    ::close(lock_);
+    throw OutputError(fmt::format(
+        "{}: another run is writing there; wait for it or choose another folder with -o",
+        path_.string()));
+  }
+}
+
+OutputFolder::~OutputFolder() { ::close(lock_); }
+
+AppendFile::AppendFile(fs::path path) : path_(std::move(path)) {
+  errno = 0;
+  file_.open(path_, std::ios::binary | std::ios::app);
+  if (!file_) fail(path_, "cannot be written");
+}
+
+void AppendFile::append(std::string_view line) {
+  if (file_) {
+    errno = 0;
+    file_ << line << '\n';
+    file_.flush();
+    reason_ = errno;
+  }
+  errno = reason_;
+  if (!file_) fail(path_, "cannot be written any further");
+}
+
+}  // namespace sbeh::studies

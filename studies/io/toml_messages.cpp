@@ -1,0 +1,104 @@
+#include "studies/io/toml_messages.h"
+
+#include "studies/io/spelling.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <cctype>
+#include <sstream>
+
+namespace sbeh::studies {
+
+std::string shown_key(std::string_view key) {
+  const bool bare = !key.empty() && std::all_of(key.begin(), key.end(), [](unsigned char c) {
+    return std::isalnum(c) || c == '_' || c == '-';
+  });
+  return bare ? std::string(key) : in_quotes(key);
+}
+
+namespace {
+
+constexpr std::size_t longest_value = 60;  // letters of a value in a message
+
+/// A value as it would be written in the file, on one line.
+std::string shown(const toml::node& node) {
+  if (const auto* text = node.as_string()) return in_quotes(text->get());
+  if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
+  if (const auto* number = node.as_floating_point()) {
+    const std::string digits = fmt::format("{}", number->get());
+    return digits.find_first_not_of("-0123456789") == std::string::npos ? digits + ".0" : digits;
+  }
+  std::vector<std::string> parts;
+  if (const auto* list = node.as_array()) {
+    for (const toml::node& element : *list) parts.push_back(shown(element));
+    return fmt::format("[{}]", fmt::join(parts, ", "));
+  }
+  if (const auto* table = node.as_table()) {
+    for (const auto& [key, value] : *table)
+      parts.push_back(fmt::format("{} = {}", shown_key(key.str()), shown(value)));
+    return fmt::format("{{ {} }}", fmt::join(parts, ", "));
+  }
+  std::ostringstream other;  // booleans, dates, times
+  node.visit([&other](const auto& value) {
+    if constexpr (toml::is_value<decltype(value)>) other << value;
+  });
+  return other.str();
+}
+
+}  // namespace
+
+int line_of(const toml::node& node) { return int(node.source().begin.line); }
+
+std::string place(const TableState& table, int line) {
+  return line > 0 ? fmt::format("{}:{}", table.file, line) : table.file;
+}
+
+std::string full_name(const TableState& table, std::string_view key) {
+  const std::string name = table.prefix + shown_key(key);
+  return table.section.empty() ? name : fmt::format("[{}] {}", table.section, name);
+}
+
+std::string section_name(const TableState& table, std::string_view key) {
+  return fmt::format("{}{}{}", table.section, table.section.empty() ? "" : ".", shown_key(key));
+}
+
+void fail_at(const TableState& table, std::string_view key, const toml::node& value,
+             std::string_view what) {
+  std::string text = shown(value);
+  if (text.size() > longest_value) {
+    std::size_t end = longest_value - 3;
+    while (end > 0 && (text[end] & 0xc0) == 0x80) --end;  // not within a letter of UTF-8
+    text = text.substr(0, end) + "...";
+  }
+  throw InputError(fmt::format("{}: {} = {}: {}", place(table, line_of(value)),
+                               full_name(table, key), text, what));
+}
+
+bool asked_for(const TableState& table, std::string_view key) {
+  return std::find(table.asked.begin(), table.asked.end(), key) != table.asked.end();
+}
+
+std::string unknown(const TableState& table, const toml::key& key,
+                    const std::optional<std::string>& meant) {
+  const auto* child = table.table->get_as<toml::table>(key.str());
+  const bool section = child && !child->is_inline();
+  const std::string name =
+      section ? fmt::format("[{}]", section_name(table, key.str())) : full_name(table, key.str());
+  return fmt::format("{}: {}: unknown {}{}", place(table, int(key.source().begin.line)), name,
+                     section ? "table" : "key",
+                     meant ? fmt::format("; did you mean {}?", in_quotes(*meant)) : ".");
+}
+
+void fail_missing(const TableState& table, std::string_view key, std::string_view kind) {
+  if (table.table)
+    for (const auto& [present, value] : *table.table)
+      if (!asked_for(table, present.str()) && 3 * edit_distance(present.str(), key) <= key.size())
+        throw InputError(unknown(table, present, std::string(key)));
+  const bool top = table.section.empty() && table.prefix.empty();
+  throw InputError(fmt::format("{}: {}: missing{}; {}", place(table, table.line),
+                               full_name(table, key), top ? " at the top of the file" : "", kind));
+}
+
+}  // namespace sbeh::studies

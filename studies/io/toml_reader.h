@@ -1,0 +1,86 @@
+// Strict reading of TOML files: values by key, with kind and allowed range; no key goes unread.
+#pragma once
+
+#include "meshing/spherical_harmonics.h"
+#include "studies/io/number_range.h"
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+namespace sbeh::studies {
+
+/// Wrong input. what() reads `file:line: [section] key = value: what is allowed`.
+class InputError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
+struct TableState;
+
+/// One table of a file. A key that is absent gives `absent`; without `absent` it is an error.
+/// Every function throws InputError at the line of what is wrong. Copies share their memory of
+/// the keys that were asked for.
+class TomlTable {
+ public:
+  explicit TomlTable(std::shared_ptr<TableState> state) : state_(std::move(state)) {}
+
+  /// Whether the key is there, whatever its value; counts as asking for it.
+  bool has(std::string_view key) const;
+
+  /// A finite number, integers included.
+  double number(std::string_view key, const Interval& allowed = {},
+                std::optional<double> absent = {}) const;
+  int integer(std::string_view key, int low, int high, std::optional<int> absent = {}) const;
+  bool boolean(std::string_view key, std::optional<bool> absent = {}) const;
+  /// A text that is not empty.
+  std::string text(std::string_view key, std::optional<std::string> absent = {}) const;
+  /// One of the known words.
+  std::string word(std::string_view key, const std::vector<std::string>& known,
+                   std::optional<std::string> absent = {}) const;
+  /// A list of known words in the order of the file, not empty, none twice.
+  std::vector<std::string> words(std::string_view key, const std::vector<std::string>& known,
+                                 std::optional<std::vector<std::string>> absent = {}) const;
+  /// A list of numbers in the order of the file, not empty.
+  std::vector<double> numbers(std::string_view key, const Interval& allowed = {}) const;
+  /// Values to go through, ascending, none twice: a number, a list, or a range
+  /// `{ from = 0.6, to = 0.8, count = 21 }` with optional `spacing = "log"`. A range contains its
+  /// ends exactly; the values between are rounded to 12 digits.
+  std::vector<double> grid(std::string_view key, const Interval& allowed = {},
+                           std::optional<std::vector<double>> absent = {}) const;
+  /// Amplitudes by degree, `[[2, 0.04], [3, 0.02]]`: not empty, no degree twice.
+  std::vector<std::pair<int, double>> modes(std::string_view key, int lowest, int highest) const;
+  /// Amplitudes of spherical harmonics, `[[5, 3, 0.5], [2, -1, 0.01]]`: degree l, order m in −l … l,
+  /// amplitude; not empty, none twice.
+  std::vector<meshing::Harmonic> harmonics(std::string_view key, int highest) const;
+  /// A table in this one. One that is absent is empty: what it requires is then missing.
+  TomlTable table(std::string_view key) const;
+
+  /// For keys which have no place here: throws if the key is there, for this reason.
+  void refuse(std::string_view key, std::string_view reason) const;
+  /// The same for a word that has no place in the list.
+  void refuse_word(std::string_view key, std::string_view word, std::string_view reason) const;
+  /// Throws for the first key that nobody asked for; names the nearest known one and lists all.
+  void reject_unknown_keys() const;
+
+  /// Throws at the key, with its value when it is there.
+  [[noreturn]] void fail(std::string_view key, std::string_view what) const;
+  /// Throws what a validate() says, "name = value: constraint": at the key `name` when it is
+  /// there, else at the table.
+  [[noreturn]] void fail_from(const std::invalid_argument& error) const;
+
+ private:
+  std::shared_ptr<TableState> state_;
+};
+
+struct TomlFile {
+  /// The table of the whole file. Throws InputError if it cannot be read or is not TOML.
+  static TomlTable parse(const std::filesystem::path& path);
+};
+
+}  // namespace sbeh::studies

@@ -1,0 +1,297 @@
+#include "studies/report/report.h"
+
+#include "studies/io/csv_table.h"
+#include "studies/io/output.h"
+#include "studies/io/toml_reader.h"
+#include "studies/report/svg_chart.h"
+
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+#include <array>
+
+namespace sbeh::studies {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr const char* generator = "sbeh report";
+constexpr std::size_t most_rows = 200;
+
+struct Picture {
+  const char* name;
+  const char* caption;
+};
+struct Table {
+  const char* file;
+  const char* heading;
+};
+
+// What each kind of folder holds. The first tables tell the kind, and must be there.
+struct Contents {
+  ResultsKind kind;
+  const char* name;
+  std::vector<const char*> required;
+  std::vector<Picture> pictures;
+  std::vector<Table> tables;
+};
+const std::vector<Contents>& all_contents() {
+  static const std::vector<Contents> all{
+      {ResultsKind::scan,
+       "scan",
+       {"scan.csv"},
+       {{"diagram", "The stationary shapes over reduced volume and L"},
+        {"cuts", "Cross sections"},
+        {"energy", "Energy over time"}},
+       {{"folds.csv", "Folds in which the branches end as L grows"},
+        {"equal_energy.csv", "Where two branches have equal energy"},
+        {"lowest.csv", "The branch that is lowest"},
+        {"beyond_fold.csv", "Beyond the fold"},
+        {"scan.csv", "All points"}}},
+      {ResultsKind::compare,
+       "compare",
+       {"compare.csv", "methods.csv"},
+       {{"profiles", "Profiles on top of each other, and their distance from the first method's"}},
+       {{"methods.csv", "What each method finds"},
+        {"compare.csv", "All pairs of methods"},
+        {"histories.csv", "Energies over time"}}},
+      {ResultsKind::stability,
+       "stability",
+       {"stability.csv"},
+       {{"stability",
+         "Which states are stable in 3D, with the rates at which perturbations grow or decay"}},
+       {{"thresholds.csv", "Where a state changes from stable to unstable"},
+        {"stability.csv", "All runs"}}},
+      {ResultsKind::seifert,
+       "seifert",
+       {"branches.csv", "points.csv"},
+       {{"branches", "Reduced energy of the branches"}},
+       {{"points.csv", "Special points"},
+        {"differences.csv", "Largest differences of the witnesses"},
+        {"branches.csv", "Shapes"}}},
+      {ResultsKind::run,
+       "run",
+       {"series.csv", "frames.csv"},
+       {{"energy", "Energy over time"}, {"shapes", "Shapes"}},
+       {{"frames.csv", "Frames"}, {"series.csv", "History"}}},
+      {ResultsKind::relax,
+       "relax",
+       {"series.csv", "profiles.csv"},
+       {{"energy", "Energy over time"}, {"shapes", "Shapes"}},
+       {{"profiles.csv", "Profiles"}, {"series.csv", "History"}}},
+  };
+  return all;
+}
+
+const Contents& contents_of(ResultsKind kind) {
+  return *std::find_if(all_contents().begin(), all_contents().end(),
+                       [&](const Contents& c) { return c.kind == kind; });
+}
+
+// Scans have histories only where they were computed in time.
+bool has_histories(const fs::path& folder) {
+  std::error_code ignored;
+  for (const auto& entry : fs::directory_iterator(folder / "points", ignored))
+    if (entry.path().string().ends_with(".series.csv")) return true;
+  return false;
+}
+
+fs::path picture_file(const fs::path& folder, const Picture& picture) {
+  const fs::path png = folder / (std::string(picture.name) + ".png");
+  const fs::path svg = folder / (std::string(picture.name) + ".svg");
+  return fs::exists(png) ? png : fs::exists(svg) ? svg : fs::path();
+}
+
+std::string pictures_of(const fs::path& folder, const Contents& contents) {
+  std::string text;
+  for (const Picture& picture : contents.pictures)
+    if (const fs::path file = picture_file(folder, picture); !file.empty())
+      text += html::figure(file, picture.caption);
+  const std::vector<std::string> missing = missing_pictures(folder, contents.kind);
+  if (!missing.empty())
+    text += fmt::format(
+        "<p class=\"note\">Not drawn: {}. To draw: <code>sbeh picture {} {}</code>, then make this "
+        "report again.</p>\n",
+        fmt::join(missing, ", "), contents.name, html::escaped(folder.string()));
+  return text;
+}
+
+// ---- charts of a history ------------------------------------------------------------------------
+
+struct Chart {
+  ChartFrame frame;
+  std::vector<std::pair<const char*, const char*>> columns;  // and what they are called
+};
+const std::vector<Chart>& charts() {
+  constexpr auto log = AxisScale::logarithmic;
+  static const std::vector<Chart> all{
+      {{"Energy", "t", log}, {{"energy", "U"}}},
+      {{"Order β", "t", log},
+       {{"order_min", "least"}, {"order_mean", "mean"}, {"order_max", "largest"}}},
+      {{"Dissipation", "t", log, log},
+       {{"dissipation_friction", "friction"},
+        {"dissipation_order", "order"},
+        {"dissipation_viscous", "viscous"}}},
+      {{"Energy lost over energy dissipated, in a step", "t", log}, {{"energy_balance", "ratio"}}},
+      {{"Largest |H|", "t", log}, {{"H_abs_max", "|H|"}}},
+      {{"Time step and largest speed", "t", log, log},
+       {{"time_step", "time step"}, {"speed_max", "speed"}}},
+      {{"Mesh quality", "t", log}, {{"mesh_quality", "quality"}}},
+  };
+  return all;
+}
+
+std::string charts_of(const CsvTable& series) {
+  const auto numbers = [&](const char* column) {
+    std::vector<double> values;
+    for (std::size_t row = 0; row < series.rows.size(); ++row)
+      values.push_back(series.number(row, column));
+    return values;
+  };
+  const std::vector<double> time = numbers("time");
+  std::string text;
+  for (const Chart& chart : charts()) {
+    std::vector<ChartLine> lines;
+    for (const auto& [column, called] : chart.columns)
+      if (series.find(column)) lines.push_back({called, time, numbers(column)});
+    text += svg_chart(chart.frame, lines);
+  }
+  return text.empty() ? text : "<div class=\"charts\">\n" + text + "</div>\n";
+}
+
+// The energies of a comparison's evolutions; the file has them one after the other.
+std::string energies_of_methods(const CsvTable& histories) {
+  std::vector<ChartLine> lines;
+  for (std::size_t row = 0; row < histories.rows.size(); ++row) {
+    const std::string method = histories.text(row, "method");
+    if (lines.empty() || lines.back().name != method) lines.push_back({.name = method});
+    lines.back().x.push_back(histories.number(row, "time"));
+    lines.back().y.push_back(histories.number(row, "energy"));
+  }
+  const std::string chart = svg_chart({"Energy", "t", AxisScale::logarithmic}, lines);
+  return chart.empty() ? chart : "<div class=\"charts\">\n" + chart + "</div>\n";
+}
+
+std::string over_time(const fs::path& folder) {
+  if (fs::exists(folder / "series.csv")) return charts_of(read_csv(folder / "series.csv"));
+  if (fs::exists(folder / "histories.csv"))
+    return energies_of_methods(read_csv(folder / "histories.csv"));
+  return "";
+}
+
+// ---- sections -----------------------------------------------------------------------------------
+
+std::string tables_of(const fs::path& folder, const Contents& contents) {
+  std::string text;
+  for (const Table& table : contents.tables) {
+    if (!fs::exists(folder / table.file)) continue;
+    const CsvTable rows = read_csv(folder / table.file);
+    if (rows.rows.empty()) continue;
+    text += html::element("h3", fmt::format("{} ({})", table.heading, table.file));
+    text += html::table(rows, most_rows, table.file);
+  }
+  return text
+       + "<p class=\"note\">Lengths are in radii of the sphere of equal area; energy_bending "
+         "contains "
+         "the Gaussian part; H is the trace of the shape operator, −2 on the unit sphere. Numbers "
+         "are rounded to nine digits here and complete in the files.</p>\n";
+}
+
+std::string input_of(const fs::path& folder) {
+  const fs::path input = folder / "run.toml";
+  return fs::exists(input) ? html::element("pre", read_file(input)) : "";
+}
+
+std::string how_to_run(const fs::path& folder, const Contents& contents, bool has_input) {
+  const std::string name = folder.string();
+  if (!has_input)
+    return contents.kind == ResultsKind::seifert
+             ? html::element("pre", "sbeh seifert -o NEW_FOLDER")
+             : "<p>The folder has no run.toml, so that the input is not known.</p>\n";
+  std::string text =
+      html::element("pre", fmt::format("sbeh {} {}/run.toml -o NEW_FOLDER", contents.name, name));
+  text += fmt::format(
+      "<p>Or save the input above as <code>input.toml</code> and run <code>sbeh {} input.toml -o "
+      "NEW_FOLDER</code>; files and folders that it names must be there.</p>\n",
+      contents.name);
+  if (contents.kind == ResultsKind::run)
+    text += fmt::format(
+        "<p>An interrupted run goes on by <code>sbeh run {0}/run.toml -o {0} "
+        "--resume</code>.</p>\n",
+        html::escaped(name));
+  return text;
+}
+
+bool is_own_report(const fs::path& file) {
+  const std::string text = read_file(file).substr(0, 1000);
+  return text.find(fmt::format("<meta name=\"generator\" content=\"{}", generator))
+      != std::string::npos;
+}
+
+}  // namespace
+
+const char* name(ResultsKind kind) { return contents_of(kind).name; }
+
+ResultsKind kind_of_results(const fs::path& folder) {
+  std::error_code ignored;
+  if (!fs::is_directory(folder, ignored))
+    throw InputError(fmt::format("{}: is no folder", folder.string()));
+  for (const Contents& contents : all_contents())
+    if (std::all_of(contents.required.begin(), contents.required.end(),
+                    [&](const char* file) { return fs::exists(folder / file); }))
+      return contents.kind;
+  std::string wanted;
+  for (const Contents& contents : all_contents())
+    wanted += fmt::format("{}{} (sbeh {})", wanted.empty() ? "" : ", ",
+                          fmt::join(contents.required, " and "), contents.name);
+  throw InputError(fmt::format("{}: holds no results to report; missing is one of: {}",
+                               folder.string(), wanted));
+}
+
+std::vector<std::string> missing_pictures(const fs::path& folder, ResultsKind kind) {
+  std::vector<std::string> missing;
+  for (const Picture& picture : contents_of(kind).pictures) {
+    const bool never = kind == ResultsKind::scan && std::string_view(picture.name) == "energy"
+                    && !has_histories(folder);
+    if (!never && picture_file(folder, picture).empty()) missing.emplace_back(picture.name);
+  }
+  return missing;
+}
+
+ReportSummary write_report(const fs::path& folder, std::string_view version) {
+  const Contents& contents = contents_of(kind_of_results(folder));
+  ReportSummary summary{.file = folder / "report.html"};
+  if (fs::exists(summary.file)) {
+    if (!is_own_report(summary.file))
+      throw OutputError(fmt::format(
+          "{}: is there and is no report of sbeh, so it is not overwritten; move it away",
+          summary.file.string()));
+    summary.replaced = true;
+  }
+  const KeyNumbers numbers = key_numbers(folder, contents.kind);
+  summary.missing = missing_pictures(folder, contents.kind);
+  const std::string where = fs::absolute(folder).lexically_normal().filename().string();
+  const std::string input = input_of(folder);
+
+  std::string body = "<header>\n" + html::element("h1", numbers.title);
+  body +=
+      fmt::format("<p class=\"note\">{}, results of <code>sbeh {}</code>; page by sbeh {}</p>\n",
+                  html::escaped(where.empty() ? folder.string() : where), contents.name,
+                  html::escaped(version));
+  body += "</header>\n<main>\n" + html::section("Key numbers", html::facts(numbers.facts));
+  const std::string pictures = pictures_of(folder, contents);
+  if (!pictures.empty()) body += html::section("Pictures", pictures);
+  if (const std::string history = over_time(folder); !history.empty())
+    body += html::section("Over time", history);
+  body += html::section("Tables", tables_of(folder, contents));
+  if (!input.empty()) body += html::section("Input with every parameter", input);
+  body += html::section("How to run it again", how_to_run(folder, contents, !input.empty()));
+  body += "</main>\n";
+  write_file(summary.file,
+             html::page(numbers.title, fmt::format("{} {}", generator, version), body));
+  return summary;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,43 @@
+// A folder of results as one page of HTML that needs nothing but itself.
+#pragma once
+
+#include "studies/report/html.h"
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sbeh::studies {
+
+/// What a folder holds, by the command that made it.
+enum class ResultsKind { scan, run, relax, seifert, compare, stability };
+/// "scan", "run", "relax", "seifert", "compare" or "stability".
+const char* name(ResultsKind kind);
+
+/// Told by the tables in the folder. Throws InputError, naming what is missing, when it is none.
+ResultsKind kind_of_results(const std::filesystem::path& folder);
+
+/// Pictures that `sbeh picture` would draw and that are not there, by their names for its --only.
+std::vector<std::string> missing_pictures(const std::filesystem::path& folder, ResultsKind kind);
+
+/// The headline of a page and its numbers that matter most.
+struct KeyNumbers {
+  std::string title;
+  std::vector<html::Fact> facts;
+};
+/// From the tables in the folder. Throws OutputError (a table is damaged) and InputError (has no rows).
+KeyNumbers key_numbers(const std::filesystem::path& folder, ResultsKind kind);
+
+struct ReportSummary {
+  std::filesystem::path file;
+  bool replaced = false;               ///< an earlier report
+  std::vector<std::string> missing{};  ///< pictures that are not in it
+};
+
+/// Writes report.html into the folder: title, key numbers, pictures and charts, tables, the resolved input
+/// and how to run it again. Replaces an earlier report; throws OutputError when a file of that name is
+/// something else, or cannot be written, and what kind_of_results() and key_numbers() throw.
+ReportSummary write_report(const std::filesystem::path& folder, std::string_view version);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,169 @@
+#include "studies/scan/branch_lines.h"
+
+#include "studies/io/interrupt.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <cmath>
+
+namespace sbeh::studies {
+
+using model::Model;
+
+namespace {
+
+bool is_stationary(const std::optional<PointOutcome>& point) {
+  return point && point->row.status == PointStatus::stationary && point->state;
+}
+
+// Runs find(k) for every k in parallel; the rows in the order of k. Incomplete when interrupted.
+template <class Row, class Find>
+std::vector<Row> collect(std::size_t count, Find&& find) {
+  std::vector<std::vector<Row>> found(count);
+  tbb::parallel_for(std::size_t(0), count, [&](std::size_t k) {
+    if (!interrupt_signal()) found[k] = find(k);
+  });
+  std::vector<Row> rows;
+  for (const auto& some : found) rows.insert(rows.end(), some.begin(), some.end());
+  return rows;
+}
+
+// The fold that the scan has run into, or else the one ahead of its largest L.
+std::vector<FoldRow> fold_of(const ScanInput& input, const std::string& branch, double v,
+                             const PointLookup& point) {
+  for (const double L : input.L) {
+    const auto at = point({v, L, Model::SBEH, branch});
+    if (!at || !at->row.fold_L) continue;
+    const axisym::Diagnostics& d = *at->row.diagnostics;
+    return {{branch, v, *at->row.fold_L, d.energy.total(), d.order_min, d.H_abs_max}};
+  }
+  const double L = input.L.back();
+  const auto last = point({v, L, Model::SBEH, branch});
+  const auto fold = is_stationary(last) ? fold_above(input, {{v, L}, *last->state}) : std::nullopt;
+  if (!fold) return {};
+  const axisym::Diagnostics d =
+      axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state);
+  return {{branch, v, fold->at.L, d.energy.total(), d.order_min, d.H_abs_max}};
+}
+
+// Newton on the difference of two branches' energies, from states at the same reduced volume.
+std::optional<EqualEnergyRow> meet(const ScanInput& input, Model model, double L,
+                                   const PointOutcome& first, const PointOutcome& second,
+                                   double lowest, double highest) {
+  const std::array<const PointOutcome*, 2> points{&first, &second};
+  std::array<std::optional<axisym::BranchState>, 2> at;
+  const double start = first.row.key.reduced_volume;
+  for (std::size_t k = 0; k < 2; ++k) {
+    at[k] = settled(input.material.with_L(L), model, {{start, L}, *points[k]->state});
+    if (!at[k]) return {};
+  }
+  double v = start;
+  for (int iteration = 0; iteration < 10; ++iteration) {
+    std::array<double, 2> energy{};
+    for (std::size_t k = 0; k < 2; ++k)
+      energy[k] = axisym::diagnose(input.material.with_L(L), at[k]->solution.state).energy.total();
+    const double slope = (at[0]->solution.pressure - at[1]->solution.pressure)
+                       * (axisym::target_of(1).volume - axisym::target_of(0).volume);
+    const double step = (energy[0] - energy[1]) / slope;
+    if (std::abs(step) < 1e-9)
+      return EqualEnergyRow{first.row.key.branch, second.row.key.branch, L, v, energy[0]};
+    v = std::clamp(v - step, lowest, highest);
+    for (auto& state : at) {
+      const auto moved = axisym::follow(input.material, model, *state, {v, L}, input.numerics);
+      if (moved.arrival != axisym::Arrival::reached) return {};
+      state = moved.state;
+    }
+  }
+  return {};
+}
+
+std::vector<EqualEnergyRow> meetings_at(const ScanInput& input, Model model, double L,
+                                        const PointLookup& point) {
+  std::vector<EqualEnergyRow> rows;
+  const auto& branches = input.branches;
+  for (std::size_t i = 0; i < branches.size(); ++i)
+    for (std::size_t j = i + 1; j < branches.size(); ++j) {
+      double gap_before = 0, v_before = 0;
+      for (const double v : input.reduced_volume) {
+        const auto a = point({v, L, model, branches[i]}), b = point({v, L, model, branches[j]});
+        if (v == 1 || !is_stationary(a) || !is_stationary(b)) {
+          gap_before = 0;
+          continue;
+        }
+        const double gap = a->row.diagnostics->energy.total() - b->row.diagnostics->energy.total();
+        if (gap * gap_before < 0)
+          if (const auto row = meet(input, model, L, *a, *b, v_before, v)) rows.push_back(*row);
+        gap_before = gap;
+        v_before = v;
+      }
+    }
+  return rows;
+}
+
+}  // namespace
+
+std::vector<FoldRow> find_folds(const ScanInput& input, const PointLookup& point) {
+  const std::size_t volumes = input.reduced_volume.size();
+  return collect<FoldRow>(volumes * input.branches.size(), [&](std::size_t k) {
+    const double v = input.reduced_volume[k % volumes];
+    return v < 1 ? fold_of(input, input.branches[k / volumes], v, point) : std::vector<FoldRow>{};
+  });
+}
+
+std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const PointLookup& point) {
+  const bool ordered =
+      std::find(input.models.begin(), input.models.end(), Model::SBEH) != input.models.end();
+  return collect<EqualEnergyRow>(input.L.size(), [&](std::size_t k) {
+    return meetings_at(input, ordered ? Model::SBEH : Model::SSH, input.L[k], point);
+  });
+}
+
+std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
+                                   const std::vector<axisym::RimRecord>& beyond) {
+  std::vector<LowestRow> rows;
+  for (const Model model : input.models)
+    for (const double L : input.L)
+      for (const double v : input.reduced_volume) {
+        std::optional<LowestRow> lowest;
+        const auto offer = [&](const std::string& branch, double energy) {
+          if (!lowest || energy < lowest->energy) lowest = LowestRow{model, L, v, branch, energy};
+        };
+        for (const std::string& branch : input.branches) {
+          const PointResult* point = row({v, L, model, branch});
+          if (point && point->status == PointStatus::stationary)
+            offer(branch, point->diagnostics->energy.total());
+        }
+        for (const axisym::RimRecord& state : beyond)
+          if (model == Model::SBEH && state.kind == axisym::RimKind::sharp && state.L == L
+              && state.reduced_volume == v && state.resolution <= axisym::resolution_limit)
+            offer("sharp_oblate", state.energy);
+        if (lowest) rows.push_back(*lowest);
+      }
+  return rows;
+}
+
+std::string table_of(const std::vector<LowestRow>& rows) {
+  std::string text = "model,L,reduced_volume,branch,energy\n";
+  for (const LowestRow& r : rows)
+    text += fmt::format("{},{},{},{},{}\n", model::name(r.model), r.L, r.reduced_volume, r.branch,
+                        r.energy);
+  return text;
+}
+
+std::string table_of(const std::vector<FoldRow>& rows) {
+  std::string text = "reduced_volume,L,energy,order_min,H_abs_max,branch\n";
+  for (const FoldRow& r : rows)
+    text += fmt::format("{},{},{},{},{},{}\n", r.reduced_volume, r.L, r.energy, r.order_min,
+                        r.H_abs_max, r.branch);
+  return text;
+}
+
+std::string table_of(const std::vector<EqualEnergyRow>& rows) {
+  std::string text = "first,second,L,reduced_volume,energy\n";
+  for (const EqualEnergyRow& r : rows)
+    text += fmt::format("{},{},{},{},{}\n", r.first, r.second, r.L, r.reduced_volume, r.energy);
+  return text;
+}
+
+}  // namespace sbeh::studies

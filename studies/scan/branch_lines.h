@@ -1,0 +1,61 @@
+// The lines of a diagram: where a branch of SBEH ends in a fold, and where two branches have equal
+// energy.
+#pragma once
+
+#include "axisym/rim/beyond_fold.h"
+#include "studies/scan/branch_points.h"
+
+#include <functional>
+#include <string>
+#include <vector>
+
+namespace sbeh::studies {
+
+/// Gives the state of a finished stationary point; empty where there is none.
+using PointLookup = std::function<std::optional<PointOutcome>(const PointKey&)>;
+
+/// A fold of a branch at a reduced volume of the scan.
+struct FoldRow {
+  std::string branch;
+  double reduced_volume, L, energy, order_min, H_abs_max;
+};
+
+/// The folds of SBEH in which the branches end as L grows, below L = 2, one per reduced volume and
+/// branch: those that the scan has run into, and those ahead of its largest L. In parallel.
+std::vector<FoldRow> find_folds(const ScanInput& input, const PointLookup& point);
+
+/// Two branches of equal energy.
+struct EqualEnergyRow {
+  std::string first, second;
+  double L, reduced_volume, energy;
+};
+
+/// For every L and pair of branches: the reduced volumes between two of the scan's at which their
+/// energies (SBEH's, or SSH's when only that is scanned) are equal, by Newton's method with the
+/// slope ∂U/∂V = P. In parallel.
+std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const PointLookup& point);
+
+/// The branch of lowest energy at a point.
+struct LowestRow {
+  model::Model model;
+  double L, reduced_volume;
+  std::string branch;  ///< "sharp_oblate": an oblate with a sharp rim, see beyond_fold
+  double energy;
+};
+
+/// Gives the row of a finished point; nullptr where there is none.
+using RowLookup = std::function<const PointResult*(const PointKey&)>;
+
+/// At every L and reduced volume the lowest of the stationary states of each model, and of SBEH's sharp rims
+/// among `beyond`; none where no branch has one. States that pass through themselves do not count.
+std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
+                                   const std::vector<axisym::RimRecord>& beyond);
+
+/// lowest.csv: model,L,reduced_volume,branch,energy.
+std::string table_of(const std::vector<LowestRow>& rows);
+/// folds.csv: reduced_volume,L,energy,order_min,H_abs_max,branch.
+std::string table_of(const std::vector<FoldRow>& rows);
+/// equal_energy.csv: first,second,L,reduced_volume,energy.
+std::string table_of(const std::vector<EqualEnergyRow>& rows);
+
+}  // namespace sbeh::studies

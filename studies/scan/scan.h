@@ -1,0 +1,25 @@
+// A scan: every point of a (V_r, L) grid, in parallel, row by row, resumable.
+#pragma once
+
+#include "studies/scan/scan_input.h"
+
+#include <filesystem>
+#include <string_view>
+
+namespace sbeh::studies {
+
+struct ScanSummary {
+  int points = 0, stationary = 0, unresolved = 0, failed = 0;
+  int computed = 0;  ///< in this call; the rest was there
+  bool interrupted = false;
+  double seconds = 0;
+};
+
+/// Runs the scan into a folder: run.toml (the resolved input), scan.csv (a row per point as it
+/// finishes, in the order of the grid at the end), points/ (a profile per point, and the energy
+/// history for the method flow). Points that are there are not repeated; a folder that holds another
+/// scan is refused. Progress goes to standard error. Throws OutputError.
+ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& folder,
+                     std::string_view version);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,33 @@
+#include "studies/scan/scan_row.h"
+
+#include "studies/io/output.h"
+#include "studies/parameters/material_input.h"
+#include "studies/scan/scan_input.h"
+#include "studies/scan/scan_table.h"
+#include "studies/states/profile_file.h"
+
+#include <fmt/format.h>
+
+namespace sbeh::studies {
+
+ScanRow read_scan_row(const TomlTable& start, model::Model absent) {
+  ScanRow row;
+  row.folder = start.text("folder");
+  row.model = model_of(start.word("model", scan_model_words(), name(rest_model(absent))));
+  row.branch = start.word("branch", known_branches(), row.branch);
+  row.reduced_volume = start.number("reduced_volume", reduced_volumes);
+  row.L = start.number("L", above(0));
+  return row;
+}
+
+axisym::State state_of(const ScanRow& row) {
+  const PointKey key{row.reduced_volume, row.L, row.model, row.branch};
+  const std::filesystem::path file =
+      std::filesystem::path(row.folder) / "points" / (stem(key) + ".csv");
+  if (!std::filesystem::exists(file))
+    throw OutputError(fmt::format("{}: is not there; the rows of that scan stand in {}/scan.csv",
+                                  file.string(), row.folder));
+  return read_profile(file);
+}
+
+}  // namespace sbeh::studies

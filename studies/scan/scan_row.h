@@ -1,0 +1,27 @@
+// One point of an earlier scan as a start.
+#pragma once
+
+#include "axisym/curve.h"
+#include "model/material.h"
+#include "studies/io/toml_reader.h"
+
+#include <string>
+
+namespace sbeh::studies {
+
+/// The stationary state of one point of an earlier scan.
+struct ScanRow {
+  std::string folder;  ///< the scan's results, as written: relative to the working directory
+  model::Model model = model::Model::SBEH;
+  std::string branch = "oblate";  ///< of known_branches() (scan_input.h)
+  double reduced_volume = 0;      ///< 0 < V_r <= 1
+  double L = 0;                   ///< > 0
+};
+
+/// The keys of a start with shape = "scan", `absent` the model where none is named. Throws InputError.
+ScanRow read_scan_row(const TomlTable& start, model::Model absent);
+
+/// The profile of that point. Throws OutputError where it is not there or is none.
+axisym::State state_of(const ScanRow& row);
+
+}  // namespace sbeh::studies

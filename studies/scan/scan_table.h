@@ -1,0 +1,71 @@
+// The table of a scan: one row per point, in the columns that users and pictures rely on.
+#pragma once
+
+#include "axisym/diagnostics.h"
+#include "studies/io/output.h"
+#include "studies/scan/scan_input.h"
+
+#include <filesystem>
+#include <map>
+#include <optional>
+#include <string>
+#include <tuple>
+#include <vector>
+
+namespace sbeh::studies {
+
+/// Which point of a scan; ordered as the finished table is.
+struct PointKey {
+  double reduced_volume;
+  double L;
+  model::Model model;
+  std::string branch;
+  auto operator<=>(const PointKey&) const = default;
+};
+/// Name of the point's files without ending, such as SBEH_oblate_v0.6_L0.07.
+std::string stem(const PointKey& key);
+
+enum class PointStatus {
+  stationary,  ///< a state at rest, resolved
+  unresolved,  ///< there is none to be had here, or not at this resolution: see the reason
+  failed       ///< the numerics failed
+};
+
+/// A row. The diagnostics are of the stationary state, or of the sharpest resolved one.
+struct PointResult {
+  PointKey key;
+  PointStatus status = PointStatus::failed;
+  std::optional<axisym::Diagnostics> diagnostics;  ///< none: written as nan
+  double residual = 0;                             ///< largest force and order residual per area
+  int steps = 0;                                   ///< Newton iterations, or time steps
+  double wall_seconds = 0;
+  std::string shape{};  ///< class of the shape, see axisym/shape_class.h
+  std::optional<int>
+      negative_directions{};       ///< see axisym/stationary/stability.h; at a fold: before it
+  bool self_contact = false;       ///< the surface passes through itself
+  std::string fold_side{};         ///< "before" the branch's fold, or "at" it
+  std::optional<double> fold_L{};  ///< at the fold of SBEH: its L, to which the diagnostics belong
+  std::string stop_reason{};
+};
+
+/// scan.csv of a folder: rows that are there, and appending.
+class ScanTable {
+ public:
+  /// Reads the rows there are; a last line that was cut off is dropped. Throws OutputError when the
+  /// file is no such table.
+  explicit ScanTable(const OutputFolder& folder);
+
+  const std::map<PointKey, PointResult>& rows() const { return rows_; }
+  const PointResult* find(const PointKey& key) const;
+  /// Adds a row to file and memory.
+  void append(const PointResult& row);
+  /// Rewrites the file in the order of the keys.
+  void sort();
+
+ private:
+  std::filesystem::path path_;
+  std::map<PointKey, PointResult> rows_;
+  std::optional<AppendFile> file_;
+};
+
+}  // namespace sbeh::studies

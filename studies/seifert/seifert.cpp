@@ -1,0 +1,202 @@
+#include "studies/seifert/seifert.h"
+
+#include "axisym/shooting/seifert_shooting.h"
+#include "axisym/spectral/minimiser.h"
+#include "axisym/stationary/classical_branches.h"
+#include "studies/io/output.h"
+
+#include <fmt/format.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+
+namespace sbeh::studies {
+
+using axisym::Branch;
+using axisym::ClassicalShape;
+using axisym::SpecialPoint;
+using axisym::SpecialPoints;
+
+namespace {
+
+constexpr std::array<Branch, 3> all_branches{Branch::oblate, Branch::prolate, Branch::stomatocyte};
+
+// Reduced volumes of the diagram: each branch nearly as far as it exists and does not touch itself,
+// steps of 1/40 between.
+std::vector<double> volumes_of(Branch branch) {
+  std::vector<double> volumes;
+  const auto down = [&](int from, int to) {
+    for (int k = from; k >= to; --k) volumes.push_back(k / 40.);
+  };
+  switch (branch) {
+    case Branch::oblate:
+      down(39, 21);
+      volumes.push_back(0.505);
+      break;
+    case Branch::prolate:
+      down(39, 16);
+      break;
+    case Branch::stomatocyte:
+      volumes.push_back(0.66);
+      down(26, 16);
+      break;
+  }
+  return volumes;
+}
+
+template <class Shapes, class Points>
+WitnessReport report(std::string name, Shapes&& shapes_of, Points&& points) {
+  const auto start = std::chrono::steady_clock::now();
+  WitnessReport r{std::move(name), {}, {}, 0};
+  for (const Branch branch : all_branches) {
+    const auto volumes = volumes_of(branch);
+    const std::vector<ClassicalShape> shapes = shapes_of(branch, volumes);
+    r.shapes.insert(r.shapes.end(), shapes.begin(), shapes.end());
+  }
+  r.points = points();
+  r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  return r;
+}
+
+WitnessReport witness(int which, const axisym::Numerics& numerics) {
+  if (which == 0) {
+    axisym::ElementBranches branches(numerics);
+    return report(
+        "elements", [&](Branch b, const auto& v) { return branches.shapes(b, v); },
+        [&] { return branches.special_points_with_errors(); });
+  }
+  if (which == 1)
+    return report(
+        "shooting", [](Branch b, const auto& v) { return axisym::shoot_branch(b, v); },
+        [] { return axisym::shoot_special_points(); });
+  return report(
+      "minimiser", [](Branch b, const auto& v) { return axisym::minimise_branch(b, v); },
+      [] { return axisym::minimise_special_points(); });
+}
+
+Disagreement disagreement(const WitnessReport& a, const WitnessReport& b, Branch branch) {
+  Disagreement d{a.witness, b.witness, branch, 0, 0, 0, 0};
+  for (const ClassicalShape& s : a.shapes)
+    for (const ClassicalShape& t : b.shapes)
+      if (s.branch == branch && t.branch == branch && s.reduced_volume == t.reduced_volume) {
+        d.energy = std::max(d.energy, std::abs(s.energy - t.energy));
+        d.H_pole = std::max(d.H_pole, std::abs(s.H_pole - t.H_pole));
+        d.pressure = std::max(d.pressure, std::abs(s.pressure - t.pressure));
+        d.tension = std::max(d.tension, std::abs(s.tension - t.tension));
+      }
+  return d;
+}
+
+SpecialPoints agreed_points(const std::vector<WitnessReport>& witnesses) {
+  SpecialPoints points{};
+  for (const NamedPoint& point : special_point_names()) {
+    const auto& best =
+        std::min_element(witnesses.begin(), witnesses.end(),
+                         [&](const WitnessReport& a, const WitnessReport& b) {
+                           return (a.points.*point.member).error < (b.points.*point.member).error;
+                         })
+            ->points
+        .*point.member;
+    SpecialPoint agreed = best;
+    for (const WitnessReport& w : witnesses)
+      agreed.error = std::max(
+          agreed.error, std::abs((w.points.*point.member).reduced_volume - best.reduced_volume));
+    points.*point.member = agreed;
+  }
+  return points;
+}
+
+std::string branches_table(const std::vector<WitnessReport>& witnesses) {
+  std::string text =
+      "witness,branch,reduced_volume,energy_reduced,H_pole,pressure,tension,"
+      "negative_directions,self_contact\n";
+  for (const WitnessReport& w : witnesses)
+    for (const ClassicalShape& s : w.shapes)
+      text += fmt::format("{},{},{},{},{},{},{},{},{:d}\n", w.witness, axisym::name(s.branch),
+                          s.reduced_volume, s.energy, s.H_pole, s.pressure, s.tension,
+                          s.negative_directions < 0 ? "" : std::to_string(s.negative_directions),
+                          s.self_contact);
+  return text;
+}
+
+std::string points_row(const char* name, const SpecialPoint& p) {
+  return fmt::format("{},{},{},{:.2g}\n", name, p.reduced_volume, p.energy, p.error);
+}
+
+}  // namespace
+
+const std::vector<NamedPoint>& special_point_names() {
+  static const std::vector<NamedPoint> names{
+      {"prolate_oblate", &SpecialPoints::prolate_oblate},
+      {"oblate_stomatocyte", &SpecialPoints::oblate_stomatocyte},
+      {"stomatocyte_fold", &SpecialPoints::stomatocyte_fold},
+      {"oblate_symmetry_loss", &SpecialPoints::oblate_symmetry_loss},
+      {"oblate_self_contact", &SpecialPoints::oblate_self_contact},
+  };
+  return names;
+}
+
+SeifertSummary run_seifert(const std::filesystem::path& path, int elements) {
+  const OutputFolder folder(path);
+  for (const char* result : {"run.toml", "branches.csv"})
+    if (std::filesystem::exists(folder / result))
+      throw OutputError(
+          fmt::format("{}: already holds results (see its {}), which are not "
+                      "overwritten; choose another folder with -o or move it away",
+                      path.string(), result));
+  axisym::Numerics numerics;
+  numerics.elements = elements;
+  numerics.validate();
+
+  SeifertSummary summary;
+  summary.witnesses.resize(3);
+  tbb::parallel_for(
+      0, 3, [&](int k) { summary.witnesses[std::size_t(k)] = witness(k, numerics); },
+      tbb::simple_partitioner());
+  for (std::size_t i = 0; i < 3; ++i)
+    for (std::size_t j = i + 1; j < 3; ++j)
+      for (const Branch branch : all_branches)
+        summary.disagreements.push_back(
+            disagreement(summary.witnesses[i], summary.witnesses[j], branch));
+  summary.points = agreed_points(summary.witnesses);
+
+  write_file(folder / "branches.csv", branches_table(summary.witnesses));
+  std::string points = "name,reduced_volume,energy_reduced,error\n", each = "witness," + points;
+  for (const NamedPoint& p : special_point_names()) {
+    points += points_row(p.name, summary.points.*p.member);
+    for (const WitnessReport& w : summary.witnesses)
+      each += w.witness + "," + points_row(p.name, w.points.*p.member);
+  }
+  write_file(folder / "points.csv", points);
+  write_file(folder / "points_by_witness.csv", each);
+  std::string differences = "first,second,branch,energy_reduced,H_pole,pressure,tension\n";
+  for (const Disagreement& d : summary.disagreements)
+    differences += fmt::format("{},{},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", d.first, d.second,
+                               axisym::name(d.branch), d.energy, d.H_pole, d.pressure, d.tension);
+  write_file(folder / "differences.csv", differences);
+  return summary;
+}
+
+std::string table_of(const SeifertSummary& summary) {
+  std::string text = "largest differences of the witnesses\n";
+  text += fmt::format("  {:<22} {:<12} {:>10} {:>10} {:>10} {:>10}\n", "", "", "F/(8 pi kappa)",
+                      "H_pole", "pressure", "tension");
+  for (const Disagreement& d : summary.disagreements)
+    text += fmt::format("  {:<22} {:<12} {:>14.1e} {:>10.1e} {:>10.1e} {:>10.1e}\n",
+                        d.first + " - " + d.second, axisym::name(d.branch), d.energy, d.H_pole,
+                        d.pressure, d.tension);
+  text += "\nspecial points (the error covers what the witnesses disagree in)\n";
+  for (const NamedPoint& p : special_point_names()) {
+    const SpecialPoint& s = summary.points.*p.member;
+    text += fmt::format("  {:<22} V_r = {:.9f} +- {:.1e}   F/(8 pi kappa) = {:.8f}\n", p.name,
+                        s.reduced_volume, s.error, s.energy);
+  }
+  for (const WitnessReport& w : summary.witnesses)
+    text += fmt::format("{}: {} shapes and the points in {:.2f} s\n", w.witness, w.shapes.size(),
+                        w.seconds);
+  return text;
+}
+
+}  // namespace sbeh::studies

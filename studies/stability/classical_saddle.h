@@ -1,0 +1,20 @@
+// Whether a classical shape is a saddle among all surfaces, by minimisation over spherical harmonics.
+#pragma once
+
+#include "studies/stability/stability_input.h"
+
+#include <optional>
+
+namespace sbeh::studies {
+
+struct ClassicalSaddle {
+  int negative_directions;  ///< in which the energy falls, at fixed area and volume
+  double stiffness;         ///< least second variation, see surface3d/harmonic/minimiser.h
+};
+
+/// Of the key's branch at a reduced volume; empty unless it is one of SSH without spontaneous curvature, V_r >=
+/// 0.65, where the harmonics resolve it.
+std::optional<ClassicalSaddle> classical_saddle(const StabilityInput& input,
+                                                const StabilityKey& key, double reduced_volume);
+
+}  // namespace sbeh::studies

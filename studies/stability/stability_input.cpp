@@ -1,0 +1,110 @@
+#include "studies/stability/stability_input.h"
+
+#include "studies/io/toml_reader.h"
+#include "studies/parameters/material_input.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sbeh::studies {
+
+namespace {
+
+constexpr int fewest_triangles = 20, most_triangles = 200'000;
+constexpr int largest_perturbation_degree = 8;
+
+// All that can be perturbed and still be called a small displacement of a surface with radius 1.
+constexpr double largest_amplitude = 0.3;
+
+std::vector<meshing::Harmonic> read_perturbations(const TomlTable& table,
+                                                  std::vector<meshing::Harmonic> absent) {
+  if (!table.has("perturbations")) return absent;
+  const auto modes = table.harmonics("perturbations", largest_perturbation_degree);
+  for (const meshing::Harmonic& mode : modes) {
+    if (mode.m < 1)
+      table.fail("perturbations",
+                 fmt::format("must have m >= 1, not {}: with m = 0 the axisymmetric solver is "
+                             "enough, and m < 0 is m > 0 turned about the axis",
+                             mode.m));
+    if (mode.m == 1 && (mode.l == 1 || mode.l % 2 == 0))
+      table.fail("perturbations",
+                 fmt::format("must have l = 3, 5 or 7 where m = 1, not {}: that mostly {} the "
+                             "surface",
+                             mode.l, mode.l == 1 ? "shifts" : "turns"));
+    if (!(mode.amplitude > 0 && mode.amplitude <= largest_amplitude))
+      table.fail("perturbations", fmt::format("must have amplitudes > 0 and <= {}, not {}",
+                                              largest_amplitude, mode.amplitude));
+  }
+  return modes;
+}
+
+void read_states(const TomlTable& table, StabilityInput& input) {
+  input.reduced_volume = table.grid("reduced_volume", reduced_volumes);
+  if (input.reduced_volume.back() == 1)
+    table.fail("reduced_volume", "must be < 1: there is only the sphere, which cannot move");
+  input.L = table.grid("L", above(0));
+  input.models.clear();
+  for (const std::string& word : table.words("models", scan_model_words(), scan_model_words()))
+    input.models.push_back(model_of(word));
+  input.branches = table.words("branches", {"oblate", "prolate"}, input.branches);
+  input.perturbations = read_perturbations(table, input.perturbations);
+  table.reject_unknown_keys();
+}
+
+void read_surface(const TomlTable& table, StabilityInput& input) {
+  input.triangles = table.integer("triangles", fewest_triangles, most_triangles, input.triangles);
+  input.end_time = table.number("end", above(0), input.end_time);
+  surface3d::Numerics& n = input.numerics_3d;
+  n.largest_step = table.number("largest_step", {}, n.largest_step);
+  n.tolerance = table.number("tolerance", {}, n.tolerance);
+  table.reject_unknown_keys();
+  try {
+    n.validate();
+  } catch (const std::invalid_argument& error) {
+    table.fail_from(error);
+  }
+}
+
+}  // namespace
+
+StabilityInput::StabilityInput() {
+  numerics_3d.tolerance = 1e-3;
+  numerics_3d.largest_step = 0.1;
+}
+
+std::string stem(const StabilityKey& key) {
+  return fmt::format("{}_{}_v{}_L{}_Y{}{}", model::name(key.model), key.branch, key.reduced_volume,
+                     key.L, key.l, key.m);
+}
+
+std::vector<StabilityKey> keys_of(const StabilityInput& input) {
+  std::vector<StabilityKey> keys;
+  for (const double v : input.reduced_volume)
+    for (const double L : input.L)
+      for (const model::Model model : input.models) {
+        const bool once = model == model::Model::SSH && input.material.residual_stiffness == 0;
+        if (once && L != input.L.back()) continue;
+        for (const std::string& branch : input.branches)
+          for (const meshing::Harmonic& mode : input.perturbations)
+            keys.push_back({v, L, model, branch, mode.l, mode.m});
+      }
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+StabilityInput read_stability(const std::filesystem::path& path) {
+  const TomlTable file = TomlFile::parse(path);
+  const TomlTable states = file.table("stability"), surface = file.table("surface3d"),
+                  material = file.table("material"), numerics = file.table("numerics");
+  file.reject_unknown_keys();
+  StabilityInput input;
+  read_states(states, input);
+  read_surface(surface, input);
+  input.material =
+      read_material_without_L(material, "a study of stability, where L comes from [stability]");
+  input.numerics = read_numerics(numerics);
+  return input;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,65 @@
+// One perturbed state in 3D: what becomes of it.
+#pragma once
+
+#include "studies/stability/growth_rate.h"
+#include "studies/stability/mode_amplitude.h"
+#include "studies/stability/stability_input.h"
+
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace sbeh::studies {
+
+enum class Verdict {
+  stays,      ///< the perturbation decays
+  leaves,     ///< it grows
+  undecided,  ///< neither can be said before the end time
+  failed      ///< there is no state, or the run broke off before anything could be said
+};
+const char* name(Verdict verdict);
+
+/// One time of a run.
+struct PerturbedAt {
+  double time, time_step, energy;
+  double amplitude;  ///< see mode_amplitude.h
+  double normal_speed, order_speed;
+};
+
+/// What is known of a run in the end; `not_known` where it is not.
+struct StabilityResult {
+  StabilityKey key{};
+  Verdict verdict = Verdict::failed;
+  /// Where it went: the class of the surface; "triaxial" also for the moments of an oblate or prolate with
+  /// an energy that is not that of the axisymmetric one. Empty unless it is at rest again.
+  std::string end_state{};
+  std::optional<GrowthRate> growth{};
+  double reduced_rate;  ///< rate/κ(2/3)
+  double amplitude_start, amplitude_end;
+  double energy_axisymmetric;            ///< of the unperturbed state, by the axisymmetric solver
+  double energy_oblate, energy_prolate;  ///< of the axisymmetric shapes of the same V_r, L
+  double energy_end;
+  double end_time = 0;
+  int triangles = 0, steps = 0;
+  std::optional<double> unresolved_from{};  ///< time from which the mesh was too coarse
+  /// Of the classical minimiser over spherical harmonics, for SSH without spontaneous curvature from V_r =
+  /// 0.65 on: directions in which the energy falls, and its least second variation.
+  std::optional<int> negative_directions{};
+  double stiffness;
+  std::string stop_reason{};
+  double wall_seconds = 0;
+  StabilityResult();
+};
+
+/// A result with its history.
+struct StabilityOutcome {
+  StabilityResult result;
+  std::vector<PerturbedAt> history;
+};
+
+/// The axisymmetric state of the key by Newton's method, revolved, perturbed, and followed in 3D until the
+/// perturbation has decayed, at a rate that can be told, to a fifth of what it is at the time 0.1/κ(2/3), or has grown tenfold and all is
+/// at rest again, or the end time comes. Empty when interrupted.
+std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input, const StabilityKey& key);
+
+}  // namespace sbeh::studies

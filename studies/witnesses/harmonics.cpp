@@ -1,0 +1,66 @@
+// Minimisation over spherical harmonics in the terms of the axisymmetric methods.
+#include "studies/witnesses/state.h"
+#include "surface3d/harmonic/basis.h"
+#include "surface3d/harmonic/energy.h"
+#include "surface3d/harmonic/minimiser.h"
+
+#include <Eigen/Geometry>
+#include <fmt/format.h>
+
+#include <algorithm>
+
+namespace sbeh::studies {
+
+using Eigen::Vector3d;
+using surface3d::HarmonicShape;
+using surface3d::HarmonicSurface;
+
+namespace {
+
+// H where the surface meets a ray from its own centre.
+double curvature_along(const HarmonicSurface& surface, const Vector3d& direction) {
+  // The axes of the ellipsoid are those of a surface of revolution.
+  const Vector3d omega = surface.ellipsoid.inverse() * direction;
+  return surface3d::mean_curvature(surface, omega.normalized())[0];
+}
+
+}  // namespace
+
+WitnessState harmonic_state(const CompareInput& input,
+                            const std::optional<meshing::CurvedMesh>& start) {
+  const int degree = input.harmonics.degree;
+  const HarmonicShape shape = surface3d::minimise_harmonics(
+      start ? surface3d::fit_harmonics(surface3d::Triangulation(*start), start->nodes, degree)
+            : surface3d::harmonic_spheroid(input.reduced_volume, input.branch == "prolate", degree),
+      input.reduced_volume, degree);
+  WitnessState found{.witness = Witness::harmonics};
+  if (shape.stop != surface3d::HarmonicStop::stationary) {
+    found.failure = describe(shape.stop);
+    return found;
+  }
+  const surface3d::Axis axis = surface3d::axis_of(shape.surface);
+  found.remark = fmt::format(
+      "l <= {}, from {}; {} directions in which the energy falls; deviation from an axis {:.1e}",
+      degree, start ? "surface3d" : "an ellipsoid", shape.negative_directions, axis.deviation);
+  found.measures = classical_measures(input, shape.energy, shape.pressure, shape.tension);
+  const double above = curvature_along(shape.surface, axis.direction),
+               below = curvature_along(shape.surface, -axis.direction);
+  found.measures.H_pole = std::max(above, below);
+  const Vector3d z = above < below ? Vector3d(-axis.direction) : axis.direction;
+  const Eigen::Matrix3Xd omega = surface3d::sphere_rule(degree + 1).omega;
+  found.points.resize(2, omega.cols());
+  for (Eigen::Index i = 0; i < omega.cols(); ++i) {
+    const Vector3d x = shape.surface.at(omega.col(i)) - axis.centre;
+    found.points.col(i) << z.cross(x).norm(), z.dot(x);
+  }
+  const bool prolate = found.points.row(1).cwiseAbs().maxCoeff() > found.points.row(0).maxCoeff();
+  if (prolate != (input.branch == "prolate")) {
+    found = {.witness = Witness::harmonics};
+    found.failure = fmt::format("has come to the {} instead", prolate ? "prolate" : "oblate");
+    return found;
+  }
+  found.order = Eigen::VectorXd::Constant(omega.cols(), model::full_order);
+  return found;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,199 @@
+#include "studies/witnesses/state.h"
+
+#include "axisym/curvature.h"
+#include "axisym/shooting/seifert_shooting.h"
+#include "axisym/spectral/minimiser.h"
+#include "axisym/start_shapes.h"
+#include "studies/io/interrupt.h"
+#include "studies/scan/branch_points.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+
+namespace sbeh::studies {
+
+using axisym::ClassicalShape;
+using model::Model;
+using std::numbers::pi;
+
+namespace {
+
+// Takes the curve as the method's, from the pole where H is larger on.
+void take_curve(WitnessState& found, const Meridian& curve, const std::array<double, 2>& H_poles) {
+  found.meridian = (H_poles[1] > H_poles[0] ? curve.reversed() : curve).centred();
+  found.points = found.meridian->points();
+  found.order = found.meridian->order();
+  found.measures.H_pole = std::max(H_poles[0], H_poles[1]);
+}
+
+WitnessState classical_state(const CompareInput& input, Witness witness,
+                             const ClassicalShape& shape, Meridian curve) {
+  WitnessState found{.witness = witness};
+  found.measures = classical_measures(input, shape.energy, shape.pressure, shape.tension);
+  take_curve(found, curve, {shape.H_pole, shape.H_pole});
+  return found;
+}
+
+Eigen::VectorXd full_order_on(const Eigen::Matrix2Xd& points) {
+  return Eigen::VectorXd::Constant(points.cols(), model::full_order);
+}
+
+WitnessState failed(Witness witness, std::string reason) {
+  return {.witness = witness, .failure = std::move(reason)};
+}
+
+// Follows the branch of SSH from its entry, then, for a free order, to the elastic constant.
+PointOutcome follow_branch(const CompareInput& input) {
+  const ScanInput scan{.reduced_volume = {input.reduced_volume},
+                       .L = {input.L},
+                       .models = {input.model},
+                       .branches = {input.branch},
+                       .material = input.material,
+                       .numerics = input.numerics};
+  const PointKey key{input.reduced_volume, input.L, input.model, input.branch};
+  const auto entry = enter_branch(scan, input.branch, input.L);
+  if (!entry) return failed_point(key, "Newton's method failed at the entry of the branch");
+  const PointKey ssh_key{input.reduced_volume, input.L, Model::SSH, input.branch};
+  const PointOutcome ssh = follow_to(scan, ssh_key, *entry);
+  if (input.model == Model::SSH || ssh.row.status != PointStatus::stationary) return ssh;
+  return order_from(scan, key, {{input.reduced_volume, input.L}, *ssh.state});
+}
+
+}  // namespace
+
+const std::vector<Quantity>& quantities() {
+  static const std::vector<Quantity> all{
+      {"energy", &Measures::energy, true},
+      {"energy_distortion", &Measures::energy_distortion, true},
+      {"energy_bending", &Measures::energy_bending, true},
+      {"energy_thermotropic", &Measures::energy_thermotropic, true},
+      {"pressure", &Measures::pressure, false},
+      {"tension", &Measures::tension, false},
+      {"order_min", &Measures::order_min, false},
+      {"order_mean", &Measures::order_mean, false},
+      {"order_max", &Measures::order_max, false},
+      {"H_pole", &Measures::H_pole, false},
+  };
+  return all;
+}
+
+Measures classical_measures(const CompareInput& input, double energy, double pressure,
+                            double tension) {
+  const model::Material& m = input.material;
+  const double beta = model::full_order, kappa = m.kappa(beta), u = m.potential.value(beta);
+  Measures of;
+  of.energy_distortion = 0;
+  of.energy_bending = 8 * pi * kappa * energy + 4 * pi * m.kappa_gauss(beta);
+  of.energy_thermotropic = 4 * pi * u;
+  of.energy = of.energy_bending + of.energy_thermotropic;
+  of.pressure = kappa * pressure;
+  of.tension = kappa * tension - u;
+  of.order_min = of.order_mean = of.order_max = beta;
+  return of;
+}
+
+NewtonState newton_state(const CompareInput& input) {
+  const PointOutcome point = follow_branch(input);
+  if (point.row.status != PointStatus::stationary) {
+    const std::string& reason = point.row.stop_reason;  // of a row, whose values are not taken here
+    return {{}, failed(Witness::newton, reason.substr(0, reason.find("; the values")))};
+  }
+  const auto settled_state =
+      settled(input.material, input.model, {{input.reduced_volume, input.L}, *point.state});
+  if (!settled_state)
+    return {{}, failed(Witness::newton, "Newton's method does not converge at its own state")};
+  const axisym::StationaryState& s = settled_state->solution;
+  const axisym::Energy energy = axisym::energy(input.material, s.state, s.H);
+  const axisym::Diagnostics d = axisym::diagnose(input.material, s.state);
+  const Meridian curve(s.state);
+  WitnessState found{.witness = Witness::newton,
+                     .remark = fmt::format("{} elements", axisym::element_count(s.state.X)),
+                     .measures = {.energy = energy.total(),
+                                  .energy_distortion = energy.distortion,
+                                  .energy_bending = energy.bending,
+                                  .energy_thermotropic = energy.thermotropic,
+                                  .pressure = s.pressure,
+                                  .tension = s.tension,
+                                  .order_min = d.order_min,
+                                  .order_mean = d.order_mean,
+                                  .order_max = d.order_max}};
+  take_curve(found, curve, axisym::pole_curvatures(s.state.X, s.H));
+  return {s.state, found};
+}
+
+WitnessState flow_state(const CompareInput& input) {
+  constexpr double end_time = 200;
+  const axisym::Numerics& n = input.numerics;
+  const axisym::Nodes X =
+      axisym::spheroid(input.reduced_volume, input.branch == "prolate", n.elements, n.grading);
+  WitnessState found{.witness = Witness::flow};
+  const axisym::FlowResult run = axisym::run_flow(
+      input.material, input.model, {X, axisym::Field::Constant(X.cols(), model::full_order)},
+      axisym::target_of(input.reduced_volume), n,
+      {.end_time = end_time, .output_times = history_times(input)},
+      [&](const axisym::FlowRecord& record, const axisym::State&, bool exact) {
+        if (exact) found.history.push_back({record.time, record.energy.total()});
+        return interrupt_signal() == 0;
+      });
+  if (run.stop == axisym::FlowStop::interrupted) throw Interrupted("interrupted");
+  found.remark = fmt::format("{} elements, {} at t = {:.4g} after {} steps", n.elements,
+                             axisym::describe(run.stop), run.last.time, run.steps);
+  if (run.stop != axisym::FlowStop::at_rest) {
+    found.failure = found.remark;
+    return found;
+  }
+  const axisym::Diagnostics d = axisym::diagnose(input.material, run.state);
+  found.measures = measures_of_flow(input.material, d, run.last.lambda);
+  take_curve(found, Meridian(run.state),
+             axisym::pole_curvatures(run.state.X, axisym::mean_curvature(run.state.X)));
+  return found;
+}
+
+WitnessState shooting_state(const CompareInput& input) {
+  try {
+    const std::array<double, 1> at{input.reduced_volume};
+    const ClassicalShape shape = axisym::shoot_branch(branch_of(input.branch), at).front();
+    // Equal steps of arc length from either pole to the equator.
+    const int equator = int(shape.profile.cols() - 1) / 2;
+    return classical_state(input, Witness::shooting, shape,
+                           Meridian(shape.profile, full_order_on(shape.profile), {equator}));
+  } catch (const std::runtime_error& error) {
+    return failed(Witness::shooting, error.what());
+  } catch (const std::logic_error& error) {  // not on the branch, or out of reach
+    return failed(Witness::shooting, error.what());
+  }
+}
+
+WitnessState minimiser_state(const CompareInput& input) {
+  const std::string none = "there is no smooth minimum of this branch, or it is not resolved";
+  const axisym::Branch branch = branch_of(input.branch);
+  if (input.model == Model::SSH) {
+    const auto shape = axisym::minimise_classical(branch, input.reduced_volume);
+    if (!shape) return failed(Witness::minimiser, none);
+    return classical_state(input, Witness::minimiser, *shape,
+                           Meridian(shape->profile, full_order_on(shape->profile)));
+  }
+  const auto minimum = axisym::minimise_ordered(input.material, input.reduced_volume, branch);
+  if (!minimum) return failed(Witness::minimiser, none);
+  const Meridian curve(minimum->profile, minimum->order);
+  WitnessState found{
+      .witness = Witness::minimiser,
+      .measures = {.energy = minimum->energy,
+                   .energy_distortion = minimum->parts.distortion,
+                   .energy_bending = minimum->parts.bending + minimum->parts.gaussian,
+                   .energy_thermotropic = minimum->parts.thermotropic,
+                   .pressure = minimum->pressure,
+                   .tension = minimum->tension,
+                   .order_min = minimum->order_min,
+                   .order_mean = curve.mean_order(),
+                   .order_max = curve.largest_order()}};
+  take_curve(found, curve, curve.pole_curvatures());
+  return found;
+}
+
+}  // namespace sbeh::studies

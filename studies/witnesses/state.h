@@ -1,0 +1,117 @@
+// What one method of a comparison finds: a stationary state, measured in the terms of all of them.
+#pragma once
+
+#include "meshing/curved_mesh.h"
+#include "studies/compare/compare_input.h"
+#include "studies/states/meridian.h"
+
+#include <filesystem>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+#include <string>
+#include <vector>
+
+namespace sbeh::studies {
+
+inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
+
+/// The numbers that are compared; `not_known` where the method does not tell. Lengths in radii of the
+/// sphere of equal area.
+struct Measures {
+  double energy = not_known;  ///< U
+  /// Of model::Energy, the Gaussian part in the bending.
+  double energy_distortion = not_known, energy_bending = not_known, energy_thermotropic = not_known;
+  /// P = ∂U/∂V at fixed area; of flow and surface3d: −λ.
+  double pressure = not_known;
+  /// Σ = −∂U/∂A at fixed volume; of flow and surface3d: if H₀ = 0, from P, as scaling wants it,
+  /// 2ΣA = 3PV − 2(thermotropic energy).
+  double tension = not_known;
+  double order_min = not_known, order_mean = not_known, order_max = not_known;
+  double H_pole = not_known;  ///< trace H at the pole where it is larger
+};
+
+struct Quantity {
+  const char* name;
+  double Measures::*value;
+  bool is_energy;  ///< differences are taken relative to the total energy
+};
+const std::vector<Quantity>& quantities();
+
+/// The energy of an evolution at a time.
+struct EnergyAt {
+  double time, energy;
+};
+
+struct WitnessState {
+  Witness witness{};
+  std::string failure{};  ///< why there is no state; empty where there is one
+  std::string remark{};   ///< what else is to be known
+  double seconds = 0;
+  Measures measures{};
+  Eigen::Matrix2Xd points{};        // 2 x n: r, z; along the meridian, or nodes of a 3D method
+  Eigen::VectorXd order{};          // n
+  std::vector<EnergyAt> history{};  ///< of flow and surface3d from the same ellipsoid
+  std::optional<meshing::CurvedMesh> mesh{};  ///< of surface3d
+  std::optional<Meridian> meridian{};  ///< through the points, from the pole of H_pole on, z = 0
+                                       ///< halfway between the poles; none of the 3D methods
+};
+
+/// A signal came while a method was at work.
+struct Interrupted : std::runtime_error {
+  using std::runtime_error::runtime_error;
+};
+
+/// Newton's method from the branch's entry on; the state, or the reason why there is none.
+struct NewtonState {
+  std::optional<axisym::State> state;
+  WitnessState found;
+};
+NewtonState newton_state(const CompareInput& input);
+
+/// Boost.Odeint on the shape equations. SSH without spontaneous curvature.
+WitnessState shooting_state(const CompareInput& input);
+
+/// Spectral minimisation; of SSH without spontaneous curvature.
+WitnessState minimiser_state(const CompareInput& input);
+
+/// The axisymmetric solver's flow from the ellipsoid of full order to rest. Throws Interrupted.
+WitnessState flow_state(const CompareInput& input);
+
+/// When flow and surface3d tell their energies: nine times from 0.001 to 10, or those of the rows of the
+/// run whose frame is taken.
+std::vector<double> history_times(const CompareInput& input);
+
+/// Of a state at rest in a flow, with its volume multiplier.
+template <class Diagnostics>
+Measures measures_of_flow(const model::Material& material, const Diagnostics& d, double lambda) {
+  Measures of{.energy = d.energy.total(),
+              .energy_distortion = d.energy.distortion,
+              .energy_bending = d.energy.bending,
+              .energy_thermotropic = d.energy.thermotropic,
+              .pressure = -lambda,
+              .order_min = d.order_min,
+              .order_mean = d.order_mean,
+              .order_max = d.order_max};
+  if (material.spontaneous_curvature == 0)
+    of.tension = (3 * of.pressure * d.volume - 2 * d.energy.thermotropic) / (2 * d.area);
+  return of;
+}
+
+/// The 3D solver's flow to rest, or the last frame of a run. `start` is revolved where the input asks
+/// for it. The surface is turned with its axis upright, its centre in the origin. `keep`, unless empty,
+/// is where the state goes as a frame. Throws InputError (a run that is none, or is one of another
+/// case), OutputError, and Interrupted.
+WitnessState surface_state(const CompareInput& input, const std::optional<axisym::State>& start,
+                           const std::filesystem::path& keep);
+
+/// A classical shape in the terms of U: full order, u(2/3) everywhere, and the Gaussian part; energy is
+/// F/(8πκ), pressure and tension are per κ. SSH without spontaneous curvature.
+Measures classical_measures(const CompareInput& input, double energy, double pressure,
+                            double tension);
+
+/// Minimisation over spherical harmonics, from the 3D solver's surface or else a spheroid; turned like it.
+WitnessState harmonic_state(const CompareInput& input,
+                            const std::optional<meshing::CurvedMesh>& start);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,268 @@
+// The 3D solver's state in the terms of the axisymmetric methods.
+#include "meshing/revolution.h"
+#include "meshing/shapes.h"
+#include "studies/evolution/frame_file.h"
+#include "studies/evolution/run_input.h"
+#include "studies/io/csv_table.h"
+#include "studies/io/interrupt.h"
+#include "studies/io/number_range.h"
+#include "studies/io/progress.h"
+#include "studies/io/toml_reader.h"
+#include "studies/states/surface_moments.h"
+#include "studies/witnesses/state.h"
+#include "surface3d/flow.h"
+
+#include <Eigen/Eigenvalues>
+#include <Eigen/LU>
+#include <fmt/format.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <chrono>
+#include <cmath>
+#include <memory>
+#include <numbers>
+
+namespace sbeh::studies {
+
+namespace fs = std::filesystem;
+using surface3d::Triangulation;
+
+namespace {
+
+// A surface with its order, at rest or nearly so.
+struct Rest {
+  meshing::CurvedMesh mesh{};
+  surface3d::Field beta{};  // nodes
+  double lambda = not_known;
+  std::vector<EnergyAt> history{};
+  std::string remark{};
+  std::string failure{};
+};
+
+// ---- a run of its own ---------------------------------------------------------------------------
+
+// On a terminal one line that is rewritten.
+class Watch {
+ public:
+  explicit Watch(double end_time) : end_time_(end_time) {}
+  ~Watch() {
+    if (shown_) tell("\n");
+  }
+  void show(const surface3d::FlowRecord& record) {
+    const auto now = std::chrono::steady_clock::now();
+    if (!terminal_ || now - last_ < std::chrono::milliseconds(500)) return;
+    last_ = now;
+    shown_ = true;
+    tell(fmt::format("\r\033[Ksurface3d: t = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}",
+                     record.time, end_time_, record.time_step, record.energy.total()));
+  }
+
+ private:
+  double end_time_;
+  bool terminal_ = isatty(STDERR_FILENO) != 0, shown_ = false;
+  std::chrono::steady_clock::time_point last_{};
+};
+
+Rest start_of(const CompareInput& input, const std::optional<axisym::State>& profile) {
+  const meshing::Resolution resolution{.triangles = input.surface3d.triangles};
+  if (input.surface3d.revolved && profile) {
+    meshing::RevolvedMesh revolved = meshing::revolved({profile->X, profile->beta}, resolution);
+    return {.mesh = std::move(revolved.mesh), .beta = std::move(revolved.beta)};
+  }
+  Rest start{.mesh =
+                 meshing::ellipsoid(input.reduced_volume, input.branch == "prolate", resolution)};
+  start.beta = surface3d::Field::Constant(start.mesh.node_count(), model::full_order);
+  return start;
+}
+
+Rest flow_to_rest(const CompareInput& input, const std::optional<axisym::State>& profile,
+                  const fs::path& keep) {
+  Rest rest = start_of(input, profile);
+  const auto mesh = std::make_shared<const Triangulation>(rest.mesh);
+  const double area = 4 * std::numbers::pi;
+  const surface3d::Target target{area, input.reduced_volume * area / 3};
+  Watch watch(input.surface3d.end_time);
+  surface3d::StepFields fields;
+  surface3d::FlowMemory memory;
+  const surface3d::FlowResult run = surface3d::run_flow(
+      mesh, input.material, input.model, {.state = {rest.mesh.nodes, rest.beta}}, target,
+      input.surface3d.numerics,
+      {.end_time = input.surface3d.end_time, .output_times = history_times(input)},
+      [&](const surface3d::FlowRecord& record, const surface3d::State&,
+          const surface3d::StepView& view, bool exact) {
+        if (exact && !input.surface3d.revolved)
+          rest.history.push_back({record.time, record.energy.total()});
+        watch.show(record);
+        fields = view.fields;
+        memory = view.memory;
+        return interrupt_signal() == 0;
+      });
+  if (run.stop == surface3d::FlowStop::interrupted) throw Interrupted("interrupted");
+  const std::string stop =
+      fmt::format("{} triangles, {} at t = {:.4g} after {} steps, speed {:.1e}",
+                  rest.mesh.triangle_count(), surface3d::describe(run.stop), run.last.time,
+                  run.steps, std::max(run.last.normal_speed, run.last.order_speed));
+  rest.mesh.nodes = run.state.X;
+  rest.beta = run.state.beta;
+  rest.lambda = run.last.lambda;
+  const bool lost = run.stop == surface3d::FlowStop::unresolved
+                 || run.stop == surface3d::FlowStop::step_too_small;
+  (lost ? rest.failure : rest.remark) = stop;
+  const auto curvature = surface3d::curvature_of(*mesh, run.state.X);
+  if (!keep.empty() && curvature)
+    write_frame(keep,
+                {.mesh = rest.mesh,
+                 .beta = rest.beta,
+                 .record = run.last,
+                 .target = target,
+                 .memory = memory},
+                {curvature->H, curvature->node_normals, fields.V});
+  return rest;
+}
+
+// ---- the run of a folder ------------------------------------------------------------------------
+
+void require_same_case(const fs::path& folder, const RunInput& run, const CompareInput& input) {
+  const auto fail = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: is a run of another case: {}", folder.string(), what));
+  };
+  const model::Material &a = run.material, &b = input.material;
+  if (model::rest_model(run.model) != input.model)
+    fail(fmt::format("its model is {}, that of the comparison {}", model::name(run.model),
+                     model::name(input.model)));
+  if (a.L1 != b.L1 || a.L2 != b.L2 || a.L3 != b.L3)
+    fail(fmt::format("its L1, L2, L3 are {}, {}, {}, those of the comparison {}, {}, {}", a.L1,
+                     a.L2, a.L3, b.L1, b.L2, b.L3));
+  if (!(a.potential == b.potential) || a.residual_stiffness != b.residual_stiffness
+      || a.spontaneous_curvature != b.spontaneous_curvature)
+    fail("potential, residual_stiffness or spontaneous_curvature differ (compare its run.toml)");
+}
+
+// Whether the run is the evolution that `flow` follows too: from the same ellipsoid, with the same drag.
+bool is_evolution_of(const RunInput& run, const CompareInput& input) {
+  const auto* start = std::get_if<Ellipsoid3d>(&run.start);
+  const model::Material &a = run.material, &b = input.material;
+  return start && start->reduced_volume == input.reduced_volume
+      && start->prolate == (input.branch == "prolate") && run.model == input.model
+      && run.initial_order == model::full_order && run.perturbation.empty()
+      && a.viscosity == b.viscosity && a.immobility == b.immobility
+      && a.friction_tangential == b.friction_tangential && a.friction_normal == b.friction_normal
+      && a.order_viscosity == b.order_viscosity;
+}
+
+Rest last_frame(const CompareInput& input) {
+  const fs::path folder = input.surface3d.run;
+  if (!fs::exists(folder / "run.toml") || !fs::exists(folder / "frames.csv"))
+    throw InputError(fmt::format(
+        "{}: is no folder of a 3D run: it lacks run.toml or frames.csv (run it by: sbeh run)",
+        folder.string()));
+  const RunInput run = read_run(folder / "run.toml");
+  require_same_case(folder, run, input);
+  const CsvTable frames = read_csv(folder / "frames.csv"), series = read_csv(folder / "series.csv");
+  if (frames.rows.empty())
+    throw InputError(fmt::format("{}: has no frame yet", (folder / "frames.csv").string()));
+  Frame frame = read_frame(folder / frames.text(frames.rows.size() - 1, "file"));
+  Rest rest{.mesh = std::move(frame.mesh), .beta = std::move(frame.beta)};
+  const double v = surface3d::reduced_volume(frame.target.area, frame.target.volume);
+  if (std::abs(v - input.reduced_volume) > 1e-6)
+    throw InputError(
+        fmt::format("{}: is a run of another case: its reduced volume is {:.8g}, that of the "
+                    "comparison {}",
+                    folder.string(), v, input.reduced_volume));
+  rest.remark = fmt::format("{} triangles, last frame of {}, t = {:.4g}",
+                            rest.mesh.triangle_count(), folder.string(), frame.record.time);
+  for (std::size_t row = 0; row < series.rows.size(); ++row)
+    if (series.number(row, "time") == frame.record.time) {
+      rest.lambda = series.number(row, "lambda");
+      rest.remark += fmt::format(", |V| = {:.1e}", series.number(row, "speed_max"));
+    }
+  if (is_evolution_of(run, input))
+    for (std::size_t row = 0; row < series.rows.size(); ++row)
+      rest.history.push_back({series.number(row, "time"), series.number(row, "energy")});
+  return rest;
+}
+
+// ---- measures -----------------------------------------------------------------------------------
+
+// Turns the nodes so that the axis of the surface is z and its centre the origin: the axis is the
+// principal axis whose moment differs most from the two others.
+Eigen::Matrix3Xd upright(const Triangulation& mesh, const surface3d::Nodes& X) {
+  const auto [centre, moments] = surface_moments(mesh, X);
+  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(moments);
+  const Eigen::Vector3d w = eigen.eigenvalues();  // ascending
+  const int axis = w[2] - w[1] > w[1] - w[0] ? 2 : 0;
+  Eigen::Vector3d z = eigen.eigenvectors().col(axis);
+  if (z[2] < 0) z = -z;
+  const Eigen::Matrix3d turn =
+      Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ()).toRotationMatrix();
+  return turn * (X.colwise() - centre);
+}
+
+// H at either end of the axis, upper one first: a + b ρ² through the nodes nearest to it.
+std::array<double, 2> pole_curvatures(const Eigen::Matrix3Xd& X, const surface3d::Field& H) {
+  const std::size_t count = std::min<std::size_t>(38, std::size_t(X.cols()));  // two rings of P3
+  std::vector<std::pair<double, Eigen::Index>> near;                           // nodes about each
+  for (Eigen::Index i = 0; i < X.cols(); ++i)
+    near.emplace_back(X.col(i).head<2>().squaredNorm(), i);
+  std::partial_sort(near.begin(), near.begin() + std::ptrdiff_t(count), near.end());
+  near.resize(count);
+  const auto lower = [&](const auto& a, const auto& b) { return X(2, a.second) < X(2, b.second); };
+  const auto [low, high] = std::minmax_element(near.begin(), near.end(), lower);
+  const double middle = (X(2, low->second) + X(2, high->second)) / 2;
+  std::array<double, 2> result{};
+  for (const int pole : {0, 1}) {
+    Eigen::Matrix2d normal = Eigen::Matrix2d::Zero();  // of the least squares
+    Eigen::Vector2d right = Eigen::Vector2d::Zero();
+    for (const auto& [rho2, i] : near) {
+      if ((X(2, i) > middle) != (pole == 0)) continue;
+      const Eigen::Vector2d powers(1, rho2);
+      normal += powers * powers.transpose();
+      right += powers * H[i];
+    }
+    result[std::size_t(pole)] = normal.fullPivLu().solve(right)[0];
+  }
+  return result;
+}
+
+}  // namespace
+
+std::vector<double> history_times(const CompareInput& input) {
+  if (!input.has(Witness::surface3d) || input.surface3d.run.empty())
+    return evenly_spaced(1e-3, 10, 9, Spacing::logarithmic);
+  const CsvTable series = read_csv(fs::path(input.surface3d.run) / "series.csv");
+  std::vector<double> times;
+  for (std::size_t row = 0; row < series.rows.size(); ++row)
+    times.push_back(series.number(row, "time"));
+  return times;
+}
+
+WitnessState surface_state(const CompareInput& input, const std::optional<axisym::State>& start,
+                           const fs::path& keep) {
+  const Rest rest =
+      input.surface3d.run.empty() ? flow_to_rest(input, start, keep) : last_frame(input);
+  WitnessState found{.witness = Witness::surface3d, .failure = rest.failure, .remark = rest.remark};
+  found.history = rest.history;
+  if (!found.failure.empty()) return found;
+  const Triangulation mesh(rest.mesh);
+  const surface3d::State state{rest.mesh.nodes, rest.beta};
+  const auto curvature = surface3d::curvature_of(mesh, state.X);
+  if (!curvature) {
+    found.failure = "the surface is degenerate";
+    return found;
+  }
+  found.measures = measures_of_flow(input.material,
+                                    surface3d::diagnose(mesh, input.material, state), rest.lambda);
+  const Eigen::Matrix3Xd X = upright(mesh, state.X);
+  const auto [above, below] = pole_curvatures(X, curvature->H);
+  found.measures.H_pole = std::max(above, below);
+  found.points.resize(2, X.cols());
+  found.points.row(0) = X.topRows<2>().colwise().norm();
+  found.points.row(1) = (above < below ? -1 : 1) * X.row(2);
+  found.order = rest.beta;
+  found.mesh = rest.mesh;
+  return found;
+}
+
+}  // namespace sbeh::studies

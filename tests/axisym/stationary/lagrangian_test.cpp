@@ -1,0 +1,209 @@
+// The assembled Lagrangian of stationary states: gradient against differences of its value, Hessian
+// against differences of the gradient, in every block of unknowns.
+#include "axisym/stationary/lagrangian.h"
+
+#include "tests/axisym/cases.h"
+
+#include <random>
+
+namespace sbeh::axisym {
+namespace {
+
+using namespace test;
+
+constexpr int elements = 12;
+constexpr const char* block_names[node_unknowns] = {"d", "Lambda", "H", "beta"};
+
+struct NamedMaterial {
+  const char* name;
+  Material material;
+};
+std::vector<NamedMaterial> materials() {
+  Material general;
+  general.L1 = 0.05, general.L2 = 0.031, general.L3 = -0.023;
+  general.residual_stiffness = 0.017;
+  general.spontaneous_curvature = -0.7;
+  Material cubic = general;
+  cubic.potential = model::Potential({0.3, -0.2, 1.1, -4., 5., 0.7});
+  return {{"one constant", paper_material(0.05)},
+          {"unequal L, k0, H0", general},
+          {"potential of degree 5", cubic}};
+}
+
+// No solution of anything: smooth fields that have nothing to do with each other.
+StationaryState any_state() {
+  const Eigen::Index nodes = 3 * elements + 1;
+  StationaryState s{.state = {.X = Nodes(2, nodes), .beta = Field(nodes)},
+                    .H = Field(nodes),
+                    .Lambda = Field(nodes),
+                    .tension = 1.3,
+                    .pressure = -2.1};
+  for (Eigen::Index i = 0; i < nodes; ++i) {
+    const double t = pi * double(i) / double(nodes - 1);
+    s.state.X.col(i) << (1 + 0.2 * std::cos(t)) * std::sin(t), 0.7 * std::cos(t);
+    s.state.beta[i] = 0.5 + 0.1 * std::cos(2 * t) - 0.05 * std::cos(t);
+    s.H[i] = -2 + 0.4 * std::cos(t) - 0.3 * std::cos(3 * t);
+    s.Lambda[i] = 0.3 - 0.2 * std::cos(2 * t);
+  }
+  s.state.X(0, 0) = s.state.X(0, nodes - 1) = 0;
+  return s;
+}
+
+// 𝓛 without its constants ΣA₀ and PV₀, by quadrature of the pointwise density.
+double lagrangian(const Material& material, const StationaryState& s, const Nodes& normals) {
+  double sum = 0;
+  for (int e = 0; e < elements; ++e)
+    for (const ShapeValues& shape : assembly_points()) {
+      const CurvePoint p = curve_point(s.state.X, e, shape);
+      const PointFields<double> q{p.x[0],
+                                  p.dx[0],
+                                  p.dx[1],
+                                  value_at(s.H, e, shape),
+                                  value_at(s.state.beta, e, shape),
+                                  slope_at(s.state.beta, e, shape)};
+      const auto density = lagrangian_density(material, s.tension, s.pressure, q);
+      sum += shape.weight * density.energy;
+      for (int k = 0; k < 2; ++k) {
+        const Field Lambda_k = s.Lambda.cwiseProduct(normals.row(k).transpose());
+        sum += shape.weight
+             * (density.curvature[std::size_t(k)] * value_at(Lambda_k, e, shape)
+                + density.curvature[std::size_t(k) + 2] * slope_at(Lambda_k, e, shape));
+      }
+    }
+  return sum;
+}
+
+// s moved by h times a direction in all unknowns, node-wise as in the global vector.
+StationaryState moved(const StationaryState& s, const Nodes& normals, const Eigen::VectorXd& v,
+                      double h) {
+  StationaryState m = s;
+  for (Eigen::Index i = 0; i < s.H.size(); ++i) {
+    const auto at = [&](NodeUnknown c) { return h * v[node_unknowns * i + c]; };
+    m.state.X.col(i) += at(node_d) * normals.col(i);
+    m.Lambda[i] += at(node_Lambda);
+    m.H[i] += at(node_H);
+    m.state.beta[i] += at(node_beta);
+  }
+  return m;
+}
+
+// A random direction in one block; poles stay on the axis because their normals lie along it.
+Eigen::VectorXd random_direction(int block, unsigned seed) {
+  std::mt19937 generator(seed);
+  std::uniform_real_distribution<double> uniform(-1, 1);
+  Eigen::VectorXd v = Eigen::VectorXd::Zero(node_unknowns * (3 * elements + 1));
+  for (Eigen::Index i = block; i < v.size(); i += node_unknowns) v[i] = uniform(generator);
+  return v;
+}
+
+// Central difference of order 4. A random nodal direction changes r near the pole, and the stretch, by
+// up to 40 h relative: the next term, (40 h)⁴ times a factor of order 1, is below 1e-10 of the result
+// for h = 5e-5, and so is rounding, 1e-16 |f|/h.
+constexpr double h = 5e-5, accuracy = 1e-8;
+template <class F>
+auto difference(const F& f) {
+  using Value = decltype(f(h));
+  const Value near = (f(h) - f(-h)) / (2 * h), far = (f(2 * h) - f(-2 * h)) / (4 * h);
+  return Value((4 * near - far) / 3);
+}
+
+LagrangianDerivatives assembled(const Material& material, const StationaryState& s,
+                                const Nodes& normals) {
+  LagrangianDerivatives out(3 * elements + 1);
+  assemble(material, s, normals, out);
+  return out;
+}
+
+TEST(Lagrangian, gradient_is_the_difference_of_the_value_in_every_block) {
+  const StationaryState s = any_state();
+  const Nodes n = node_normals(s.state.X);
+  for (const auto& [name, material] : materials()) {
+    const LagrangianDerivatives L = assembled(material, s, n);
+    for (int block = 0; block < node_unknowns; ++block)
+      for (unsigned seed : {1u, 2u, 3u}) {
+        const Eigen::VectorXd v = random_direction(block, seed);
+        const double expected =
+            difference([&](double t) { return lagrangian(material, moved(s, n, v, t), n); });
+        const double scale = L.gradient.cwiseAbs().dot(v.cwiseAbs());
+        EXPECT_NEAR(L.gradient.dot(v), expected, accuracy * scale)
+            << name << ", " << block_names[block];
+        EXPECT_GT(scale, 0.1) << name << ", " << block_names[block];
+      }
+  }
+}
+
+TEST(Lagrangian, hessian_is_the_difference_of_the_gradient_in_every_block) {
+  const StationaryState s = any_state();
+  const Nodes n = node_normals(s.state.X);
+  for (const auto& [name, material] : materials()) {
+    const LagrangianDerivatives L = assembled(material, s, n);
+    for (int block = 0; block < node_unknowns; ++block) {
+      const Eigen::VectorXd v = random_direction(block, 7);
+      const Eigen::VectorXd expected = difference([&](double t) -> Eigen::VectorXd {
+        return assembled(material, moved(s, n, v, t), n).gradient;
+      });
+      const Eigen::VectorXd product = L.hessian.times(v);
+      // Rows block by block: they differ in size.
+      for (int row = 0; row < node_unknowns; ++row) {
+        const auto rows = Eigen::seqN(row, s.H.size(), Eigen::Index(node_unknowns));
+        const double scale = product(rows).cwiseAbs().maxCoeff();
+        EXPECT_LT((product(rows) - expected(rows)).cwiseAbs().maxCoeff(), accuracy * (scale + 0.1))
+            << name << ", " << block_names[row] << " by " << block_names[block];
+      }
+    }
+  }
+}
+
+TEST(Lagrangian, hessian_is_symmetric) {
+  const StationaryState s = any_state();
+  const Nodes n = node_normals(s.state.X);
+  for (const auto& [name, material] : materials()) {
+    const LagrangianDerivatives L = assembled(material, s, n);
+    double largest = 0, miss = 0;
+    for (int i = 0; i < L.hessian.size(); ++i)
+      for (int j = std::max(0, i - L.hessian.half_width()); j < i; ++j) {
+        largest = std::max(largest, std::abs(L.hessian(i, j)));
+        miss = std::max(miss, std::abs(L.hessian(i, j) - L.hessian(j, i)));
+      }
+    EXPECT_LT(miss, 1e-13 * largest) << name;  // sums of about 100 terms each
+    EXPECT_GT(largest, 1);
+  }
+}
+
+TEST(Lagrangian, knows_area_and_volume_and_their_gradients) {
+  const StationaryState s = any_state();
+  const Nodes n = node_normals(s.state.X);
+  const LagrangianDerivatives L = assembled(paper_material(0.05), s, n);
+  // Area: 6 against 10 Gauss points, the integrand is a root of a polynomial.
+  EXPECT_NEAR(L.area, area(s.state.X), 1e-9);
+  EXPECT_NEAR(L.volume, volume(s.state.X), 1e-13);
+  const Eigen::VectorXd v = random_direction(node_d, 5);
+  const double dA = difference([&](double t) { return assembled({}, moved(s, n, v, t), n).area; });
+  const double dV =
+      difference([&](double t) { return assembled({}, moved(s, n, v, t), n).volume; });
+  EXPECT_NEAR(L.constraints.col(0).dot(v), dA, accuracy);
+  EXPECT_NEAR(L.constraints.col(1).dot(v), -dV, accuracy);
+}
+
+TEST(Lagrangian, at_exact_curvature_and_zero_multiplier_is_the_energy) {
+  StationaryState s = any_state();
+  s.tension = s.pressure = 0;
+  s.Lambda.setZero();
+  const Material material = materials()[1].material;
+  const Energy e = energy(material, s.state, s.H);
+  // The same density with 6 and with 10 Gauss points per element.
+  EXPECT_NEAR(lagrangian(material, s, node_normals(s.state.X)), e.total(),
+              1e-8 * std::abs(e.total()));
+}
+
+TEST(Lagrangian, ties_H_to_the_curve_by_its_derivative_in_Lambda) {
+  // ∂𝓛/∂Λ = 0 is the curvature equation: it holds for mean_curvature of any curve.
+  StationaryState s = any_state();
+  s.H = mean_curvature(s.state.X);
+  const LagrangianDerivatives L = assembled(paper_material(0.05), s, node_normals(s.state.X));
+  const auto rows = Eigen::seqN(int(node_Lambda), s.H.size(), Eigen::Index(node_unknowns));
+  EXPECT_LT(L.gradient(rows).cwiseAbs().maxCoeff(), 1e-12);
+}
+
+}  // namespace
+}  // namespace sbeh::axisym

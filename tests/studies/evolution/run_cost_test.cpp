@@ -1,0 +1,57 @@
+// What a 3D run is said to cost.
+#include "studies/evolution/run_cost.h"
+
+#include "meshing/shapes.h"
+#include "surface3d/coupled_system.h"
+
+#include <gtest/gtest.h>
+
+namespace sbeh::studies {
+namespace {
+
+using model::Model;
+
+TEST(RunCost, counts_the_unknowns_of_the_solver) {
+  const meshing::CurvedMesh nodes = meshing::sphere({.triangles = 20});
+  const surface3d::Triangulation mesh(nodes);
+  const surface3d::State sphere{nodes.nodes,
+                                surface3d::Field::Constant(mesh.nodes, model::full_order)};
+  for (const Model model : {Model::SBEH, Model::SSH, Model::HelfrichLocal, Model::HelfrichGlobal})
+    for (const surface3d::Scheme scheme : {surface3d::Scheme::split, surface3d::Scheme::monolithic})
+      for (const double friction : {0.0, 0.1}) {
+        RunInput input;
+        input.model = model;
+        input.numerics.scheme = scheme;
+        input.material.friction_tangential = input.material.friction_normal = friction;
+        const model::Material m = effective(input.material, model);
+        const bool stable = model != Model::HelfrichLocal;  // which has no viscosity
+        surface3d::CoupledSystem system(mesh, m, stable ? scheme : surface3d::Scheme::monolithic,
+                                        area_constraint(model));
+        const surface3d::Curvature curvature = *curvature_of(mesh, sphere.X);
+        system.assemble(mesh, sphere, curvature, {sphere.X, curvature.H}, 1e-3,
+                        {.area_rate = 0, .volume_rate = 0, .keep_volume = true});
+        EXPECT_EQ(cost_of(input, 20).unknowns, system.flow().matrix.rows()) << name(model);
+      }
+}
+
+TEST(RunCost, is_near_what_was_measured) {
+  struct Measured {
+    int triangles;
+    surface3d::Scheme scheme;
+    double seconds, megabytes;
+  };
+  using enum surface3d::Scheme;
+  for (const Measured& run :
+       {Measured{80, split, 0.0075, 48}, Measured{320, split, 0.0325, 110},
+        Measured{1280, split, 0.156, 312}, Measured{1280, monolithic, 0.29, 470},
+        Measured{5120, split, 0.84, 1207}}) {
+    RunInput input;
+    input.numerics.scheme = run.scheme;
+    const RunCost cost = cost_of(input, run.triangles);
+    EXPECT_NEAR(cost.seconds_per_step / run.seconds, 1, 0.25);
+    EXPECT_NEAR(cost.megabytes / run.megabytes, 1, 0.25);
+  }
+}
+
+}  // namespace
+}  // namespace sbeh::studies

@@ -1,0 +1,236 @@
+// The paper's figures: which runs they need, and what is found in their tables.
+#include "studies/figures/findings.h"
+#include "studies/figures/history.h"
+
+#include <fmt/format.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <set>
+
+namespace sbeh::studies::figures {
+namespace {
+
+using model::Model;
+
+// ---- plan ---------------------------------------------------------------------------------------
+
+TEST(FiguresPlan, knows_figures_by_name_and_by_number) {
+  for (const Figure figure : all_figures) {
+    EXPECT_EQ(figure_of(name(figure)), figure);
+    EXPECT_EQ(figure_of(std::to_string(number(figure))), figure);
+  }
+  EXPECT_FALSE(figure_of("0"));
+  EXPECT_FALSE(figure_of("shape"));
+}
+
+TEST(FiguresPlan, has_a_run_of_its_own_parameters_for_every_stationary_shape) {
+  const Inputs inputs = read_inputs("studies/inputs", 320);
+  const auto runs = runs_for(Figure::shapes, inputs);
+  ASSERT_EQ(runs.size(), inputs.oblates.reduced_volume.size() * inputs.oblates.L.size());
+  std::set<std::string> folders;
+  std::size_t k = 0;
+  for (const double v : inputs.oblates.reduced_volume)
+    for (const double L : inputs.oblates.L) {
+      const PlannedRun& run = runs[k++];
+      folders.insert(run.folder);
+      EXPECT_EQ(run.folder, fmt::format("oblates_3d/SBEH_v{}_L{}", v, L));
+      EXPECT_EQ(std::get<Ellipsoid3d>(run.input.start).reduced_volume, v);
+      EXPECT_EQ(run.input.material.L1, L);
+      EXPECT_EQ(run.input.triangles, 320);
+    }
+  EXPECT_EQ(folders.size(), runs.size());
+}
+
+TEST(FiguresPlan, has_both_models_where_they_are_compared) {
+  const Inputs inputs = read_inputs("studies/inputs", {});
+  for (const Figure figure : {Figure::energy, Figure::evolution, Figure::measures}) {
+    int sbeh = 0, ssh = 0;
+    for (const PlannedRun& run : runs_for(figure, inputs))
+      ++(run.input.model == Model::SBEH ? sbeh : ssh);
+    EXPECT_GT(sbeh, 0);
+    EXPECT_EQ(sbeh, ssh);
+  }
+}
+
+// The picture shows frames near its instants.
+TEST(FiguresPlan, has_inputs_with_frames_at_the_instants_of_the_evolution) {
+  const Inputs inputs = read_inputs("studies/inputs", {});
+  for (const RunInput* input : {&inputs.sbeh, &inputs.ssh})
+    for (const double instant : instants)
+      EXPECT_NE(std::find(input->frame_times.begin(), input->frame_times.end(), instant),
+                input->frame_times.end())
+          << instant;
+}
+
+// ---- histories ----------------------------------------------------------------------------------
+
+TEST(FiguresHistory, is_linear_between_its_times_and_constant_beyond) {
+  const History h{{0, 1, 3}, {2, 4, 0}};
+  EXPECT_EQ(h.at(-1), 2);
+  EXPECT_EQ(h.at(0.5), 3);
+  EXPECT_EQ(h.at(2), 2);
+  EXPECT_EQ(h.at(5), 0);
+  EXPECT_EQ(h.largest_rise(), 2);
+  EXPECT_EQ(h.largest(0, 3), 1u);
+  EXPECT_EQ(h.smallest(0, 1), 0u);
+  EXPECT_EQ(h.largest(4, 5), h.size());
+}
+
+// ---- findings -----------------------------------------------------------------------------------
+
+// The agreement of the finding about what the paper says so, whose result begins so; fails when there is
+// none.
+Agreement about(const std::vector<Finding>& findings, const std::string& paper,
+                const std::string& result = "") {
+  for (const Finding& finding : findings)
+    if (finding.paper.find(paper) != std::string::npos && finding.result.starts_with(result))
+      return finding.agreement;
+  ADD_FAILURE() << "no finding about: " << paper;
+  return Agreement::open;
+}
+
+// Two points of each model whose energies fall to rest; `gaps` U(SSH) − U(SBEH) for L = 0.01, 0.02.
+CsvTable energies(const std::array<double, 2>& gaps, double bump = 0) {
+  CsvTable table{
+      {"solver", "model", "reduced_volume", "L", "triangles", "at_rest", "time", "energy"}, {}};
+  for (const int k : {0, 1})
+    for (const bool sbeh : {true, false})
+      for (const double t : {0., 1., 2., 3.}) {
+        const double energy =
+            -8 - t - (sbeh ? gaps[std::size_t(k)] * t / 3 : 0) + (t == 2 ? bump : 0);
+        table.rows.push_back({"axisymmetric", sbeh ? "SBEH" : "SSH", "0.6",
+                              k == 0 ? "0.01" : "0.02", "", "yes", fmt::format("{}", t),
+                              fmt::format("{}", energy)});
+      }
+  return table;
+}
+
+TEST(FiguresFindings, see_whether_energies_fall) {
+  EXPECT_EQ(about(energy_findings(energies({0.1, 0.2})), "energies fall"), Agreement::yes);
+  EXPECT_EQ(about(energy_findings(energies({0.1, 0.2}, 1.5)), "energies fall"), Agreement::no);
+}
+
+TEST(FiguresFindings, see_which_model_has_the_lower_energy_and_how_the_gap_grows) {
+  const auto lower = [](const std::array<double, 2>& gaps) {
+    return about(energy_findings(energies(gaps)), "lower energy");
+  };
+  const auto grows = [](const std::array<double, 2>& gaps) {
+    return about(energy_findings(energies(gaps)), "gap widens");
+  };
+  EXPECT_EQ(lower({0.1, 0.2}), Agreement::yes);
+  EXPECT_EQ(lower({0.1, -0.2}), Agreement::no);
+  EXPECT_EQ(grows({0.1, 0.2}), Agreement::yes);
+  EXPECT_EQ(grows({0.2, 0.1}), Agreement::no);
+}
+
+TEST(FiguresFindings, measure_how_far_3d_is_from_axisymmetric) {
+  CsvTable table = energies({0.1, 0.2});
+  table.rows.push_back({"3D", "SSH", "0.6", "0.01", "320", "yes", "0", "-8"});
+  table.rows.push_back({"3D", "SSH", "0.6", "0.01", "320", "yes", "3", "-11.0011"});
+  const auto findings = energy_findings(table);
+  EXPECT_NE(findings.back().result.find("1.0e-04"), std::string::npos) << findings.back().result;
+  EXPECT_EQ(findings.back().agreement, Agreement::open);
+  EXPECT_EQ(about(findings, "stationary", "3D"), Agreement::yes);
+  table.rows.push_back({"3D", "SBEH", "0.6", "0.01", "320", "", "3", "-9"});  // has not ended
+  EXPECT_EQ(about(energy_findings(table), "stationary", "3D"), Agreement::yes);
+  EXPECT_EQ(energy_findings(table).back().result, findings.back().result);
+  table.rows.back()[5] = "no";
+  EXPECT_EQ(about(energy_findings(table), "stationary", "3D"), Agreement::no);
+}
+
+CsvTable shapes(double order_at_larger_L, double radius) {
+  CsvTable table{{"reduced_volume", "L", "order_min", "order_min_radius", "distance_from_SSH",
+                  "SSH_distance", "distance_3d"},
+                 {}};
+  table.rows.push_back({"0.6", "0.01", "0.6", "1", "0.01", "0", ""});
+  table.rows.push_back({"0.6", "0.02", fmt::format("{}", order_at_larger_L),
+                        fmt::format("{}", radius), "0.02", "1e-8", ""});
+  return table;
+}
+
+TEST(FiguresFindings, see_where_and_how_the_order_falls) {
+  EXPECT_EQ(about(shapes_findings(shapes(0.5, 1)), "order falls"), Agreement::yes);
+  EXPECT_EQ(about(shapes_findings(shapes(0.61, 1)), "order falls"), Agreement::no);
+  EXPECT_EQ(about(shapes_findings(shapes(0.5, 1)), "at the rim"), Agreement::yes);
+  EXPECT_EQ(about(shapes_findings(shapes(0.5, 0.3)), "at the rim"), Agreement::no);
+  EXPECT_EQ(about(shapes_findings(shapes(0.5, 1)), "same for all L"), Agreement::yes);
+}
+
+CsvTable evolution(double energy, double largest_moment, const std::string& last_time) {
+  CsvTable table{{"model", "residual_stiffness", "instant", "time", "energy", "energy_oblate",
+                  "energy_oblate_k0_0", "reduced_volume", "moment_1", "moment_2", "moment_3"},
+                 {}};
+  table.rows.push_back({"SSH", "0", "0", "0", "-3", "-9.8", "-9.8", "0.7376", "0.3", "0.3", "0.4"});
+  table.rows.push_back({"SSH", "0", "10", last_time, fmt::format("{}", energy), "-9.8", "-9.8",
+                        "0.7376", "0.1", "0.45", fmt::format("{}", largest_moment)});
+  return table;
+}
+
+TEST(FiguresFindings, tell_an_oblate_by_its_energy_and_its_moments) {
+  const auto is_oblate = [](double energy, double moment) {
+    return about(evolution_findings(evolution(energy, moment, "10")), "ends as an oblate");
+  };
+  EXPECT_EQ(is_oblate(-9.7999, 0.46), Agreement::yes);
+  EXPECT_EQ(is_oblate(-8.4, 0.46), Agreement::no);  // the threefold shape
+  EXPECT_EQ(is_oblate(-9.7999, 2.5),
+            Agreement::no);  // longer in one direction than flat in another
+  EXPECT_EQ(about(evolution_findings(evolution(-9.8, 0.46, "10")), "0.738"), Agreement::yes);
+}
+
+TEST(FiguresFindings, do_not_judge_a_run_that_has_not_come_so_far) {
+  for (const Finding& finding : evolution_findings(evolution(-9.8, 0.46, "")))
+    EXPECT_NE(finding.paper, "ends as an oblate");
+}
+
+// W₂ rises to its largest value at `change`, energies fall, SSH's faster on the way.
+CsvTable measures(double sbeh_change, double ssh_change, double end) {
+  CsvTable table{{"model", "residual_stiffness", "unresolved_from", "time", "energy", "W2",
+                  "order_std", "order_variance", "reduced_volume"},
+                 {}};
+  for (const bool sbeh : {true, false})
+    for (double t = 0; t <= end; t += 0.1) {
+      const double change = sbeh ? sbeh_change : ssh_change;
+      const double energy = -8 - std::tanh(2 * (t - change)) - (sbeh && t > 3.9 ? 0.2 : 0);
+      const double std = t < 0.8        ? 1.1 * t
+                       : t < change     ? 0.7
+                       : t < change + 1 ? 0.4 - 0.1 * (t - change)
+                                        : 0.5;
+      table.rows.push_back({sbeh ? "SBEH" : "SSH", sbeh ? "0.004" : "0", sbeh ? "0.5" : "",
+                            fmt::format("{}", t), fmt::format("{}", energy),
+                            fmt::format("{}", -26 - std::abs(t - change)),
+                            fmt::format("{}", sbeh ? std : 0.), "0", "0.7376"});
+    }
+  return table;
+}
+
+TEST(FiguresFindings, see_who_leaves_the_threefold_shape_earlier_and_when) {
+  EXPECT_EQ(about(measures_findings(measures(2.5, 1.5, 5)), "SSH leaves it earlier"),
+            Agreement::yes);
+  EXPECT_EQ(about(measures_findings(measures(1.5, 2.5, 5)), "SSH leaves it earlier"),
+            Agreement::no);
+  EXPECT_EQ(about(measures_findings(measures(2.5, 1.5, 5)), "2.4 and 2.6"), Agreement::yes);
+  EXPECT_EQ(about(measures_findings(measures(1.5, 1, 5)), "2.4 and 2.6"), Agreement::no);
+  for (const Finding& finding : measures_findings(measures(2.5, 1.5, 2)))
+    EXPECT_NE(finding.paper, "SSH leaves it earlier") << finding.result;
+}
+
+TEST(FiguresFindings, see_the_energies_cross_and_the_spread_of_the_order_come_back) {
+  const auto findings = measures_findings(measures(2.5, 1.5, 5));
+  EXPECT_EQ(about(findings, "ends lower"), Agreement::yes);
+  EXPECT_EQ(about(measures_findings(measures(1, 2.5, 3)), "ends lower"), Agreement::no);
+  EXPECT_EQ(about(findings, "lower plateau"), Agreement::yes);
+  EXPECT_EQ(about(measures_findings(measures(2.5, 1.5, 3)), "lower plateau"), Agreement::open);
+  EXPECT_NE(findings.back().result.find("from t = 0.5 on"), std::string::npos);
+}
+
+TEST(FiguresFindings, are_none_without_numbers) {
+  const CsvTable none{{"model", "time"}, {}};
+  EXPECT_TRUE(energy_findings(none).empty());
+  EXPECT_TRUE(shapes_findings(none).empty());
+  EXPECT_TRUE(evolution_findings(none).empty());
+  EXPECT_TRUE(measures_findings(none).empty());
+}
+
+}  // namespace
+}  // namespace sbeh::studies::figures

@@ -1,0 +1,86 @@
+// Pieces of a page: what is escaped, what is encoded, which rows are shown.
+#include "studies/report/html.h"
+
+#include "studies/report/svg_chart.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace sbeh::studies {
+namespace {
+
+TEST(Html, escapes_what_would_be_markup) {
+  EXPECT_EQ(html::escaped("a<b> & \"c\" 'd' β"), "a&lt;b&gt; &amp; &quot;c&quot; &#39;d&#39; β");
+  EXPECT_EQ(html::escaped(std::string_view("a\0\x1b\n\tb", 6)), "a&#xfffd;&#xfffd;\n\tb");
+  EXPECT_EQ(html::element("td", "<"), "<td>&lt;</td>\n");
+}
+
+// The test vectors of RFC 4648.
+TEST(Html, encodes_bytes_in_base64) {
+  for (const auto& [bytes, text] : {std::pair{"", ""},
+                                    {"f", "Zg=="},
+                                    {"fo", "Zm8="},
+                                    {"foo", "Zm9v"},
+                                    {"foob", "Zm9vYg=="},
+                                    {"fooba", "Zm9vYmE="},
+                                    {"foobar", "Zm9vYmFy"}})
+    EXPECT_EQ(html::base64(bytes), text);
+  EXPECT_EQ(html::base64(std::string("\xff\x00\xfe", 3)), "/wD+");
+}
+
+TEST(Html, rounds_numbers_and_keeps_their_text) {
+  EXPECT_EQ(html::value("0.12345678901234"), "<data value=\"0.12345678901234\">0.123456789</data>");
+  EXPECT_EQ(html::value("nan"), "nan");
+  EXPECT_EQ(html::value("1 < 2"), "1 &lt; 2");
+  EXPECT_EQ(html::value(""), "");
+}
+
+TEST(Html, shows_a_long_table_with_its_first_and_last_row) {
+  CsvTable table{.columns = {"k", "word"}, .rows = {}};
+  for (int k = 0; k < 1000; ++k) table.rows.push_back({std::to_string(k), "w"});
+  const std::string text = html::table(table, 10, "a<b.csv");
+  for (const char* there : {"<th class=\"n\">k</th><th>word</th>", "<data value=\"0\">",
+                            "<data value=\"999\">", "10 of 1000 rows", "a&lt;b.csv"})
+    EXPECT_NE(text.find(there), std::string::npos) << there;
+  std::size_t rows = 0;
+  for (std::size_t at = text.find("<tr>"); at != std::string::npos; at = text.find("<tr>", at + 1))
+    ++rows;
+  EXPECT_EQ(rows, 11u);  // the header too
+  EXPECT_EQ(html::table(table, 1000, "x").find("of 1000 rows"), std::string::npos);
+}
+
+TEST(Chart, leaves_out_what_an_axis_cannot_show) {
+  constexpr auto log = AxisScale::logarithmic;
+  const ChartFrame frame{.title = "a & b", .x_name = "t", .x = log, .y = log};
+  EXPECT_EQ(svg_chart(frame, {}), "");
+  EXPECT_EQ(svg_chart(frame, {{"one", {0, 1, 2}, {1, -1, 3}}}), "");
+  const std::string text = svg_chart(frame, {{"one", {0, 1, 10, 20}, {1, 1, NAN, 3}}});
+  EXPECT_NE(text.find("a &amp; b"), std::string::npos);
+  EXPECT_EQ(text.find("nan"), std::string::npos);
+  EXPECT_EQ(text.find("inf"), std::string::npos);
+}
+
+TEST(Chart, leaves_out_lines_of_rounding_on_a_logarithmic_axis) {
+  constexpr auto log = AxisScale::logarithmic;
+  const std::vector<ChartLine> lines{{"large", {1, 2}, {1, 1e-10}},
+                                     {"rounding", {1, 2}, {1e-28, 1e-30}}};
+  const std::string text = svg_chart({.title = "c", .x_name = "t", .y = log}, lines);
+  EXPECT_NE(text.find("large"), std::string::npos);
+  EXPECT_NE(text.find("1e-10"), std::string::npos);
+  EXPECT_EQ(text.find("rounding"), std::string::npos);
+  EXPECT_EQ(text.find("1e-20"), std::string::npos);
+  EXPECT_NE(svg_chart({.title = "c", .x_name = "t"}, lines).find("rounding"), std::string::npos);
+}
+
+TEST(Chart, of_a_constant_has_ticks) {
+  for (const double constant : {0., 2. / 3, -1e9, 1e-12}) {
+    const std::string text =
+        svg_chart({.title = "c", .x_name = "t"}, {{"c", {0, 1}, {constant, constant}}});
+    EXPECT_NE(text.find("text-anchor=\"end\""), std::string::npos) << constant;
+    EXPECT_LT(text.size(), 5000u) << constant;
+  }
+}
+
+}  // namespace
+}  // namespace sbeh::studies

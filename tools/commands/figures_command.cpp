@@ -1,0 +1,125 @@
+#include "tools/commands/figures_command.h"
+
+#include "studies/figures/figures.h"
+#include "studies/io/interrupt.h"
+#include "studies/io/progress.h"
+#include "studies/io/toml_reader.h"
+#include "tools/commands/picture_program.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <algorithm>
+
+namespace sbeh::tools {
+
+namespace fs = std::filesystem;
+namespace figures = studies::figures;
+using figures::Figure;
+
+struct FiguresCommand::Words {
+  CLI::App* command = nullptr;
+  std::vector<std::string> figures;
+  std::string folder = "results/figures", inputs = "studies/inputs";
+  std::optional<int> triangles;
+  bool draw_only = false, no_pictures = false;
+};
+
+namespace {
+
+std::vector<Figure> figures_of(const std::vector<std::string>& words) {
+  if (words.empty()) return {figures::all_figures.begin(), figures::all_figures.end()};
+  std::vector<Figure> wanted;
+  for (const std::string& word : words) {
+    const auto figure = figures::figure_of(word);
+    if (!figure)
+      throw studies::InputError(fmt::format(
+          "{}: unknown figure. Known: energy (1), shapes (2), evolution (3), measures (4)", word));
+    if (std::find(wanted.begin(), wanted.end(), *figure) == wanted.end()) wanted.push_back(*figure);
+  }
+  return wanted;
+}
+
+void complain(const std::string& what) { studies::tell(fmt::format("sbeh: {}\n", what)); }
+
+// Draws the figures that have their tables; false when one has none or cannot be drawn.
+bool draw_all(const figures::Summary& summary, const fs::path& folder) {
+  std::vector<std::string> arguments{"figures", folder.string()};
+  bool all = true;
+  for (const auto& [figure, missing] : summary.missing) {
+    const std::string name = figures::name(figure);
+    if (fs::exists(folder / (name + ".csv"))) {
+      arguments.insert(arguments.end(), {"--only", name});
+      continue;
+    }
+    complain(fmt::format("figure {} ({}): there is nothing to draw it from", number(figure), name));
+    all = false;
+  }
+  if (arguments.size() == 2 || draw(arguments) == 0) return all;
+  complain(
+      fmt::format("not all is drawn; the tables in {0} are complete. Try again with: sbeh figures "
+                  "--draw-only -o {0}",
+                  folder.string()));
+  return false;
+}
+
+void tell_missing(const figures::Summary& summary) {
+  constexpr std::size_t most = 6;
+  for (const auto& [figure, missing] : summary.missing) {
+    if (missing.empty()) continue;
+    const auto shown = std::vector<std::string>(
+        missing.begin(), missing.begin() + std::ptrdiff_t(std::min(most, missing.size())));
+    complain(fmt::format(
+        "figure {} ({}) lacks {}{}", number(figure), name(figure), fmt::join(shown, "; "),
+        missing.size() > most ? fmt::format(" and {} more", missing.size() - most) : ""));
+  }
+}
+
+}  // namespace
+
+FiguresCommand::FiguresCommand(CLI::App& app) : words_(std::make_shared<Words>()) {
+  Words& w = *words_;
+  w.command =
+      app.add_subcommand("figures", "the paper's figures: the runs they need, then pictures");
+  w.command->add_option("FIGURE", w.figures,
+                        "energy, shapes, evolution, measures, or 1 to 4 (all of them)");
+  w.command->add_option("-o,--output", w.folder, "folder for runs and figures (results/figures)");
+  w.command->add_option("--inputs", w.inputs, "folder of their inputs (studies)");
+  w.command
+      ->add_option("--triangles", w.triangles,
+                   "of the 3D runs, instead of those of the inputs (1280)")
+      ->check(CLI::Range(20, 200'000));
+  w.command->add_flag("--draw-only", w.draw_only, "run nothing, draw from what is there");
+  w.command->add_flag("--no-pictures", w.no_pictures, "tables only");
+}
+
+bool FiguresCommand::parsed() const { return words_->command->parsed(); }
+
+int FiguresCommand::run() const {
+  const Words& w = *words_;
+  const fs::path folder = w.folder;
+  const figures::Summary summary = figures::make_figures({.figures = figures_of(w.figures),
+                                                          .folder = folder,
+                                                          .inputs = w.inputs,
+                                                          .triangles = w.triangles,
+                                                          .draw_only = w.draw_only},
+                                                         SBEH_VERSION);
+  for (const std::string& sentence : summary.failed) complain(sentence);
+  if (!summary.unresolved.empty())
+    complain(
+        fmt::format("not resolved by their triangles, what comes later is not to be trusted: {}",
+                    fmt::join(summary.unresolved, "; ")));
+  if (summary.interrupted) {
+    complain("interrupted; the same command goes on from here");
+    return 128 + studies::interrupt_signal();
+  }
+  tell_missing(summary);
+  const bool drawn = w.no_pictures || draw_all(summary, folder);
+  fmt::print("{}tables in {}\n", figures::text_of(studies::read_csv(folder / "figures.csv")),
+             folder.string());
+  if (studies::interrupt_signal()) return 128 + studies::interrupt_signal();
+  return drawn && summary.failed.empty() ? 0 : 1;
+}
+
+}  // namespace sbeh::tools

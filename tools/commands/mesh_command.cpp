@@ -1,0 +1,155 @@
+#include "tools/commands/mesh_command.h"
+
+#include "studies/io/csv_line.h"
+#include "studies/io/output.h"
+#include "studies/io/progress.h"
+#include "studies/io/toml_reader.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
+#include <array>
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+namespace sbeh::tools {
+
+namespace fs = std::filesystem;
+using studies::InputError;
+
+struct MeshCommand::Words {
+  CLI::App *sphere = nullptr, *ellipsoid = nullptr, *harmonic = nullptr, *revolve = nullptr,
+           *file = nullptr;
+  std::string axes, input, output, area;
+  std::vector<std::string> modes;
+  std::optional<double> reduced_volume;
+  std::optional<int> triangles, order;
+  double grading = 0;
+  bool prolate = false, repair = false, report = false, overwrite = false;
+};
+
+namespace {
+
+// Three numbers between commas.
+std::array<double, 3> three_numbers(const char* option, const std::string& text,
+                                    const char* meaning) {
+  const auto fields = studies::split_csv(text);
+  std::array<double, 3> numbers{};
+  bool ok = fields.size() == 3;
+  for (std::size_t k = 0; ok && k < 3; ++k)
+    ok = studies::parse_number(fields[k], numbers[k]) && std::isfinite(numbers[k]);
+  if (!ok) throw InputError(fmt::format("{} {}: must be {}", option, text, meaning));
+  return numbers;
+}
+
+meshing::Harmonic harmonic_of(const std::string& text) {
+  constexpr int highest = 100;
+  const auto [l, m, amplitude] =
+      three_numbers("--mode", text, "degree, order, amplitude, as in 5,3,0.5");
+  if (l != std::floor(l) || m != std::floor(m) || l < 0 || l > highest || std::abs(m) > l)
+    throw InputError(fmt::format(
+        "--mode {}: degree and order must be integers, 0 <= l <= {}, -l <= m <= l", text, highest));
+  return {int(l), int(m), amplitude};
+}
+
+double area_of(const std::string& text) {
+  double area = 4 * std::numbers::pi;
+  if (text != "4pi" && !studies::parse_number(text, area))
+    throw InputError(fmt::format("--area {}: must be a number > 0, or 4pi", text));
+  return area;
+}
+
+void refuse_to_overwrite(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::exists(path, ignored))
+    throw InputError(fmt::format("{}: is there already; --overwrite replaces it", path.string()));
+}
+
+}  // namespace
+
+MeshCommand::MeshCommand(CLI::App& app) : words_(std::make_shared<Words>()) {
+  Words& w = *words_;
+  CLI::App* mesh = app.add_subcommand("mesh", "a curved mesh of a shape: mesh SHAPE ... -o FILE");
+  mesh->require_subcommand(1);
+  const auto add = [&](const char* name, const char* text) {
+    CLI::App* shape = mesh->add_subcommand(name, text);
+    shape->add_option("-o,--output", w.output,
+                      "file to write: .vtu (curved), or .obj, .off, .ply, .stl (plain)");
+    shape->add_flag("--report", w.report, "print quality and measures");
+    shape->add_flag("--overwrite", w.overwrite, "replace the file if it is there");
+    shape->add_option("--triangles", w.triangles, "about so many (1280)");
+    shape->add_option("--order", w.order, "of the curved triangles, 1 ... 3 (3)");
+    shape->add_option("--grading", w.grading, "smaller triangles where |H| is large, 0 ... 10 (0)");
+    shape->add_option("--area", w.area, "scale to this area, a number or 4pi");
+    shape->add_option(
+        "--reduced-volume", w.reduced_volume,
+        "exactly this one: chooses the ellipsoid, scales harmonics, moves other surfaces a little");
+    return shape;
+  };
+  w.sphere = add("sphere", "the unit sphere");
+  w.ellipsoid = add("ellipsoid", "of given semi-axes, or of given reduced volume and area 4pi");
+  w.ellipsoid->add_option("--axes", w.axes, "semi-axes along x,y,z, as in 1,1,0.5");
+  w.ellipsoid->add_flag("--prolate", w.prolate, "long along z instead of flat");
+  w.harmonic = add("harmonic", "r = 1 + sum of a Y_lm, real and orthonormal");
+  w.harmonic->add_option("--mode", w.modes, "l,m,a, as in 5,3,0.5; may be repeated")
+      ->required()
+      ->allow_extra_args(false);
+  w.revolve = add("revolve", "a profile from a scan, revolved, with its order");
+  w.revolve->add_option("PROFILE", w.input, "table of nodes (points/*.csv)")->required();
+  w.file = add("file", "triangles of a file, curved; without --triangles they stay as they are");
+  w.file->add_option("FILE", w.input, ".obj, .off, .ply, .stl, .vtu or .vtp")->required();
+  w.file->add_flag("--repair", w.repair, "mend what can be mended safely, and say what was done");
+}
+
+int MeshCommand::run() const {
+  const Words& w = *words_;
+  if (w.output.empty() && !w.report)
+    throw InputError("mesh: nothing to do: give a file with -o, or --report, or both");
+  if (!w.output.empty()) {
+    studies::require_mesh_suffix(w.output);
+    if (!w.overwrite) refuse_to_overwrite(w.output);
+  }
+  studies::MeshRequest request{.shape = studies::SphereShape{},
+                               .triangles = w.triangles,
+                               .order = w.order,
+                               .grading = w.grading,
+                               .reduced_volume = w.reduced_volume};
+  if (!w.area.empty()) request.area = area_of(w.area);
+  if (*w.ellipsoid) {
+    studies::EllipsoidShape ellipsoid{.semi_axes = {}, .prolate = w.prolate};
+    if (!w.axes.empty()) {
+      const auto a = three_numbers("--axes", w.axes, "three lengths > 0, as in 1,1,0.5");
+      ellipsoid.semi_axes = Eigen::Vector3d(a[0], a[1], a[2]);
+    }
+    request.shape = ellipsoid;
+  }
+  if (*w.harmonic) {
+    studies::HarmonicShape shape;
+    for (const std::string& mode : w.modes) shape.modes.push_back(harmonic_of(mode));
+    request.shape = shape;
+  }
+  if (*w.revolve) request.shape = studies::ProfileShape{w.input};
+  if (*w.file) request.shape = studies::FileShape{w.input, w.repair};
+
+  const studies::MadeMesh made = studies::make_mesh(request);
+  for (const std::string& note : made.notes) studies::tell(fmt::format("sbeh: {}\n", note));
+  if (!w.output.empty()) {
+    if (!w.overwrite) refuse_to_overwrite(w.output);
+    studies::write_mesh(w.output, made.mesh, made.fields);
+    if (made.mesh.order > 1 && !studies::keeps_curved(w.output))
+      studies::tell(
+          fmt::format("sbeh: {} holds the plain triangles between the corners; .vtu would hold the "
+                      "curved ones\n",
+                      w.output));
+  }
+  if (w.report)
+    fmt::print("{}", studies::report(made.quality));
+  else
+    fmt::print("{}: {} triangles of order {}, area {:.8g}, reduced volume {:.8g}\n", w.output,
+               made.quality.triangles, made.mesh.order, made.quality.area,
+               made.quality.reduced_volume);
+  return 0;
+}
+
+}  // namespace sbeh::tools

@@ -1,0 +1,236 @@
+#include "tools/picture/canvas/canvas.h"
+
+#include "studies/io/output.h"
+#include "studies/report/html.h"
+#include "tools/picture/canvas/layer.h"
+
+#include <fmt/format.h>
+#include <unistd.h>
+#include <vtkBrush.h>
+#include <vtkContext2D.h>
+#include <vtkContextScene.h>
+#include <vtkContextView.h>
+#include <vtkGL2PSExporter.h>
+#include <vtkImageData.h>
+#include <vtkMatrix4x4.h>
+#include <vtkNew.h>
+#include <vtkObjectFactory.h>
+#include <vtkOpenGLContextDevice2D.h>
+#include <vtkOpenGLRenderWindow.h>
+#include <vtkPNGWriter.h>
+#include <vtkPen.h>
+#include <vtkRenderWindow.h>
+#include <vtkRenderer.h>
+#include <vtkSmartPointer.h>
+#include <vtkStdString.h>
+#include <vtkTextProperty.h>
+#include <vtkTextRenderer.h>
+#include <vtkUnsignedCharArray.h>
+#include <vtkWindowToImageFilter.h>
+
+#include <cmath>
+#include <fstream>
+#include <stdexcept>
+#include <vector>
+
+namespace sbeh::picture {
+namespace fs = std::filesystem;
+
+namespace {
+
+// The white ground, on which one unit is one pixel: VTK stretches a picture by one pixel over its width
+// and its height, which blurs letters and, with smoothed edges, shows their upper edge once more below.
+class Sheet : public vtkContextItem {
+ public:
+  static Sheet* New();
+
+  bool Paint(vtkContext2D* painter) override {
+    auto* device = vtkOpenGLContextDevice2D::SafeDownCast(painter->GetDevice());
+    if (!device) return false;
+    const int* size = device->GetRenderWindow()->GetSize();
+    auto& projection =
+        device->GetProjectionMatrix()->Element;  // set anew by VTK for every rendering
+    for (int c = 0; c < 2; ++c) {
+      projection[c][c] = 2.0 / size[c];
+      projection[c][3] = -1.0;
+    }
+    painter->GetPen()->SetLineType(vtkPen::NO_PEN);
+    painter->GetBrush()->SetColor(255, 255, 255, 255);
+    painter->DrawRect(0.0f, 0.0f, float(size[0]), float(size[1]));
+    return true;
+  }
+};
+
+vtkStandardNewMacro(Sheet);
+
+}  // namespace
+
+struct Canvas::Window {
+  vtkNew<vtkContextView> view;
+  vtkSmartPointer<Layer> layer;  // the topmost item, if that is a layer
+  struct Image {
+    vtkSmartPointer<vtkImageData> image;
+    double x, y;
+  };
+  std::vector<Image> images;  // for the SVG
+
+  Layer& top() {
+    if (!layer) {
+      layer = vtkSmartPointer<Layer>::New();
+      view->GetScene()->AddItem(layer);
+    }
+    return *layer;
+  }
+  vtkRenderWindow* render_window() { return view->GetRenderWindow(); }
+};
+
+Canvas::Canvas() : window_(std::make_unique<Window>()) {
+  window_->render_window()->SetOffScreenRendering(1);
+  window_->view->GetRenderer()->SetBackground(1.0, 1.0, 1.0);
+}
+
+Canvas::~Canvas() = default;
+
+void Canvas::start(double width, double height) {
+  width_ = std::round(width);
+  height_ = std::round(height);
+  window_->view->GetScene()->ClearItems();
+  window_->view->GetScene()->AddItem(vtkNew<Sheet>());
+  window_->layer = nullptr;
+  window_->images.clear();
+  window_->render_window()->SetSize(int(width_), int(height_));
+}
+
+void Canvas::fill(const Rect& rect, Colour colour) {
+  if (window_->layer && window_->layer->has_ink()) window_->layer = nullptr;
+  window_->top().fill(rect, colour);
+}
+
+void Canvas::line(const Points& points, const LineStyle& style) {
+  window_->top().line(points, style);
+}
+
+void Canvas::segments(const Points& ends, const LineStyle& style) {
+  window_->top().segments(ends, style);
+}
+
+void Canvas::text(double x, double y, const std::string& text, const TextStyle& style) {
+  window_->top().text(x, y, text, style);
+}
+
+double Canvas::text_width(const std::string& text, double size) const {
+  vtkNew<vtkTextProperty> property;
+  set_font(property, size);
+  int box[4] = {0, 0, 0, 0};
+  const int dpi = window_->render_window()->GetDPI();
+  vtkTextRenderer::GetInstance()->GetBoundingBox(property, displayable(text), box, dpi);
+  return box[1] - box[0] + 1;
+}
+
+void Canvas::add(vtkContextItem* item) {
+  window_->view->GetScene()->AddItem(item);
+  window_->layer = nullptr;
+}
+
+void Canvas::embed(vtkImageData* image, double x, double y) {
+  window_->images.push_back({image, x, y});
+}
+
+namespace {
+
+std::string svg_image(vtkImageData* image, double x, double top) {
+  vtkNew<vtkPNGWriter> writer;
+  writer->WriteToMemoryOn();
+  writer->SetInputData(image);
+  writer->Write();
+  vtkUnsignedCharArray* png = writer->GetResult();
+  const std::string bytes(png->Begin(), png->End());
+  const int* size = image->GetDimensions();
+  return fmt::format(
+      "<image x=\"{}\" y=\"{}\" width=\"{}\" height=\"{}\" "
+      "xlink:href=\"data:image/png;base64,{}\"/>\n",
+      x, top, size[0], size[1], studies::html::base64(bytes));
+}
+
+// GL2PS, as Debian builds it, leaves images out: puts them upon the white ground, which comes first.
+void embed_images(const fs::path& svg, const std::string& images) {
+  std::string text = studies::read_file(svg);
+  const std::string ground = "<polygon fill=\"#ffffff\"";
+  std::size_t at = text.find("<g>\n");
+  if (at == std::string::npos) throw std::runtime_error("the SVG has no group to put images into");
+  at += 4;
+  while (text.compare(at, ground.size(), ground) == 0) at = text.find('\n', at) + 1;
+  std::ofstream(svg, std::ios::binary) << text.insert(at, images);
+}
+
+void write_png(vtkRenderWindow* window, const fs::path& file) {
+  window->SetMultiSamples(8);
+  window->Render();
+  vtkNew<vtkWindowToImageFilter> image;
+  image->SetInput(window);
+  image->ReadFrontBufferOff();
+  image->ShouldRerenderOff();
+  vtkNew<vtkPNGWriter> writer;
+  writer->SetFileName(file.c_str());
+  writer->SetInputConnection(image->GetOutputPort());
+  writer->Write();
+}
+
+// The exporter renders the window several times over, so without smoothing of the pixels.
+void write_svg(vtkRenderWindow* window, fs::path file, const std::string& title) {
+  window->SetMultiSamples(0);
+  vtkNew<vtkGL2PSExporter> exporter;
+  exporter->SetRenderWindow(window);
+  exporter->UsePainterSettings();
+  exporter->SetFileFormatToSVG();
+  exporter->SetCompress(false);
+  exporter->SetSilent(true);
+  exporter->SetTitle(title.c_str());
+  exporter->SetFilePrefix(file.replace_extension().c_str());
+  exporter->Write();
+}
+
+// Whether the file ends as a PNG or an SVG does: a full disk goes unnoticed while it is written.
+bool is_complete(const fs::path& file) {
+  constexpr int length = 16;
+  std::ifstream stream(file, std::ios::binary);
+  stream.seekg(-length, std::ios::end);
+  std::string end(length, ' ');
+  stream.read(end.data(), length);
+  return stream
+      && (end.find("IEND") != std::string::npos || end.find("</svg>") != std::string::npos);
+}
+
+}  // namespace
+
+void Canvas::write(const fs::path& stem, bool with_svg) {
+  const std::string name = stem.filename().string();
+  // First the SVG: a chart finds its final place only when it is rendered for the second time.
+  for (const std::string kind : {".svg", ".png"}) {
+    if (kind == ".svg" && !with_svg) continue;
+    const fs::path target = fs::path(stem) += kind;
+    const fs::path temporary = stem.parent_path() / fmt::format(".{}-{}{}", name, getpid(), kind);
+    if (kind == ".png") {
+      write_png(window_->render_window(), temporary);
+    } else {
+      write_svg(window_->render_window(), temporary, name);
+      std::string images;
+      for (const auto& [image, x, y] : window_->images)
+        images += svg_image(image, x, height_ - y - image->GetDimensions()[1]);
+      if (!images.empty()) embed_images(temporary, images);
+    }
+    std::error_code error;
+    const bool complete = is_complete(temporary);
+    if (complete) fs::rename(temporary, target, error);
+    if (!complete || error) {
+      fs::remove(temporary, error);
+      throw std::runtime_error(
+          fmt::format("{}: cannot be written; free some space there or give "
+                      "yourself the right to write.",
+                      target.string()));
+    }
+    fmt::print("wrote {}\n", target.string());
+  }
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,99 @@
+// The one off-screen window in which every picture is composed, and its way to PNG and SVG.
+// Positions and lengths are pixels from the lower left corner; what is drawn later lies on top.
+#pragma once
+
+#include "tools/picture/canvas/profile.h"
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+class vtkContextItem;
+class vtkImageData;
+class vtkTextProperty;
+
+namespace sbeh::picture {
+
+struct Colour {
+  unsigned char red = 0;
+  unsigned char green = 0;
+  unsigned char blue = 0;
+};
+
+inline constexpr Colour black{0, 0, 0};
+inline constexpr Colour white{255, 255, 255};
+inline constexpr Colour dark_grey{90, 90, 90};
+inline constexpr Colour light_grey{222, 222, 222};
+inline constexpr Colour red{214, 28, 28};
+
+struct Rect {
+  double x = 0.0;
+  double y = 0.0;
+  double width = 0.0;
+  double height = 0.0;
+
+  double right() const { return x + width; }
+  double top() const { return y + height; }
+  double centre_x() const { return x + 0.5 * width; }
+  double centre_y() const { return y + 0.5 * height; }
+};
+
+struct LineStyle {
+  Colour colour = black;
+  double width = 1.5;
+  bool dashed = false;
+};
+
+enum class Align { left, centre, right };
+
+struct TextStyle {
+  double size = 20.0;  ///< height of the letters' line
+  Align align = Align::centre;
+  Colour colour = black;
+  bool upward = false;  ///< turned by 90°, reads from below
+};
+
+class Canvas {
+ public:
+  Canvas();
+  ~Canvas();
+  Canvas(const Canvas&) = delete;
+  Canvas& operator=(const Canvas&) = delete;
+
+  /// Begins an empty picture.
+  void start(double width, double height);
+  double width() const { return width_; }
+  double height() const { return height_; }
+
+  void fill(const Rect& rect, Colour colour);
+  void line(const Points& points, const LineStyle& style);
+  /// Many separate lines at once, each between two successive points.
+  void segments(const Points& ends, const LineStyle& style);
+  /// `y` is the middle of the letters; with `upward`, (x, y) is the middle of the text.
+  void text(double x, double y, const std::string& text, const TextStyle& style);
+  double text_width(const std::string& text, double size) const;
+
+  /// An item of VTK's own, for example a chart.
+  void add(vtkContextItem* item);
+
+  /// An image that an item shows at (x, y), for the SVG: there it lies below everything that is drawn.
+  void embed(vtkImageData* image, double x, double y);
+
+  /// Writes `stem`.png and, unless left out, `stem`.svg, each under a temporary name first; throws
+  /// std::runtime_error.
+  void write(const std::filesystem::path& stem, bool with_svg = true);
+
+ private:
+  struct Window;
+  std::unique_ptr<Window> window_;
+  double width_ = 0.0;
+  double height_ = 0.0;
+};
+
+/// Sets the letters of any text that VTK draws, axes included.
+void set_font(vtkTextProperty* property, double size);
+
+/// Letters that the font at hand does not have, spelled out.
+std::string displayable(const std::string& text);
+
+}  // namespace sbeh::picture

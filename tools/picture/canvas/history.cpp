@@ -1,0 +1,48 @@
+#include "tools/picture/canvas/history.h"
+
+#include "tools/picture/canvas/csv.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace sbeh::picture {
+
+History read_history(const std::filesystem::path& file, const std::string& column) {
+  const CsvTable table(file);
+  return {table.numbers("time"), table.numbers(column)};
+}
+
+Points History::log_log(double shift) const {
+  constexpr double resolution = 0.004;  // of a decade
+  constexpr double shown = 1e-6;        // of the last time: what is earlier looks like the start
+  const double first = time.empty() ? 0.0 : shown * time.back();
+  Points points;
+  for (std::size_t i = 0; i < time.size(); ++i) {
+    if (!(time[i] > 0.0) || time[i] < first || !(value[i] + shift > 0.0)) continue;
+    const double x = std::log10(time[i]), y = std::log10(value[i] + shift);
+    const bool last = i + 1 == time.size();
+    const bool new_place = points.empty() || std::abs(x - points.back()[0]) > resolution
+                        || std::abs(y - points.back()[1]) > resolution;
+    if (std::isfinite(x) && std::isfinite(y) && (new_place || last)) points.push_back({x, y});
+  }
+  return points;
+}
+
+HistoryAxes history_axes(const std::vector<Points>& curves, const std::string& energy_name) {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  double low[2] = {infinity, infinity}, high[2] = {-infinity, -infinity};
+  for (const Points& curve : curves) {
+    for (const auto& point : curve) {
+      for (int c = 0; c < 2; ++c) {
+        low[c] = std::min(low[c], point[c]);
+        high[c] = std::max(high[c], point[c]);
+      }
+    }
+  }
+  const double margin = 0.04 * (high[1] - low[1]);
+  return {decade_axis(low[0], high[0], "t"),
+          decade_axis(low[1] - margin, high[1] + margin, energy_name)};
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,101 @@
+#include "tools/picture/evolution/mesh.h"
+
+#include "meshing/curvature.h"
+#include "meshing/measures.h"
+#include "studies/io/toml_reader.h"
+#include "studies/mesh_files/mesh_file.h"
+#include "tools/picture/canvas/csv.h"
+#include "tools/picture/canvas/image.h"
+#include "tools/picture/canvas/scene.h"
+
+#include <fmt/format.h>
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sbeh::picture {
+
+namespace {
+
+constexpr double usual_width = 1600.0, usual_height = 880.0;
+
+studies::CurvedFile read(const std::filesystem::path& file) {
+  try {
+    studies::MeshFile mesh = studies::read_mesh(file);
+    if (auto* curved = std::get_if<studies::CurvedFile>(&mesh)) return std::move(*curved);
+  } catch (const studies::InputError& error) {
+    throw InputError(error.what());
+  }
+  throw InputError(fmt::format("{}: has plain triangles; sbeh mesh file makes curved ones of them",
+                               file.string()));
+}
+
+// What the surface is coloured by.
+struct Quantity3d {
+  Eigen::VectorXd values;
+  std::string title;
+};
+
+Quantity3d quantity_of(const studies::CurvedFile& file) {
+  const auto order = file.fields.find("order");
+  if (order != file.fields.end() && order->second.rows() == 1)
+    return {order->second.row(0).transpose(), "order β"};
+  return {meshing::node_mean_curvature(file.mesh), "mean curvature H = tr B"};
+}
+
+// The range without the last percent on either side: a few extreme values would take all colours.
+ColourMap colours_of(const Eigen::VectorXd& values) {
+  std::vector<double> sorted(values.begin(), values.end());
+  std::sort(sorted.begin(), sorted.end());
+  const std::size_t cut = sorted.size() / 100;
+  const double low = sorted[cut], high = sorted[sorted.size() - 1 - cut];
+  const double room = std::max(high - low, 0.02 * std::max(std::abs(low), std::abs(high)));
+  const double middle = (low + high) / 2;
+  return {Palette::surfaces, middle - room / 2, middle + room / 2};
+}
+
+}  // namespace
+
+void draw_mesh(Canvas& canvas, const Options& options) {
+  const std::filesystem::path& path = options.directory;
+  const studies::CurvedFile file = read(path);
+  const meshing::CurvedMesh& mesh = file.mesh;
+  const Quantity3d quantity = quantity_of(file);
+  const ColourMap colours = colours_of(quantity.values);
+
+  const double text = options.text_size();
+  const double width = options.size ? options.size->width : usual_width;
+  const double height = options.size ? options.size->height : usual_height;
+  canvas.start(width, height);
+  const double bar = 2.5 * text + colour_bar_margin(canvas, colours, true, text);
+  const double top = 3.2 * text, bottom = 2.0 * text;
+  const double side = std::floor(std::min((width - bar - text) / 2, height - top - bottom));
+  const double left = std::max(0.0, (width - bar - 2 * side) / 2);
+
+  const Eigen::Vector3d middle =
+      (mesh.nodes.rowwise().maxCoeff() + mesh.nodes.rowwise().minCoeff()) / 2;
+  const double half_width = 1.06 * (mesh.nodes.colwise() - middle).colwise().norm().maxCoeff();
+  const std::array<View, 2> views{{{{0.5, -1.0, 0.45}, {0, 0, 1}}, {{0, 0, 1}, {0, 1, 0}}}};
+  const std::array<std::string, 2> titles{"from the side", "along the z axis"};
+  for (std::size_t k = 0; k < views.size(); ++k) {
+    draw_image(canvas, render(mesh, quantity.values, colours, views[k], half_width, int(side)),
+               left + double(k) * side, bottom);
+    canvas.text(left + (double(k) + 0.5) * side, 1.1 * text, titles[k],
+                {.size = 0.85 * text, .colour = dark_grey});
+  }
+  const double area = meshing::area(mesh), volume = meshing::volume(mesh);
+  canvas.text(
+      0.5 * width, height - 1.5 * text,
+      fmt::format("{}: {} triangles of order {}, A = {:.5g}, Vᵣ = {:.4f}", path.filename().string(),
+                  mesh.triangle_count(), mesh.order, area, meshing::reduced_volume(area, volume)),
+      {.size = 1.15 * text});
+  const double length = std::min(18.0 * text, side);
+  draw_colour_bar(canvas,
+                  {left + 2 * side + 0.4 * text, bottom + (side - length) / 2, text, length},
+                  colours, quantity.title, text);
+  canvas.write(std::filesystem::path(path).replace_extension(), false);
+}
+
+}  // namespace sbeh::picture

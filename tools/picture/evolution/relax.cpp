@@ -1,0 +1,136 @@
+#include "tools/picture/evolution/relax.h"
+
+#include "tools/picture/canvas/csv.h"
+#include "tools/picture/canvas/frames.h"
+#include "tools/picture/canvas/history.h"
+#include "tools/picture/canvas/legend.h"
+#include "tools/picture/canvas/panels.h"
+#include "tools/picture/canvas/scan_table.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numeric>
+
+namespace sbeh::picture {
+namespace {
+
+constexpr std::size_t most_shapes = 8;
+constexpr std::size_t most_in_a_row = 5;
+constexpr double shown_decades = 5;  // from the largest energy down: what is less is not seen in it
+
+struct Part {
+  const char* column;
+  std::string name;
+  double shift;
+  LineStyle style;
+};
+
+}  // namespace
+
+void draw_relaxation_energy(Canvas& canvas, const Options& options) {
+  const CsvTable table(options.directory / "series.csv");
+  const std::vector<double> time = table.numbers("time");
+  const double shift = options.energy_shift;
+  const std::string suffix = options.energy_name().substr(1);  // " + 4π"
+  // The total is the widest and below the others: at full order the bending energy is the same.
+  const Part parts[] = {
+      {"energy", "total " + options.energy_name(), shift, {.colour = black, .width = 4.5}},
+      {"energy_thermotropic",
+       "thermotropic" + suffix,
+       shift,
+       {.colour = {0, 158, 115}, .width = 2.0, .dashed = true}},
+      {"energy_bending", "bending", 0.0, {.colour = {213, 94, 0}, .width = 2.0}},
+      {"energy_distortion", "distortion", 0.0, {.colour = {0, 114, 178}, .width = 2.0}}};
+
+  std::vector<Points> curves;
+  std::vector<LineStyle> styles;
+  std::vector<LegendEntry> legend;
+  double floor = -std::numeric_limits<double>::infinity();
+  for (const Part& part : parts) {
+    if (part.column != std::string("energy") && !table.has(part.column)) continue;
+    Points points = History{time, table.numbers(part.column)}.log_log(part.shift);
+    for (const auto& point : points) floor = std::max(floor, point[1] - shown_decades);
+    std::erase_if(points, [&](const auto& point) { return point[1] < floor; });
+    if (points.size() < 2) continue;
+    curves.push_back(std::move(points));
+    styles.push_back(part.style);
+    legend.push_back(line_entry(part.style, part.name));
+  }
+  if (curves.empty()) {
+    fmt::print("no energy: {} is positive nowhere; set --energy-shift\n", options.energy_name());
+    return;
+  }
+  const HistoryAxes axes = history_axes(curves, "energy");
+  const double text = options.text_size();
+  const double width = options.size ? options.size->width : 1000.0;
+  const double height = options.size ? options.size->height : 700.0;
+  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
+  const double below = below_axis(text) + 0.8 * text + legend_at;
+  canvas.start(width, height);
+  Chart chart(canvas, {5.6 * text, below, width - 7.2 * text, height - below - 1.2 * text}, text,
+              axes.time, axes.energy);
+  for (std::size_t i = 0; i < curves.size(); ++i) chart.curve(curves[i], styles[i]);
+  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  canvas.write(options.directory / "energy");
+}
+
+void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
+  const std::vector<Frame> frames =
+      chosen_frames(read_frames(options.directory / "profiles.csv"), most_shapes);
+  if (frames.empty()) {
+    fmt::print("no shapes: {} lists no profile\n", (options.directory / "profiles.csv").string());
+    return;
+  }
+  std::vector<Cut> cuts;
+  Extent extent;
+  OrderRange orders;
+  for (const Frame& frame : frames) {
+    cuts.push_back(mirrored(read_profile(frame.file)));
+    extent.include(cuts.back());
+    orders.include(cuts.back());
+  }
+  const ColourMap colours = orders.colours();
+  const double text = options.text_size();
+  const std::size_t count = cuts.size();
+  const std::size_t columns = count <= most_in_a_row ? count : (count + 1) / 2;
+  const double right = 3.0 * text + colour_bar_margin(canvas, colours, true, text);
+  const double margins = text + right;
+  const double width =
+      options.size ? options.size->width : std::min(1600.0, margins + 360.0 * double(columns));
+  const double cell_width = (width - margins) / double(columns);
+  const double title = 3.2 * text;  // with the gap below the row
+  std::vector<double> halves;       // largest half height of each row
+  for (std::size_t i = 0; i < count; ++i) {
+    if (i % columns == 0) halves.push_back(0.0);
+    halves.back() = std::max(halves.back(), cuts[i].half_height);
+  }
+  const double sum = 2.0 * std::accumulate(halves.begin(), halves.end(), 0.0);
+  const double fixed = double(halves.size()) * title + text;
+  double scale = 0.88 * cell_width / (2.0 * extent.half_width);
+  if (options.size) {
+    const double room = std::max(options.size->height - fixed, 0.1 * options.size->height);
+    scale = std::min(scale, room / sum);
+  }
+  const double height = options.size ? options.size->height : fixed + sum * scale;
+
+  canvas.start(width, height);
+  double top = height - 0.5 * (height - fixed - sum * scale) - 0.5 * text;
+  for (std::size_t i = 0; i < count; ++i) {
+    const double row_height = 2.0 * halves[i / columns] * scale + title;
+    const Rect cell{text + double(i % columns) * cell_width, top - row_height, cell_width,
+                    row_height - 1.9 * text};
+    draw_cuts(canvas, cell, scale,
+              {{.cut = &cuts[i], .colours = &colours, .style = {.width = 0.32 * text}}});
+    canvas.text(cell.centre_x(), top - text, "t = " + short_number(frames[i].time), {.size = text});
+    if ((i + 1) % columns == 0) top -= row_height;
+  }
+  const double length = std::min(height - 3.0 * text, 18.0 * text);
+  draw_colour_bar(canvas, {width - right + 1.4 * text, 0.5 * (height - length), text, length},
+                  colours, "order β", text);
+  canvas.write(options.directory / "shapes");
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,96 @@
+#include "tools/picture/evolution/run.h"
+
+#include "tools/picture/canvas/csv.h"
+#include "tools/picture/canvas/frames.h"
+#include "tools/picture/canvas/image.h"
+#include "tools/picture/canvas/scan_table.h"
+#include "tools/picture/canvas/scene.h"
+
+#include <fmt/format.h>
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace sbeh::picture {
+
+namespace {
+
+constexpr std::size_t most_shapes = 10, most_in_a_row = 5;
+
+struct Shown {
+  std::vector<studies::CurvedFile> states;
+  std::string field, title;
+  double low = 0, high = 0;
+};
+
+Shown read_states(const std::vector<Frame>& frames) {
+  Shown shown;
+  for (const Frame& frame : frames) shown.states.push_back(read_state(frame.file));
+  const auto set_range = [&](const char* field, const char* title) {
+    shown.field = field;
+    shown.title = title;
+    shown.low = shown.high = shown.states.front().fields.at(field)(0, 0);
+    for (const auto& state : shown.states) {
+      shown.low = std::min(shown.low, state.fields.at(field).minCoeff());
+      shown.high = std::max(shown.high, state.fields.at(field).maxCoeff());
+    }
+  };
+  set_range("order", "order β");
+  if (shown.high - shown.low < 1e-6) set_range("mean_curvature", "mean curvature H = tr B");
+  return shown;
+}
+
+}  // namespace
+
+void draw_run_shapes(Canvas& canvas, const Options& options) {
+  const std::vector<Frame> frames =
+      chosen_frames(read_frames(options.directory / "frames.csv"), most_shapes);
+  if (frames.empty()) {
+    fmt::print("no shapes: {} lists no frame\n", (options.directory / "frames.csv").string());
+    return;
+  }
+  const Shown shown = read_states(frames);
+  const ColourMap colours{Palette::surfaces, shown.low, shown.high};
+  const double text = options.text_size();
+  const std::size_t count = frames.size();
+  const std::size_t columns = count <= most_in_a_row ? count : (count + 1) / 2;
+  const std::size_t rows = (count + columns - 1) / columns;
+  const double right = 3.0 * text + colour_bar_margin(canvas, colours, true, text);
+  const double width = options.size ? options.size->width : right + text + 330.0 * double(columns);
+  const double side = std::floor((width - right - text) / double(columns));
+  const double title = 2.2 * text;
+  const double height =
+      options.size ? options.size->height : double(rows) * (2 * side + title) + text;
+  canvas.start(width, height);
+
+  double half_width = 0;
+  for (const auto& state : shown.states) {
+    const Eigen::Vector3d middle = state.mesh.nodes.rowwise().mean();
+    half_width = std::max(half_width,
+                          1.03 * (state.mesh.nodes.colwise() - middle).colwise().norm().maxCoeff());
+  }
+  const std::array<View, 2> views{{{{0.5, -1.0, 0.45}, {0, 0, 1}}, {{0, 0, 1}, {0, 1, 0}}}};
+  for (std::size_t i = 0; i < count; ++i) {
+    const double x = text + double(i % columns) * side;
+    double top = height - double(i / columns) * (2 * side + title);
+    canvas.text(x + side / 2, top - 1.2 * text, "t = " + short_number(frames[i].time),
+                {.size = text});
+    top -= title;
+    const studies::CurvedFile& state = shown.states[i];
+    const Eigen::VectorXd values = state.fields.at(shown.field).row(0).transpose();
+    for (const View& view : views) {
+      top -= side;
+      draw_image(canvas,
+                 render(state.mesh, values, colours, view, half_width, int(side), Edges::hidden), x,
+                 top);
+    }
+  }
+  const double length = std::min(height - 3.0 * text, 18.0 * text);
+  draw_colour_bar(canvas, {width - right + 1.4 * text, 0.5 * (height - length), text, length},
+                  colours, shown.title, text);
+  canvas.write(options.directory / "shapes", false);
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,104 @@
+#include "tools/picture/canvas/csv.h"
+#include "tools/picture/canvas/history.h"
+#include "tools/picture/canvas/legend.h"
+#include "tools/picture/canvas/scan_table.h"
+#include "tools/picture/figures/figures.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sbeh::picture {
+
+namespace {
+
+const LineStyle sbeh_style{.colour = {0, 84, 159}, .width = 2.6};
+const LineStyle ssh_style{.colour = red, .width = 2.6, .dashed = true};
+// What is earlier looks like the start.
+double first_shown(const std::vector<double>& time) {
+  return time.empty() ? 0.0 : std::min(1e-2, std::ranges::max(time) / 100.0);
+}
+
+struct Panel {
+  const char* column;
+  const char* title;
+};
+constexpr Panel panels[] = {{"energy", "energy U"},
+                            {"W2", "W₂ = ∫ H dS"},
+                            {"order_std", "standard deviation of the order β"}};
+
+struct Curve {
+  std::string name;  // with k₀ where there is one
+  LineStyle style;
+  Points points[3];  // log₁₀ t and the quantity, per panel
+};
+
+std::vector<Curve> read_curves(const std::filesystem::path& file) {
+  const CsvTable table(file);
+  const std::size_t model = table.column("model");
+  const auto time = table.numbers("time"), k0 = table.numbers("residual_stiffness");
+  const double first = first_shown(time);
+  std::vector<Curve> curves;
+  for (const auto& [name, style] : {std::pair("SBEH", sbeh_style), std::pair("SSH", ssh_style)}) {
+    Curve curve{name, style, {}};
+    for (std::size_t row = 0; row < table.rows(); ++row) {
+      if (table.text(row, model) != name || !(time[row] >= first) || time[row] <= 0) continue;
+      if (k0[row] > 0) curve.name = fmt::format("{} with k₀ = {:.4g}", name, k0[row]);
+      for (int i = 0; i < 3; ++i)
+        curve.points[i].push_back(
+            {std::log10(time[row]), table.number(row, table.column(panels[i].column))});
+    }
+    if (curve.points[0].size() > 1) curves.push_back(std::move(curve));
+  }
+  return curves;
+}
+
+Axis value_axis(const std::vector<Curve>& curves, int panel, double length, double text) {
+  double low = HUGE_VAL, high = -HUGE_VAL;
+  for (const Curve& curve : curves)
+    for (const auto& point : curve.points[panel]) {
+      low = std::min(low, point[1]);
+      high = std::max(high, point[1]);
+    }
+  if (high - low < 1e-9) high = low + 0.1;  // of SSH alone: the order does not vary
+  const double room = 0.04 * (high - low);
+  return cropped(linear_axis(low - room, high + room, length, 3.0 * text), low - room, high + room);
+}
+
+}  // namespace
+
+void draw_figure_measures(Canvas& canvas, const Options& options) {
+  const std::vector<Curve> curves = read_curves(options.directory / "measures.csv");
+  if (curves.empty()) {
+    fmt::print("no measures: no run has made two steps\n");
+    return;
+  }
+  double first = HUGE_VAL, last = -HUGE_VAL;
+  std::vector<LegendEntry> legend;
+  for (const Curve& curve : curves) {
+    first = std::min(first, curve.points[0].front()[0]);
+    last = std::max(last, curve.points[0].back()[0]);
+    legend.push_back(line_entry(curve.style, curve.name));
+  }
+  const Axis time = decade_axis(first, last, "t");
+
+  const double text = options.text_size();
+  const double width = options.size ? options.size->width : 1600.0;
+  const double left = 4.6 * text, right = 1.2 * text;
+  const double inner_width = width / 3 - left - right;
+  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
+  const double below = legend_at + 0.8 * text + below_axis(text), above = 2.6 * text;
+  const double height = options.size ? options.size->height : below + above + 0.95 * inner_width;
+  canvas.start(width, height);
+  for (int i = 0; i < 3; ++i) {
+    const Rect inside{i * width / 3 + left, below, inner_width, height - below - above};
+    Chart chart(canvas, inside, text, time, value_axis(curves, i, inside.height, text));
+    for (const Curve& curve : curves) chart.curve(curve.points[i], curve.style);
+    canvas.text(inside.centre_x(), inside.top() + 1.2 * text, panels[i].title, {.size = text});
+  }
+  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  canvas.write(options.directory / "measures");
+}
+
+}  // namespace sbeh::picture

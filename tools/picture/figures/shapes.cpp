@@ -1,0 +1,172 @@
+#include "tools/picture/canvas/csv.h"
+#include "tools/picture/canvas/frames.h"
+#include "tools/picture/canvas/image.h"
+#include "tools/picture/canvas/legend.h"
+#include "tools/picture/canvas/scene.h"
+#include "tools/picture/figures/figures.h"
+#include "tools/picture/scan/cut_matrix.h"
+
+#include <fmt/format.h>
+#include <vtkImageData.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <optional>
+#include <set>
+
+namespace sbeh::picture {
+
+namespace {
+
+const View from_the_side{{0.35, -1.0, 0.55}, {0, 0, 1}};
+constexpr double flatness = 0.72;  // height of a cell by its width: what an oblate needs, seen so
+
+using Point = std::pair<double, double>;  // V_r, L
+
+struct Stationary {
+  std::vector<double> volumes, lengths;
+  std::map<Point, studies::CurvedFile> in_3d;
+  std::map<Point, Cut> sbeh;
+  std::map<double, Cut> ssh;       // by V_r: the same for all L
+  bool axisymmetric_cuts = false;  // of SBEH, where there is no 3D run
+  double half_width = 0, order_low = 1, order_high = 0;
+  Extent extent;
+};
+
+void read_shapes(const std::filesystem::path& folder, Stationary& all) {
+  const CsvTable table(folder / "shapes.csv");
+  const std::size_t frame = table.column("frame");
+  const auto v = table.numbers("reduced_volume"), L = table.numbers("L");
+  const std::set<double> volumes(v.begin(), v.end()), lengths(L.begin(), L.end());
+  all.volumes.assign(volumes.begin(), volumes.end());
+  all.lengths.assign(lengths.begin(), lengths.end());
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    if (table.text(row, frame).empty()) continue;
+    studies::CurvedFile& state = all.in_3d[{v[row], L[row]}] =
+        read_state(folder / table.text(row, frame));
+    const auto& nodes = state.mesh.nodes;
+    const Eigen::Vector3d middle = (nodes.rowwise().maxCoeff() + nodes.rowwise().minCoeff()) / 2;
+    all.half_width =
+        std::max(all.half_width, 1.12 * (nodes.colwise() - middle).colwise().norm().maxCoeff());
+    all.order_low = std::min(all.order_low, state.fields.at("order").minCoeff());
+    all.order_high = std::max(all.order_high, state.fields.at("order").maxCoeff());
+  }
+}
+
+void read_cuts(const std::filesystem::path& file, Stationary& all) {
+  const CsvTable table(file);
+  const std::size_t model = table.column("model"), solver = table.column("solver");
+  const auto v = table.numbers("reduced_volume"), L = table.numbers("L"), x = table.numbers("x"),
+             z = table.numbers("z"), order = table.numbers("order");
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const bool is_ssh = table.text(row, model) == "SSH";
+    if (is_ssh && L[row] != all.lengths.front()) continue;
+    all.axisymmetric_cuts =
+        all.axisymmetric_cuts || (!is_ssh && table.text(row, solver) == "axisymmetric");
+    Cut& cut = is_ssh ? all.ssh[v[row]] : all.sbeh[{v[row], L[row]}];
+    cut.points.push_back({x[row], z[row]});
+    cut.order.push_back(order[row]);
+    cut.half_width = std::max(cut.half_width, std::abs(x[row]));
+    cut.half_height = std::max(cut.half_height, std::abs(z[row]));
+  }
+  for (const auto& [point, cut] : all.sbeh) all.extent.include(cut);
+  for (const auto& [point, cut] : all.ssh) all.extent.include(cut);
+}
+
+// Grey and thin for the smallest L, black and thicker for the largest.
+LineStyle cut_style(std::size_t length, std::size_t count) {
+  const double fraction = count == 1 ? 1.0 : double(length) / double(count - 1);
+  const auto grey = static_cast<unsigned char>(190.0 * (1.0 - fraction));
+  return {.colour = {grey, grey, grey}, .width = 1.4 + 0.8 * fraction};
+}
+const LineStyle ssh_style{.colour = red, .width = 1.8, .dashed = true};
+
+std::vector<LegendEntry> legend_of(const Stationary& all) {
+  const std::size_t count = all.lengths.size();
+  const char* solver = all.axisymmetric_cuts ? "" : " in 3D";
+  return {line_entry(cut_style(0, count),
+                     fmt::format("SBEH{}, {}", solver, length_title(all.lengths.front()))),
+          line_entry(cut_style(count - 1, count), "to " + length_title(all.lengths.back())),
+          line_entry(ssh_style, "SSH")};
+}
+
+void draw_cut_cell(Canvas& canvas, const Stationary& all, double volume, const Rect& cell,
+                   double scale) {
+  std::vector<CutLine> lines;
+  for (std::size_t l = 0; l < all.lengths.size(); ++l)
+    if (const auto cut = all.sbeh.find({volume, all.lengths[l]}); cut != all.sbeh.end())
+      lines.push_back({.cut = &cut->second, .style = cut_style(l, all.lengths.size())});
+  if (const auto cut = all.ssh.find(volume); cut != all.ssh.end())
+    lines.push_back({.cut = &cut->second, .style = ssh_style});
+  if (!lines.empty()) draw_cuts(canvas, cell, scale, lines);
+}
+
+void draw_shape_cell(Canvas& canvas, const Stationary& all, const Point& point, const Rect& cell,
+                     const std::optional<ColourMap>& colours, double text) {
+  const auto state = all.in_3d.find(point);
+  if (state == all.in_3d.end()) {
+    canvas.text(cell.centre_x(), cell.centre_y(), "no run in 3D",
+                {.size = 0.9 * text, .colour = dark_grey});
+    return;
+  }
+  draw_image(
+      canvas,
+      render(state->second.mesh, state->second.fields.at("order").row(0).transpose(), *colours,
+             from_the_side, all.half_width, int(cell.width), Edges::hidden, int(cell.height)),
+      cell.x, cell.y);
+}
+
+}  // namespace
+
+void draw_figure_shapes(Canvas& canvas, const Options& options) {
+  Stationary all;
+  read_shapes(options.directory, all);
+  read_cuts(options.directory / "cuts.csv", all);
+  std::optional<ColourMap> colours;
+  if (!all.in_3d.empty()) colours.emplace(Palette::surfaces, all.order_low, all.order_high);
+
+  const double text = options.text_size();
+  const double left = canvas.text_width(volume_title(0.65), text) + 1.8 * text;
+  const double right =
+      2.0 * text + (colours ? 1.6 * text + colour_bar_margin(canvas, *colours, true, text) : 0.0);
+  const auto columns = double(all.lengths.size()), rows = double(all.volumes.size());
+  const double width = options.size ? options.size->width : left + right + 300.0 * columns;
+  const double side = std::floor((width - left - right) / columns);
+  const double cell_height = std::floor(flatness * side);
+  const auto legend = legend_of(all);
+  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
+  const double cut_width = side * columns / rows;
+  const double scale = 0.42 * cut_width / all.extent.half_width;
+  const double cut_height = 2.2 * all.extent.half_height * scale;
+  const double head = 2.2 * text, below = legend_at + 0.8 * text, between = 2.6 * text;
+  const double height = options.size ? options.size->height
+                                     : head + rows * cell_height + between + cut_height + below;
+  canvas.start(width, height);
+  for (std::size_t l = 0; l < all.lengths.size(); ++l)
+    canvas.text(left + (double(l) + 0.5) * side, height - 1.2 * text, length_title(all.lengths[l]),
+                {.size = text});
+  for (std::size_t v = 0; v < all.volumes.size(); ++v) {
+    const double y = height - head - double(v + 1) * cell_height;
+    canvas.text(left - 0.8 * text, y + 0.5 * cell_height, volume_title(all.volumes[v]),
+                {.size = text, .align = Align::right});
+    for (std::size_t l = 0; l < all.lengths.size(); ++l)
+      draw_shape_cell(canvas, all, {all.volumes[v], all.lengths[l]},
+                      {left + double(l) * side, y, side, cell_height}, colours, text);
+    const Rect cut{left + double(v) * cut_width, below, cut_width, cut_height};
+    draw_cut_cell(canvas, all, all.volumes[v], cut, scale);
+    canvas.text(cut.centre_x(), cut.top() + 0.9 * text, volume_title(all.volumes[v]),
+                {.size = text});
+  }
+  if (colours) {
+    const double length = std::min(rows * cell_height, 18.0 * text);
+    draw_colour_bar(canvas,
+                    {width - right + 1.2 * text,
+                     height - head - 0.5 * (rows * cell_height + length), text, length},
+                    *colours, "order β", text);
+  }
+  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  canvas.write(options.directory / "shapes");
+}
+
+}  // namespace sbeh::picture

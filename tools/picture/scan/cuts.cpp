@@ -1,0 +1,225 @@
+#include "tools/picture/scan/cuts.h"
+
+#include "tools/picture/canvas/legend.h"
+#include "tools/picture/scan/cut_matrix.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <optional>
+
+namespace sbeh::picture {
+namespace {
+
+constexpr double widest_cell = 330.0;  // pixels, when the size is ours to choose
+constexpr double widest_picture = 1600.0;
+constexpr double highest_picture = 1600.0;
+constexpr double largest_share = 0.86;  // of the cell's width, for the widest cut
+
+LineStyle ssh_style(double text_size, bool with_sbeh) {
+  return {.colour = red, .width = std::max(1.2, 0.085 * text_size), .dashed = with_sbeh};
+}
+
+// Grey and thin for the smallest L, black and thicker for the largest.
+LineStyle overlay_style(std::size_t length, std::size_t count) {
+  const double fraction = count == 1 ? 1.0 : double(length) / double(count - 1);
+  const auto grey = static_cast<unsigned char>(190.0 * (1.0 - fraction));
+  return {.colour = {grey, grey, grey}, .width = 1.4 + 0.8 * fraction};
+}
+
+std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const std::optional<ColourMap>& colours,
+                                   double text_size) {
+  const ScanTable& scan = matrix.scan();
+  std::vector<LegendEntry> entries;
+  if (colours) {
+    entries.push_back(
+        coloured_line_entry(*colours, 0.32 * text_size, "SBEH, coloured by its order"));
+  }
+  if (scan.has(Model::SSH)) {
+    entries.push_back(line_entry(ssh_style(text_size, colours.has_value()), "SSH"));
+  }
+  if (colours && matrix.overlay_rows() > 0) {
+    const std::size_t last = scan.lengths().size() - 1;
+    entries.push_back(line_entry(overlay_style(0, last + 1),
+                                 "all L: SBEH from " + length_title(scan.lengths()[0])));
+    entries.push_back(
+        line_entry(overlay_style(last, last + 1), "to " + length_title(scan.lengths()[last])));
+  }
+  return entries;
+}
+
+// Where everything stands; all in pixels.
+struct Layout {
+  double text = 0.0;   // size of letters
+  double left = 0.0;   // margin of the row titles
+  double right = 0.0;  // margin of the colour bar
+  double legend = 0.0;
+  double remarks = 0.0;  // room for a line below each cell of the matrix
+  double cell_width = 0.0;
+  double scale = 0.0;  // pixels per unit of length
+  double width = 0.0;
+  double height = 0.0;
+  std::vector<Rect> rows;  // of the matrix, then the overlays
+
+  Rect cell(double column, std::size_t row) const {
+    return {left + column * cell_width, rows[row].y, cell_width, rows[row].height};
+  }
+};
+
+// Fills `at.rows` from the top, and the height if that is ours to choose.
+void stack_rows(Layout& at, const CutMatrix& matrix, const std::optional<Size>& size) {
+  at.rows.clear();
+  const double gap = 1.3 * at.text;
+  const double titles = 4.4 * at.text, overlay_title = 1.7 * at.text, separator = 0.6 * at.text;
+  const double bottom = at.legend + 0.8 * at.text;
+  const std::vector<double> halves = matrix.half_heights();
+  const auto count = double(halves.size());
+  const auto overlays = double(matrix.overlay_rows());
+  const double fixed = titles + overlays * overlay_title + (overlays > 0.0 ? separator : 0.0)
+                     + bottom + count * gap + double(matrix.rows()) * at.remarks;
+  double sum = 0.0;
+  for (const double half : halves) sum += 2.0 * half;
+  const double room = (size ? size->height : highest_picture) - fixed;
+  at.scale = std::min(largest_share * at.cell_width / (2.0 * matrix.half_width()),
+                      std::max(room, 5.0 * at.text) / sum);
+  at.height = size ? size->height : fixed + sum * at.scale;
+  const double spare = (at.height - fixed - sum * at.scale) / count;
+
+  double y = at.height - titles;
+  for (std::size_t row = 0; row < halves.size(); ++row) {
+    if (row == matrix.rows()) y -= separator;
+    if (row >= matrix.rows()) y -= overlay_title;
+    const double height =
+        2.0 * halves[row] * at.scale + gap + spare + (row < matrix.rows() ? at.remarks : 0.0);
+    y -= height;
+    at.rows.push_back({0.0, y, at.width, height});
+  }
+}
+
+Layout layout_of(const Canvas& canvas, const CutMatrix& matrix, const Options& options,
+                 const std::optional<ColourMap>& colours, const std::vector<LegendEntry>& entries) {
+  Layout at;
+  at.text = options.text_size();
+  double title = 0.0;
+  for (std::size_t row = 0; row < matrix.rows(); ++row) {
+    title = std::max(title, canvas.text_width(matrix.row_title(row), at.text));
+  }
+  at.left = title + 1.8 * at.text;
+  at.right = 2.0 * at.text
+           + (colours ? 1.6 * at.text + colour_bar_margin(canvas, *colours, true, at.text) : 0.0);
+  const double margins = at.left + at.right;
+  const auto columns = double(matrix.columns());
+  at.width = options.size ? options.size->width
+                          : std::min(widest_picture, margins + columns * widest_cell);
+  at.cell_width = (at.width - margins) / columns;
+  at.remarks = matrix.any_remark() ? 0.7 * at.text : 0.0;
+  at.legend = legend_height(canvas, entries, at.width - 2.0 * at.text, at.text);
+  stack_rows(at, matrix, options.size);
+  if (options.size) return at;
+
+  // High cuts leave narrower cells; title and legend want some width all the same.
+  const double needed = 2.0 * matrix.half_width() * at.scale / largest_share;
+  at.width = std::max(margins + columns * needed, 40.0 * at.text);
+  at.cell_width = (at.width - margins) / columns;
+  at.legend = legend_height(canvas, entries, at.width - 2.0 * at.text, at.text);
+  stack_rows(at, matrix, options.size);
+  return at;
+}
+
+void draw_cell(Canvas& canvas, const CutMatrix& matrix, std::size_t row, std::size_t column,
+               const Layout& at, const std::optional<ColourMap>& colours) {
+  const std::size_t volume = matrix.volume(row, column), length = matrix.length(row, column);
+  const Cut* sbeh = matrix.cut(Model::SBEH, volume, length);
+  const Cut* ssh = matrix.cut(Model::SSH, volume, length);
+  Rect cell = at.cell(double(column), row);
+  cell.y += at.remarks;
+  cell.height -= at.remarks;
+  std::vector<CutLine> lines;
+  if (sbeh && colours) {
+    lines.push_back({.cut = sbeh, .colours = &*colours, .style = {.width = 0.32 * at.text}});
+  }
+  if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text, colours.has_value())});
+  if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
+  canvas.text(cell.centre_x(), cell.y, matrix.remark(volume, length),
+              {.size = 0.8 * at.text, .colour = dark_grey});
+}
+
+void draw_overlay(Canvas& canvas, const CutMatrix& matrix, std::size_t index, const Layout& at) {
+  const std::size_t line = index / matrix.columns();
+  const std::size_t in_line =
+      std::min(matrix.volumes().size() - line * matrix.columns(), matrix.columns());
+  const double column = double(index % matrix.columns()) + 0.5 * double(matrix.columns() - in_line);
+  const Rect cell = at.cell(column, matrix.rows() + line);
+
+  const std::size_t volume = matrix.volumes()[index];
+  const std::size_t count = matrix.scan().lengths().size();
+  std::vector<CutLine> lines;
+  const Cut* ssh = nullptr;
+  for (std::size_t length = 0; length < count; ++length) {
+    if (const Cut* cut = matrix.cut(Model::SBEH, volume, length)) {
+      lines.push_back({.cut = cut, .style = overlay_style(length, count)});
+    }
+    if (!ssh) ssh = matrix.cut(Model::SSH, volume, length);
+  }
+  if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text, true)});
+  if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
+  canvas.text(cell.centre_x(), cell.top() + 0.7 * at.text,
+              volume_title(matrix.scan().reduced_volumes()[volume]), {.size = at.text});
+}
+
+void draw_titles(Canvas& canvas, const CutMatrix& matrix, const Layout& at) {
+  canvas.text(0.5 * at.width, at.height - 1.4 * at.text, matrix.title(), {.size = 1.15 * at.text});
+  for (std::size_t row = 0; row < matrix.rows(); ++row) {
+    canvas.text(at.left - 0.8 * at.text, at.rows[row].centre_y(), matrix.row_title(row),
+                {.size = at.text, .align = Align::right});
+  }
+  for (std::size_t column = 0; column < matrix.columns(); ++column) {
+    canvas.text(at.cell(double(column), 0).centre_x(), at.rows[0].top() + 0.8 * at.text,
+                matrix.column_title(column), {.size = at.text});
+  }
+  if (matrix.overlay_rows() > 0) {
+    const double y = at.rows[matrix.rows() - 1].y - 0.1 * at.text;
+    canvas.line({{at.text, y}, {at.left + double(matrix.columns()) * at.cell_width, y}},
+                {.colour = light_grey, .width = 1.5});
+    canvas.text(at.left - 0.8 * at.text, at.rows[matrix.rows()].centre_y(), "all L",
+                {.size = at.text, .align = Align::right});
+  }
+}
+
+}  // namespace
+
+void draw_cuts_picture(Canvas& canvas, const ScanTable& scan, const Options& options) {
+  const CutMatrix matrix(scan);
+  if (matrix.empty()) {
+    fmt::print("no cuts: there is no profile in {}\n", (options.directory / "points").string());
+    return;
+  }
+  std::optional<ColourMap> colours;
+  if (scan.has(Model::SBEH)) colours = matrix.orders().colours();
+  const auto entries = legend_of(matrix, colours, options.text_size());
+  const Layout at = layout_of(canvas, matrix, options, colours, entries);
+
+  canvas.start(at.width, at.height);
+  draw_titles(canvas, matrix, at);
+  for (std::size_t row = 0; row < matrix.rows(); ++row) {
+    for (std::size_t column = 0; column < matrix.columns(); ++column) {
+      draw_cell(canvas, matrix, row, column, at, colours);
+    }
+  }
+  if (matrix.overlay_rows() > 0) {
+    for (std::size_t i = 0; i < matrix.volumes().size(); ++i) draw_overlay(canvas, matrix, i, at);
+  }
+  if (colours) {
+    const double top = at.rows.front().top(), bottom = at.rows.back().y;
+    const double length = std::min(top - bottom, 18.0 * at.text);
+    draw_colour_bar(
+        canvas,
+        {at.width - at.right + 1.2 * at.text, 0.5 * (top + bottom - length), at.text, length},
+        *colours, "order β", at.text);
+  }
+  draw_legend(canvas, entries, {at.text, 0.4 * at.text, at.width - 2.0 * at.text, at.legend},
+              at.text);
+  canvas.write(options.directory / "cuts");
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,28 @@
+// The lines of a diagram over (reduced volume, L): folds and equal energies, from a scan's tables.
+#pragma once
+
+#include "tools/picture/canvas/heat_map.h"
+
+#include <filesystem>
+
+namespace sbeh::picture {
+
+struct DiagramLine {
+  std::string name;
+  LineStyle style;
+  Points points;  ///< (reduced volume, L)
+};
+
+/// From folds.csv, equal_energy.csv and beyond_fold.csv where they are there; lines of one point are left
+/// out. `branch`: only what concerns it; empty: all. Throws InputError.
+std::vector<DiagramLine> diagram_lines(const std::filesystem::path& directory,
+                                       const std::string& branch);
+
+/// Draws what of the lines is inside, each with a light border to stand out from any colour.
+void draw_diagram_lines(Canvas& canvas, const Rect& inside, const std::vector<DiagramLine>& lines,
+                        const HeatMapGrid& grid);
+
+/// An entry per name.
+std::vector<LegendEntry> legend_of(const std::vector<DiagramLine>& lines);
+
+}  // namespace sbeh::picture

@@ -1,0 +1,162 @@
+#include "tools/picture/scan/line_diagram.h"
+
+#include "tools/picture/canvas/chart.h"
+#include "tools/picture/canvas/legend.h"
+#include "tools/picture/canvas/quantity.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace sbeh::picture {
+namespace {
+
+const LineStyle sbeh_style{.colour = {0, 84, 159}, .width = 2.4};
+const LineStyle ssh_style{.colour = red, .width = 2.4, .dashed = true};
+
+// One curve: a quantity along the parameter that varies.
+struct Series {
+  Quantity quantity;
+  LineStyle style;
+  std::string name;
+
+  std::size_t size() const { return std::max(quantity.values.size(), quantity.values[0].size()); }
+  double value(std::size_t i) const {
+    return quantity.values.size() > 1 ? quantity.values[i][0] : quantity.values[0][i];
+  }
+  Mark mark(std::size_t i) const {
+    return quantity.marks.size() > 1 ? quantity.marks[i][0] : quantity.marks[0][i];
+  }
+};
+
+struct Panel {
+  std::string title;
+  std::vector<Series> series;
+};
+
+std::vector<Panel> panels_of(const ScanTable& scan) {
+  const bool sbeh = scan.has(Model::SBEH), ssh = scan.has(Model::SSH);
+  std::vector<Panel> panels;
+  if (sbeh && ssh) {
+    const Quantity gap = energy_gap(scan);
+    panels.push_back({gap.title, {{gap, {.colour = black, .width = 2.4}, ""}}});
+  } else {
+    fmt::print("diagram: only one model, so the energy itself in place of the energy gap\n");
+    panels.push_back({"energy U", {}});
+    if (sbeh) panels[0].series.push_back({energy(scan, Model::SBEH), sbeh_style, "SBEH"});
+    if (ssh) panels[0].series.push_back({energy(scan, Model::SSH), ssh_style, "SSH"});
+  }
+  if (sbeh) panels.push_back({"smallest order β", {{smallest_order(scan), sbeh_style, "SBEH"}}});
+  Panel& curvature = panels.emplace_back(Panel{"largest |H|", {}});
+  if (ssh) {
+    curvature.series.push_back({largest_curvature(scan, Model::SSH), ssh_style, "SSH"});
+  }
+  if (sbeh) {
+    curvature.series.push_back({largest_curvature(scan, Model::SBEH), sbeh_style, "SBEH"});
+  }
+  return panels;
+}
+
+// Some room on either side, so that no marker is cut.
+Axis roomy_axis(double low, double high, double length, double spacing, const char* title) {
+  const double room = high > low ? 0.06 * (high - low) : 0.05 * std::abs(high) + 1e-12;
+  low -= room;
+  high += room;
+  return cropped(linear_axis(low, high, length, spacing, title), low, high);
+}
+
+Axis value_axis(const Panel& panel, double length, double spacing) {
+  auto [low, high] = panel.series[0].quantity.range();
+  for (const Series& series : panel.series) {
+    const auto [own_low, own_high] = series.quantity.range();
+    low = std::min(low, own_low);
+    high = std::max(high, own_high);
+  }
+  return roomy_axis(low, high, length, spacing, "");
+}
+
+void draw_series(Chart& chart, const Series& series, const std::vector<double>& x, const Axis& y,
+                 double marker) {
+  Points line, good, unresolved, failed;
+  for (std::size_t i = 0; i < series.size(); ++i) {
+    const double value = series.value(i);
+    if (!std::isfinite(value)) {
+      if (series.mark(i) == Mark::failed) failed.push_back({x[i], y.low + 0.03 * (y.high - y.low)});
+      chart.curve(std::exchange(line, {}), series.style);
+      continue;
+    }
+    const double shown = std::clamp(value, y.low, y.high);
+    line.push_back({x[i], shown});
+    (series.mark(i) == Mark::none ? good : unresolved).push_back(line.back());
+  }
+  chart.curve(line, series.style);
+  chart.markers(good, Marker::full, series.style.colour, marker);
+  chart.markers(unresolved, Marker::hollow, series.style.colour, marker);
+  chart.markers(failed, Marker::cross, series.style.colour, marker);
+}
+
+std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
+  std::vector<LegendEntry> entries;
+  for (const Series& series : panels.back().series) {
+    entries.push_back(line_entry(series.style, series.name));
+  }
+  std::ranges::reverse(entries);
+  const auto marked = [&](Mark mark) {
+    return std::ranges::any_of(panels, [&](const Panel& panel) {
+      return std::ranges::any_of(panel.series,
+                                 [&](const Series& s) { return s.quantity.has(mark); });
+    });
+  };
+  const auto marker_entry = [](Marker marker, const char* text) {
+    const auto sample = [marker](Canvas& canvas, const Rect& r) {
+      const Axis unit{.low = 0.0, .high = 1.0, .title = {}, .ticks = {}, .labels = {}};
+      Chart(canvas, r, 1.0, unit, unit).markers({{0.5, 0.5}}, marker, dark_grey, 0.6 * r.height);
+    };
+    return LegendEntry{sample, text};
+  };
+  if (marked(Mark::unresolved)) entries.push_back(marker_entry(Marker::hollow, "unresolved"));
+  if (marked(Mark::failed)) entries.push_back(marker_entry(Marker::cross, "failed"));
+  return entries;
+}
+
+}  // namespace
+
+void draw_line_diagram(Canvas& canvas, const ScanTable& scan, const Options& options) {
+  const bool over_volume = scan.lengths().size() == 1;
+  const std::vector<double>& parameter = over_volume ? scan.reduced_volumes() : scan.lengths();
+  const std::vector<Panel> panels = panels_of(scan);
+  const auto legend = legend_of(panels);
+  const double text = options.text_size();
+  const auto count = double(panels.size());
+  const double width = options.size ? options.size->width : 533.0 * count;
+  const double left = 4.6 * text, right = 1.2 * text;
+  const double inner_width = width / count - left - right;
+  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
+  const double below = below_axis(text) + 0.8 * text + legend_at, above = 4.6 * text;
+  const double height = options.size ? options.size->height : below + above + 0.85 * inner_width;
+  const double inner_height = height - below - above;
+
+  const Axis x = roomy_axis(parameter.front(), parameter.back(), inner_width, 3.5 * text,
+                            over_volume ? "reduced volume Vᵣ" : "elastic constant L");
+
+  canvas.start(width, height);
+  canvas.text(0.5 * width, height - 1.4 * text,
+              over_volume ? "L = " + short_number(scan.lengths()[0])
+                          : "Vᵣ = " + short_number(scan.reduced_volumes()[0]),
+              {.size = 1.15 * text});
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const Rect inside{double(i) * width / count + left, below, inner_width, inner_height};
+    const Axis y = value_axis(panels[i], inner_height, 3.0 * text);
+    Chart chart(canvas, inside, text, x, y);
+    for (const Series& series : panels[i].series) {
+      draw_series(chart, series, parameter, y, 0.6 * text);
+    }
+    canvas.text(inside.centre_x(), inside.top() + 1.2 * text, panels[i].title, {.size = text});
+  }
+  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  canvas.write(options.directory / "diagram");
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,101 @@
+#include "tools/picture/studies/classical.h"
+
+#include "tools/picture/canvas/chart.h"
+#include "tools/picture/canvas/csv.h"
+#include "tools/picture/canvas/legend.h"
+
+#include <algorithm>
+#include <map>
+
+namespace sbeh::picture {
+namespace {
+
+struct BranchCurve {
+  const char* name;
+  LineStyle style;
+};
+const std::vector<BranchCurve> branch_curves{
+    {"oblate", {.colour = {0, 84, 159}, .width = 2.6}},
+    {"prolate", {.colour = {213, 94, 0}, .width = 2.6}},
+    {"stomatocyte", {.colour = {0, 158, 115}, .width = 2.6}},
+};
+
+// Points (V_r, F/8πκ) by witness and branch, V_r ascending; witnesses in the order of the file.
+struct Branches {
+  std::vector<std::string> witnesses;
+  std::map<std::pair<std::string, std::string>, Points> points;
+};
+
+Branches read_branches(const std::filesystem::path& file) {
+  const CsvTable table(file);
+  const std::size_t witness = table.column("witness"), branch = table.column("branch");
+  const std::size_t volume = table.column("reduced_volume"),
+                    energy = table.column("energy_reduced");
+  Branches all;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string& who = table.text(row, witness);
+    if (std::ranges::find(all.witnesses, who) == all.witnesses.end()) all.witnesses.push_back(who);
+    all.points[{who, table.text(row, branch)}].push_back(
+        {table.number(row, volume), table.number(row, energy)});
+  }
+  for (auto& [key, points] : all.points) std::ranges::sort(points);
+  if (all.points.empty())
+    throw InputError(file.string() + " has no rows; run `sbeh seifert` again.");
+  return all;
+}
+
+Points special_points(const std::filesystem::path& file) {
+  const CsvTable table(file);
+  const auto x = table.numbers("reduced_volume"), y = table.numbers("energy_reduced");
+  Points points;
+  for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
+  return points;
+}
+
+}  // namespace
+
+void draw_classical_diagram(Canvas& canvas, const Options& options) {
+  const Branches all = read_branches(options.directory / "branches.csv");
+  const Points special = special_points(options.directory / "points.csv");
+  const double text = options.text_size();
+  std::vector<LegendEntry> legend;
+  for (const BranchCurve& branch : branch_curves)
+    legend.push_back(line_entry(branch.style, branch.name));
+  std::string others;
+  for (std::size_t i = 1; i < all.witnesses.size(); ++i)
+    others += (i > 1 ? ", " : "") + all.witnesses[i];
+  if (!others.empty()) legend.push_back(marker_entry(Marker::hollow, dark_grey, others));
+  legend.push_back(marker_entry(Marker::full, black, "special points"));
+
+  const double width = options.size ? options.size->width : 1100.0;
+  const double height = options.size ? options.size->height : 800.0;
+  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
+  const double below = below_axis(text) + 0.8 * text + legend_at;
+  const Rect inside{5.2 * text, below, width - 6.8 * text, height - below - 1.6 * text};
+  double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
+  for (const auto& [key, points] : all.points)
+    for (const auto& point : points)
+      for (int c = 0; c < 2; ++c) {
+        low[c] = std::min(low[c], point[c]);
+        high[c] = std::max(high[c], point[c]);
+      }
+  const Axis x = linear_axis(low[0], high[0], inside.width, 4.0 * text, "reduced volume Vᵣ");
+  const Axis y = linear_axis(low[1], high[1], inside.height, 3.2 * text, "F / 8πκ");
+
+  canvas.start(width, height);
+  Chart chart(canvas, inside, text, x, y);
+  for (const BranchCurve& branch : branch_curves)
+    for (std::size_t i = 0; i < all.witnesses.size(); ++i) {
+      const auto at = all.points.find({all.witnesses[i], branch.name});
+      if (at == all.points.end()) continue;
+      if (i == 0)
+        chart.curve(at->second, branch.style);
+      else
+        chart.markers(at->second, Marker::hollow, branch.style.colour, 0.45 * text);
+    }
+  chart.markers(special, Marker::full, black, 0.6 * text);
+  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  canvas.write(options.directory / "branches");
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,173 @@
+#include "tools/picture/studies/compare.h"
+
+#include "tools/picture/canvas/chart.h"
+#include "tools/picture/canvas/csv.h"
+#include "tools/picture/canvas/legend.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sbeh::picture {
+namespace {
+
+struct Look {
+  const char* method;
+  LineStyle style;
+};
+// Wide below, narrow on top, so that all are seen where they agree.
+const std::vector<Look> looks{
+    {"newton", {.colour = {158, 202, 240}, .width = 9.0}},
+    {"shooting", {.colour = {230, 110, 20}, .width = 4.0}},
+    {"minimiser", {.colour = {0, 92, 70}, .width = 1.6}},
+    {"flow", {.colour = {138, 60, 220}, .width = 1.6, .dashed = true}},
+    {"surface3d", {.colour = {0, 0, 0}, .width = 1.0}},
+    {"harmonics", {.colour = {200, 30, 60}, .width = 1.0}},
+};
+// Methods whose nodes are no curve.
+bool has_nodes_only(const std::string& method) {
+  return method == "surface3d" || method == "harmonics";
+}
+
+// One method's points, in the order of the file.
+struct Curve {
+  std::string method;
+  Points section{};   // (r, z)
+  Points distance{};  // (arc length, |distance|)
+  double largest = 0.0;
+
+  bool is_marked() const { return has_nodes_only(method); }
+  LineStyle style() const {
+    const auto at = std::ranges::find(looks, method, &Look::method);
+    return at == looks.end() ? LineStyle{} : at->style;
+  }
+};
+
+std::vector<Curve> read_curves(const std::filesystem::path& file) {
+  const CsvTable table(file);
+  const std::size_t method = table.column("method");
+  const auto s = table.numbers("arc_length"), r = table.numbers("r"), z = table.numbers("z"),
+             d = table.numbers("distance");
+  std::vector<Curve> curves;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const std::string& name = table.text(row, method);
+    if (curves.empty() || curves.back().method != name) curves.push_back({.method = name});
+    Curve& curve = curves.back();
+    curve.section.push_back({r[row], z[row]});
+    curve.distance.push_back({s[row], std::abs(d[row])});
+    curve.largest = std::max(curve.largest, std::abs(d[row]));
+  }
+  if (curves.empty())
+    throw InputError(file.string() + ": has no rows: no method has found a profile.");
+  return curves;
+}
+
+struct Box {
+  double r = 0.0, low = 1e300, high = -1e300, length = 0.0;
+};
+Box box_of(const std::vector<Curve>& curves) {
+  Box box;
+  for (const Curve& curve : curves)
+    for (std::size_t i = 0; i < curve.section.size(); ++i) {
+      box.r = std::max(box.r, curve.section[i][0]);
+      box.low = std::min(box.low, curve.section[i][1]);
+      box.high = std::max(box.high, curve.section[i][1]);
+      box.length = std::max(box.length, curve.distance[i][0]);
+    }
+  return box;
+}
+
+Points other_half(const Points& half) {
+  Points mirrored;
+  for (const auto& [r, z] : half) mirrored.push_back({-r, z});
+  return mirrored;
+}
+
+void draw_section(Canvas& canvas, const Rect& inside, double text, const Axis& r, const Axis& z,
+                  const std::vector<Curve>& curves) {
+  Chart chart(canvas, inside, text, r, z);
+  for (const Curve& curve : curves)
+    for (const Points& half : {curve.section, other_half(curve.section)})
+      if (curve.is_marked())
+        chart.markers(half, Marker::full, curve.style().colour, 0.18 * text);
+      else
+        chart.curve(half, curve.style());
+}
+
+// Whole decades, without lesser ticks between.
+Axis decades(double low, double high, std::string title) {
+  const Axis all = decade_axis(std::floor(std::log10(low)), std::ceil(std::log10(high) + 0.05),
+                               std::move(title));
+  Axis axis{.low = all.low, .high = all.high, .title = all.title, .ticks = {}, .labels = {}};
+  for (std::size_t i = 0; i < all.ticks.size(); ++i)
+    if (!all.labels[i].empty()) {
+      axis.ticks.push_back(all.ticks[i]);
+      axis.labels.push_back(all.labels[i]);
+    }
+  return axis;
+}
+
+// Distances far below the largest, such as where curves cross, stay on the lower edge.
+void draw_distances(Canvas& canvas, const Rect& inside, double text, const Axis& s,
+                    const std::vector<Curve>& curves) {
+  double low = 1e300, high = 1e-300;
+  for (const Curve& curve : curves)
+    if (curve.largest > 0.0) {
+      low = std::min(low, curve.largest);
+      high = std::max(high, curve.largest);
+    }
+  if (low > high) return;  // there is nothing but the first method
+  const double floor = std::max(1e-3 * low, 1e-16);
+  const Axis y = decades(floor, high, "distance");
+  Chart chart(canvas, inside, text, s, y);
+  for (const Curve& curve : curves) {
+    if (curve.largest == 0.0) continue;
+    Points points;
+    for (const auto& [length, distance] : curve.distance)
+      points.push_back({length, std::log10(std::max(distance, std::pow(10.0, y.low)))});
+    if (curve.is_marked())
+      chart.markers(points, Marker::full, curve.style().colour, 0.18 * text);
+    else
+      chart.curve(points, curve.style());
+  }
+}
+
+}  // namespace
+
+void draw_compared_profiles(Canvas& canvas, const Options& options) {
+  const std::vector<Curve> curves = read_curves(options.directory / "profiles.csv");
+  const double text = options.text_size();
+  std::vector<LegendEntry> legend;
+  for (const Curve& curve : curves)
+    legend.push_back(curve.is_marked() ? marker_entry(Marker::full, curve.style().colour,
+                                                      curve.method + " (nodes)")
+                                       : line_entry(curve.style(), curve.method));
+  const Box box = box_of(curves);
+  const double left = 5.6 * text, right = 1.6 * text, below = below_axis(text);
+  const double width = options.size ? options.size->width : 1000.0;
+  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
+  const double distances = 13.0 * text;  // height of the lower chart
+  const double fixed = 2.0 * below + distances + legend_at + 3.6 * text;
+  const double highest = (options.size ? double(options.size->height) : 1500.0) - fixed;
+  // One scale for r and z, as large as width and height allow.
+  const double margin = 0.06 * std::max(box.r, 0.5 * (box.high - box.low));
+  const double across = 2.0 * (box.r + margin), up = box.high - box.low + 2.0 * margin;
+  const double scale = std::min((width - left - right) / across, std::max(highest, text) / up);
+  const double height = options.size ? options.size->height : fixed + scale * up;
+  const Rect section{left + 0.5 * (width - left - right - scale * across),
+                     height - 1.2 * text - scale * up, scale * across, scale * up};
+  const Rect lower{left, legend_at + 0.8 * text + below, width - left - right, distances};
+
+  const auto axis = [&](double low, double high, const char* title) {
+    return cropped(linear_axis(low, high, scale * (high - low), 4.0 * text, title), low, high);
+  };
+  canvas.start(width, height);
+  draw_section(canvas, section, text, axis(-box.r - margin, box.r + margin, "r"),
+               axis(box.low - margin, box.high + margin, "z"), curves);
+  const Axis s = linear_axis(0.0, box.length, lower.width, 5.0 * text,
+                             "arc length of " + curves.front().method);
+  draw_distances(canvas, lower, text, cropped(s, 0.0, box.length), curves);
+  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  canvas.write(options.directory / "profiles");
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,187 @@
+#include "tools/picture/studies/stability.h"
+
+#include "tools/picture/canvas/chart.h"
+#include "tools/picture/canvas/csv.h"
+#include "tools/picture/canvas/grid_axis.h"
+#include "tools/picture/canvas/legend.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <set>
+#include <tuple>
+
+namespace sbeh::picture {
+namespace {
+
+struct Look {
+  const char* verdict;
+  const char* meaning;
+  Marker marker;
+  Colour colour;
+};
+constexpr std::array<Look, 4> looks{
+    Look{"stays", "stays: the perturbation decays", Marker::full, {0, 84, 159}},
+    Look{"leaves", "leaves: it grows", Marker::hollow, {214, 28, 28}},
+    Look{"undecided", "undecided", Marker::hollow, {90, 90, 90}},
+    Look{"failed", "failed", Marker::cross, {90, 90, 90}},
+};
+
+struct Run {
+  double reduced_volume, L, rate, error;  // the last two of rate/κ; NaN where not known
+  std::string verdict, end_state;
+
+  std::string goal() const {
+    return verdict == "leaves" && !end_state.empty() ? "to " + end_state : "";
+  }
+};
+
+// The runs of one model, branch and mode.
+struct Panel {
+  std::tuple<std::string, std::string, int, int> key;
+  std::vector<Run> runs;
+
+  std::string title() const {
+    const auto& [model, branch, l, m] = key;
+    return fmt::format("{} {}, l = {}, m = {}", model, branch, l, m);
+  }
+  std::vector<double> values(double Run::*member) const {
+    std::set<double> all;
+    for (const Run& run : runs) all.insert(run.*member);
+    return {all.begin(), all.end()};
+  }
+};
+
+std::vector<Panel> read_panels(const std::filesystem::path& file) {
+  const CsvTable table(file);
+  const auto v = table.numbers("reduced_volume"), L = table.numbers("L"), l = table.numbers("l"),
+             m = table.numbers("m"), rate = table.numbers("rate"),
+             error = table.numbers("rate_error"), reduced = table.numbers("reduced_rate");
+  const std::size_t model = table.column("model"), branch = table.column("branch"),
+                    verdict = table.column("verdict"), end = table.column("end_state");
+  std::vector<Panel> panels;
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    const auto key =
+        std::tuple(table.text(row, model), table.text(row, branch), int(l[row]), int(m[row]));
+    auto at = std::ranges::find(panels, key, &Panel::key);
+    if (at == panels.end()) at = panels.insert(at, {.key = key, .runs = {}});
+    at->runs.push_back({v[row], L[row], reduced[row], error[row] * reduced[row] / rate[row],
+                        table.text(row, verdict), table.text(row, end)});
+  }
+  if (panels.empty()) throw InputError(file.string() + ": has no rows yet.");
+  std::ranges::sort(panels, {}, &Panel::key);
+  return panels;
+}
+
+const Look& look_of(const Run& run) {
+  const auto at = std::ranges::find(looks, run.verdict, &Look::verdict);
+  return at == looks.end() ? looks.back() : *at;
+}
+
+std::string signed_text(double value) {
+  return fmt::format("{}{:.3f}", value < 0.0 ? "−" : "+", std::abs(value));
+}
+
+// A marker per run with its rate below.
+void draw_map(Canvas& canvas, const Rect& inside, const Panel& panel, double text) {
+  const GridAxis x = table_axis(panel.values(&Run::reduced_volume), "reduced volume Vᵣ"),
+                 y = table_axis(panel.values(&Run::L), "elastic constant L");
+  Chart chart(canvas, inside, text, x.axis, y.axis);
+  for (const Run& run : panel.runs) {
+    const double across = share_of(x, run.reduced_volume), up = share_of(y, run.L);
+    const Look& look = look_of(run);
+    chart.markers({{x.axis.low + across * (x.axis.high - x.axis.low),
+                    y.axis.low + up * (y.axis.high - y.axis.low)}},
+                  look.marker, look.colour, 0.9 * text);
+    const double px = inside.x + across * inside.width, py = inside.y + up * inside.height;
+    if (std::isfinite(run.rate))
+      canvas.text(px, py - 1.1 * text, signed_text(run.rate),
+                  {.size = 0.8 * text, .colour = look.colour});
+    canvas.text(px, py + 1.1 * text, run.goal(), {.size = 0.75 * text, .colour = look.colour});
+  }
+}
+
+// Rates over V_r, with their uncertainty and the zero line.
+void draw_rates(Canvas& canvas, const Rect& inside, const Panel& panel, double text) {
+  double low = 0.0, high = 0.0;
+  for (const Run& run : panel.runs)
+    if (std::isfinite(run.rate)) {
+      low = std::min(low, run.rate - run.error);
+      high = std::max(high, run.rate + run.error);
+    }
+  const double room = 0.12 * (high - low) + 1e-6;
+  const auto volumes = panel.values(&Run::reduced_volume);
+  const double side = 0.1 * std::max(volumes.back() - volumes.front(), 0.05);
+  const double left = volumes.front() - side, right = volumes.back() + side;
+  const Axis x =
+      cropped(linear_axis(left, right, inside.width, 4.0 * text, "reduced volume Vᵣ"), left, right);
+  const Axis y = cropped(linear_axis(low - room, high + room, inside.height, 3.0 * text, "rate/κ"),
+                         low - room, high + room);
+  Chart chart(canvas, inside, text, x, y);
+  chart.curve({{left, 0.0}, {right, 0.0}}, {.colour = dark_grey, .width = 1.2, .dashed = true});
+  Points line;
+  for (const Run& run : panel.runs)
+    if (std::isfinite(run.rate)) line.push_back({run.reduced_volume, run.rate});
+  chart.curve(line, {.colour = {170, 170, 170}, .width = 1.6});
+  for (const Run& run : panel.runs) {
+    const Look& look = look_of(run);
+    const double rate = std::isfinite(run.rate) ? run.rate : 0.0;
+    if (std::isfinite(run.error))
+      chart.curve({{run.reduced_volume, rate - run.error}, {run.reduced_volume, rate + run.error}},
+                  {.colour = look.colour, .width = 1.6});
+    chart.markers({{run.reduced_volume, rate}}, look.marker, look.colour, 0.8 * text);
+    if (const std::string goal = run.goal(); !goal.empty())
+      canvas.text(inside.x + (run.reduced_volume - x.low) / (x.high - x.low) * inside.width,
+                  inside.y + (rate - y.low) / (y.high - y.low) * inside.height + 1.1 * text, goal,
+                  {.size = 0.75 * text, .colour = look.colour});
+  }
+}
+
+std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
+  std::vector<LegendEntry> entries;
+  for (const Look& look : looks) {
+    const bool used = std::ranges::any_of(panels, [&](const Panel& panel) {
+      return std::ranges::any_of(
+          panel.runs, [&](const Run& run) { return look_of(run).verdict == look.verdict; });
+    });
+    if (used) entries.push_back(marker_entry(look.marker, look.colour, look.meaning));
+  }
+  return entries;
+}
+
+}  // namespace
+
+void draw_stability(Canvas& canvas, const Options& options) {
+  const std::vector<Panel> panels = read_panels(options.directory / "stability.csv");
+  const double text = options.text_size();
+  const auto legend = legend_of(panels);
+  const std::size_t across = std::min<std::size_t>(panels.size(), 3),
+                    down = (panels.size() + across - 1) / across;
+  const double width = options.size ? options.size->width : std::max(560.0 * double(across), 820.0);
+  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
+  const double bottom = 1.6 * text + legend_at, below = below_axis(text), above = 2.8 * text;
+  const double left = 5.8 * text, right = 1.2 * text, top = 2.2 * text;
+  const double inner_width = width / double(across) - left - right;
+  const double height = options.size ? options.size->height
+                                     : bottom + top + double(down) * (below + above + inner_width);
+  const double inner_height = (height - bottom - top) / double(down) - below - above;
+  canvas.start(width, height);
+  canvas.text(0.5 * width, height - 1.2 * text, "Growth rate of a perturbation, over κ(2/3)",
+              {.size = 1.1 * text});
+  for (std::size_t i = 0; i < panels.size(); ++i) {
+    const double x = double(i % across) * width / double(across) + left;
+    const double y = height - top - double(i / across + 1) * (below + above + inner_height) + below;
+    const Rect inside{x, y, inner_width, inner_height};
+    canvas.text(inside.centre_x(), inside.top() + 1.2 * text, panels[i].title(), {.size = text});
+    if (panels[i].values(&Run::L).size() > 1)
+      draw_map(canvas, inside, panels[i], text);
+    else
+      draw_rates(canvas, inside, panels[i], text);
+  }
+  draw_legend(canvas, legend, {text, 0.6 * text, width - 2.0 * text, legend_at}, text);
+  canvas.write(options.directory / "stability");
+}
+
+}  // namespace sbeh::picture
