@@ -152,7 +152,7 @@ int run_3d(const Arguments& a) {
 
 // What an evolution's history has besides the rows of the output times.
 const char* beside_times(const auto& input) {
-  return input.every_step ? " and one for each step" : "";
+  return input.times.every_step ? " and one for each step" : "";
 }
 
 int check_run(const Arguments& a) {
@@ -164,10 +164,10 @@ int check_run(const Arguments& a) {
       "{}: a 3D run of {} to t = {}, reduced volume {:.6g}, {} triangles, {} unknowns; about "
       "{:.2g} s "
       "a step and {:.0f} MB of memory; {} lines of history{}, {} frames of {:.2f} MB\n\n{}",
-      a.input, model::name(input.model), input.end_time,
+      a.input, model::name(input.model), input.times.end,
       surface3d::reduced_volume(start.target.area, start.target.volume), triangles, cost.unknowns,
-      cost.seconds_per_step, cost.megabytes, input.output_times.size(), beside_times(input),
-      input.frame_times.size(), cost.frame_megabytes, studies::describe(input, SBEH_VERSION));
+      cost.seconds_per_step, cost.megabytes, input.times.rows.size(), beside_times(input),
+      input.times.states.size(), cost.frame_megabytes, studies::describe(input, SBEH_VERSION));
   return 0;
 }
 
@@ -208,8 +208,8 @@ int check(const Arguments& a) {
   fmt::print(
       "{}: an evolution of {} to t = {}, from reduced volume {:.6g}, energy {:.6g}; "
       "{} lines of history{}, {} profiles\n\n{}",
-      a.input, model::name(input.model), input.end_time, d.reduced_volume, d.energy.total(),
-      input.output_times.size(), beside_times(input), input.profile_times.size(),
+      a.input, model::name(input.model), input.times.end, d.reduced_volume, d.energy.total(),
+      input.times.rows.size(), beside_times(input), input.times.states.size(),
       studies::describe(input, SBEH_VERSION));
   return 0;
 }

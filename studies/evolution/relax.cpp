@@ -31,9 +31,9 @@ std::vector<axisym::Mode> modes_of(const std::vector<std::pair<int, double>>& pa
 }
 
 axisym::Nodes spheroid(const Ellipsoid& shape, const axisym::Numerics& n) {
-  if (!shape.axes)
+  if (shape.reduced_volume)
     return axisym::spheroid(*shape.reduced_volume, shape.prolate, n.elements, n.grading);
-  const auto [equatorial, polar] = *shape.axes;
+  const double equatorial = shape.axes[0], polar = shape.axes[1];
   const double longest = std::max(equatorial, polar);
   return axisym::spheroid(equatorial / longest, polar / longest, n.elements, n.grading);
 }
@@ -97,12 +97,12 @@ class Recorder {
   }
 
   bool operator()(const axisym::FlowRecord& record, const State& state, bool exact) {
-    if (input_.every_step || (exact && contains(input_.output_times, record.time)))
+    if (input_.times.every_step || (exact && contains(input_.times.rows, record.time)))
       write_row(record, state);
-    if (exact && contains(input_.profile_times, record.time)) write_state(record, state);
+    if (exact && contains(input_.times.states, record.time)) write_state(record, state);
     if (terminal_ && ++steps_ % 20 == 0)
       tell(fmt::format("\r\033[Kt = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}", record.time,
-                       input_.end_time, record.time_step, record.energy.total()));
+                       input_.times.end, record.time_step, record.energy.total()));
     return interrupt_signal() == 0;
   }
 
@@ -115,11 +115,6 @@ class Recorder {
   int profiles() const { return profiles_; }
 
  private:
-  static bool contains(const std::vector<double>& times, double time) {
-    const double slack = axisym::same_time * time;  // the same number reached by another sum
-    const auto at = std::lower_bound(times.begin(), times.end(), time - slack);
-    return at != times.end() && *at <= time + slack;
-  }
   void write_row(const axisym::FlowRecord& record, const State& state) {
     series_.append(series_line({record, axisym::diagnose(material_, state)}));
     last_row_ = record.time;
@@ -163,18 +158,13 @@ RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& pat
   write_file(folder / "run.toml", describe(input, version));
 
   Recorder recorder(input, start, folder);
-  axisym::FlowSchedule schedule{.end_time = input.end_time,
-                                .output_times = input.output_times,
-                                .stop_at_rest = input.stop_at_rest};
-  schedule.output_times.insert(schedule.output_times.end(), input.profile_times.begin(),
-                               input.profile_times.end());
   axisym::Numerics numerics = input.numerics;
   numerics.elements = axisym::element_count(start.state.X);
-  const axisym::FlowResult run =
-      axisym::run_flow(start.material, input.model, start.state, start.target, numerics, schedule,
-                       [&](const auto& record, const State& state, bool exact) {
-                         return recorder(record, state, exact);
-                       });
+  const axisym::FlowResult run = axisym::run_flow(
+      start.material, input.model, start.state, start.target, numerics, schedule_of(input.times),
+      [&](const auto& record, const State& state, bool exact) {
+        return recorder(record, state, exact);
+      });
   recorder.finish(run);
   return {run, recorder.profiles()};
 }

@@ -1,69 +1,61 @@
 #include "studies/evolution/relax_input.h"
 
-#include "studies/io/toml_reader.h"
-#include "studies/parameters/evolution_input.h"
 #include "studies/parameters/material_input.h"
 
 namespace sbeh::studies {
 
 namespace {
 
-// ---- [start] ------------------------------------------------------------------------------------
-
-const std::vector<StartShape>& shapes() {
-  static const std::vector<StartShape> all{
-      {"ellipsoid", {"reduced_volume", "axes", "kind", "order"}},
-      {"harmonics", {"modes", "order", "order_modes"}},
-      {"scan", {"folder", "model", "branch", "reduced_volume", "L"}},
-  };
-  return all;
+void read_ellipsoid(const TomlTable& start, RelaxInput& input) {
+  input.start = read_ellipsoid(start, 2, "two numbers, equatorial and polar semi-axis");
+  input.initial_order = start.number("order", orders, input.initial_order);
 }
 
-Ellipsoid read_ellipsoid(const TomlTable& start) {
-  const EllipsoidKeys keys =
-      read_ellipsoid(start, 2, "two numbers, equatorial and polar semi-axis");
-  Ellipsoid ellipsoid{keys.reduced_volume, {}, keys.prolate};
-  if (!keys.axes.empty()) ellipsoid.axes = {keys.axes[0], keys.axes[1]};
-  return ellipsoid;
-}
-
-Harmonics read_harmonics(const TomlTable& start) {
+void read_harmonics(const TomlTable& start, RelaxInput& input) {
   Harmonics harmonics;
   const bool has_order_modes = start.has("order_modes");
   if (start.has("modes") || !has_order_modes)
     harmonics.shape = start.modes("modes", 1, largest_degree);
   if (start.has("order")) harmonics.order = start.number("order", orders);
   if (has_order_modes) harmonics.order_modes = start.modes("order_modes", 1, largest_degree);
-  return harmonics;
+  input.start = harmonics;
+}
+
+void write_shape(TomlText& toml, const Harmonics& harmonics) {
+  if (!harmonics.shape.empty()) toml.value("modes", harmonics.shape);
+  if (harmonics.order) toml.value("order", *harmonics.order);
+  if (!harmonics.order_modes.empty()) toml.value("order_modes", harmonics.order_modes);
+}
+
+void read_scan(const TomlTable& start, RelaxInput& input) {
+  input.start = read_scan_row(start, input.model);
+}
+
+const std::vector<StartShape<RelaxInput>>& shapes() {
+  static const std::vector<StartShape<RelaxInput>> all{
+      {"ellipsoid", {"reduced_volume", "axes", "kind", "order"}, read_ellipsoid},
+      {"harmonics", {"modes", "order", "order_modes"}, read_harmonics},
+      {"scan", scan_row_keys(), read_scan},
+  };
+  return all;
 }
 
 void read_start(const TomlTable& start, RelaxInput& input) {
-  const std::string shape = read_shape(start, shapes());
+  const auto& shape = chosen_shape(start, shapes());
   refuse_order(start, input.model, {"order", "order_modes"});
-  if (shape == "ellipsoid") {
-    input.start = read_ellipsoid(start);
-    input.initial_order = start.number("order", orders, input.initial_order);
-  } else if (shape == "harmonics") {
-    input.start = read_harmonics(start);
-  } else {
-    input.start = read_scan_row(start, input.model);
-  }
+  shape.read(start, input);
   start.reject_unknown_keys();
 }
 
-// ---- [time] -------------------------------------------------------------------------------------
-
-void read_time(const TomlTable& time, RelaxInput& input) {
-  Times times = read_times(time, "profiles");
-  time.reject_unknown_keys();
-  input.end_time = times.end;
-  input.output_times = std::move(times.output);
-  input.profile_times = std::move(times.states);
-  input.every_step = times.every_step;
-  input.stop_at_rest = times.stop_at_rest;
-}
-
 }  // namespace
+
+void write_start(TomlText& toml, const RelaxInput& input) {
+  toml.table("start");
+  toml.value("shape", shapes()[input.start.index()].name);
+  std::visit([&](const auto& start) { write_shape(toml, start); }, input.start);
+  if (std::holds_alternative<Ellipsoid>(input.start) && has_free_order(input.model))
+    toml.value("order", input.initial_order);
+}
 
 RelaxInput read_relax(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
@@ -80,7 +72,8 @@ RelaxInput read_relax(const std::filesystem::path& path) {
     input.material = input.material.with_L(row->L);
   input.material = read_material(material, input.model, input.material);
   input.numerics = read_numerics(numerics);
-  read_time(time, input);
+  input.times = read_times(time, "profiles");
+  time.reject_unknown_keys();
   return input;
 }
 

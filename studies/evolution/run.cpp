@@ -60,8 +60,9 @@ std::optional<Frame> newest_frame(const RunInput& input, const OutputFolder& fol
     try {
       Frame frame = read_frame(path);
       const double time = frame.record.time;
-      const std::vector<double> rows = input.every_step ? std::vector{time} : input.output_times;
-      if (!reaches(series, rows, time) || !reaches(frames, input.frame_times, time)) continue;
+      const std::vector<double> rows =
+          input.times.every_step ? std::vector{time} : input.times.rows;
+      if (!reaches(series, rows, time) || !reaches(frames, input.times.states, time)) continue;
       if (!newest || frame.record.time > newest->record.time) newest = std::move(frame);
       if (path != candidates.front()) break;  // those before it are older
     } catch (const InputError& error) {
@@ -132,11 +133,7 @@ RunSummary run_surface(const RunInput& input, const fs::path& path, std::string_
   }
   RunRecorder recorder(input, start.target, mesh, folder,
                        frame ? std::optional(from.record.time) : std::optional<double>());
-  surface3d::FlowSchedule schedule{.end_time = input.end_time,
-                                   .output_times = input.output_times,
-                                   .stop_at_rest = input.stop_at_rest};
-  schedule.output_times.insert(schedule.output_times.end(), input.frame_times.begin(),
-                               input.frame_times.end());
+  surface3d::FlowSchedule schedule = schedule_of(input.times);
   const auto over = from.record.ends;
   if (over) schedule.end_time = from.record.time;
   try {

@@ -1,7 +1,5 @@
 #include "studies/evolution/run_input.h"
 
-#include "studies/io/toml_reader.h"
-#include "studies/parameters/evolution_input.h"
 #include "studies/parameters/material_input.h"
 
 namespace sbeh::studies {
@@ -10,34 +8,51 @@ namespace {
 
 constexpr int fewest_triangles = 20, most_triangles = 200'000;
 
-const std::vector<StartShape>& shapes() {
-  static const std::vector<StartShape> all{
-      {"ellipsoid", {"reduced_volume", "axes", "kind", "triangles", "order"}},
-      {"harmonics", {"modes", "triangles", "order"}},
-      {"mesh", {"file", "order"}},
-      {"scan", {"folder", "model", "branch", "reduced_volume", "L", "triangles"}},
-      {"frame", {"file"}},
+void read_ellipsoid(const TomlTable& surface, RunInput& input) {
+  input.start = read_ellipsoid(surface, 3, "three numbers, the semi-axes along x, y, z");
+}
+
+void read_harmonics(const TomlTable& surface, RunInput& input) {
+  input.start = HarmonicSphere{surface.harmonics("modes", largest_degree)};
+}
+void write_shape(TomlText& toml, const HarmonicSphere& sphere) {
+  toml.value("modes", sphere.modes);
+}
+
+void read_mesh_file(const TomlTable& surface, RunInput& input) {
+  input.start = MeshFileStart{surface.text("file")};
+}
+void write_shape(TomlText& toml, const MeshFileStart& mesh) { toml.value("file", mesh.file); }
+
+void read_scan(const TomlTable& surface, RunInput& input) {
+  input.start = read_scan_row(surface, input.model);
+}
+
+void read_frame_file(const TomlTable& surface, RunInput& input) {
+  input.start = FrameStart{surface.text("file")};
+}
+void write_shape(TomlText& toml, const FrameStart& frame) { toml.value("file", frame.file); }
+
+std::vector<std::string> and_triangles(std::vector<std::string> keys) {
+  keys.push_back("triangles");
+  return keys;
+}
+
+const std::vector<StartShape<RunInput>>& shapes() {
+  static const std::vector<StartShape<RunInput>> all{
+      {"ellipsoid", {"reduced_volume", "axes", "kind", "triangles", "order"}, read_ellipsoid},
+      {"harmonics", {"modes", "triangles", "order"}, read_harmonics},
+      {"mesh", {"file", "order"}, read_mesh_file},
+      {"scan", and_triangles(scan_row_keys()), read_scan},
+      {"frame", {"file"}, read_frame_file},
   };
   return all;
 }
 
-Ellipsoid3d read_ellipsoid(const TomlTable& surface) {
-  const EllipsoidKeys keys =
-      read_ellipsoid(surface, 3, "three numbers, the semi-axes along x, y, z");
-  Ellipsoid3d ellipsoid{keys.reduced_volume, {}, keys.prolate};
-  if (!keys.axes.empty()) ellipsoid.axes = Eigen::Vector3d(keys.axes.data());
-  return ellipsoid;
-}
-
 void read_surface(const TomlTable& surface, RunInput& input) {
-  const std::string shape = read_shape(surface, shapes());
+  const auto& shape = chosen_shape(surface, shapes());
   refuse_order(surface, input.model, {"order"});
-  if (shape == "ellipsoid") input.start = read_ellipsoid(surface);
-  if (shape == "harmonics")
-    input.start = HarmonicSphere{surface.harmonics("modes", largest_degree)};
-  if (shape == "mesh") input.start = MeshFileStart{surface.text("file")};
-  if (shape == "scan") input.start = read_scan_row(surface, input.model);
-  if (shape == "frame") input.start = FrameStart{surface.text("file")};
+  shape.read(surface, input);
   input.triangles = surface.integer("triangles", fewest_triangles, most_triangles, input.triangles);
   input.initial_order = surface.number("order", orders, input.initial_order);
   if (surface.has("perturbation"))
@@ -46,17 +61,22 @@ void read_surface(const TomlTable& surface, RunInput& input) {
 }
 
 void read_time(const TomlTable& time, RunInput& input) {
-  Times times = read_times(time, "frames");
+  input.times = read_times(time, "frames");
   input.checkpoint_minutes = time.number("checkpoint_minutes", above(0), input.checkpoint_minutes);
   time.reject_unknown_keys();
-  input.end_time = times.end;
-  input.output_times = std::move(times.output);
-  input.frame_times = std::move(times.states);
-  input.every_step = times.every_step;
-  input.stop_at_rest = times.stop_at_rest;
 }
 
 }  // namespace
+
+void write_surface(TomlText& toml, const RunInput& input) {
+  const auto& shape = shapes()[input.start.index()];
+  toml.table("surface");
+  toml.value("shape", shape.name);
+  std::visit([&](const auto& start) { write_shape(toml, start); }, input.start);
+  if (shape.has("triangles")) toml.value("triangles", input.triangles);
+  if (shape.has("order") && has_free_order(input.model)) toml.value("order", input.initial_order);
+  if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
+}
 
 RunInput read_run(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);

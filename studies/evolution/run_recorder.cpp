@@ -26,12 +26,6 @@ constexpr const char* event_header =
     "time,event,triangles,min_angle,mesh_quality,turn,curvature_gap,energy_change,area_change,"
     "volume_change,distance";
 
-bool contains(const std::vector<double>& times, double time) {
-  const double slack = surface3d::same_time * time;  // the same number reached by another sum
-  const auto at = std::lower_bound(times.begin(), times.end(), time - slack);
-  return at != times.end() && *at <= time + slack;
-}
-
 std::string event_line(double time, const char* event, int triangles,
                        const surface3d::Resolution& r, const surface3d::RemeshReport& report) {
   return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", time, event, triangles, r.min_angle,
@@ -97,9 +91,9 @@ bool RunRecorder::operator()(const FlowRecord& record, const State& state,
   mesh_ = view.mesh;
   last_ = {view.fields, view.memory};
   if (record.ends) return true;  // what remains is for finish()
-  if (input_.every_step || (exact && contains(input_.output_times, record.time)))
+  if (input_.times.every_step || (exact && contains(input_.times.rows, record.time)))
     write_row(record, state);
-  if (exact && contains(input_.frame_times, record.time)) write_frame_of(record, state);
+  if (exact && contains(input_.times.states, record.time)) write_frame_of(record, state);
   if (interrupt_signal() == 0) return keep(record, state), true;
   write(folder_ / checkpoint_name, record, state);
   return false;
@@ -190,11 +184,11 @@ void RunRecorder::show(const FlowRecord& record) {
   if (now - shown_ < std::chrono::milliseconds(terminal_ ? 200 : 60'000)) return;
   shown_ = now;
   const double per_step = duration<double>(now - began_).count() / steps_;
-  const double left = (input_.end_time - record.time) / record.next_step * per_step;
+  const double left = (input_.times.end - record.time) / record.next_step * per_step;
   tell(
       fmt::format("{}t = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}, {:.2g} s a step, "
                   "at most {:.0f} s left{}",
-                  terminal_ ? "\r\033[K" : "", record.time, input_.end_time, record.time_step,
+                  terminal_ ? "\r\033[K" : "", record.time, input_.times.end, record.time_step,
                   record.energy.total(), per_step, left, terminal_ ? "" : "\n"));
 }
 

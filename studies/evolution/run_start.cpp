@@ -49,11 +49,11 @@ CurvedMesh sound(CurvedMesh mesh, const std::string& file) {
   return mesh;
 }
 
-Start make(const Ellipsoid3d& e, const RunInput& input) {
+Start make(const Ellipsoid& e, const RunInput& input) {
   const meshing::Resolution resolution{.triangles = input.triangles};
-  return {e.axes ? meshing::ellipsoid(*e.axes / e.axes->maxCoeff(), resolution)
-                 : meshing::ellipsoid(*e.reduced_volume, e.prolate, resolution),
-          {}};
+  if (e.reduced_volume) return {meshing::ellipsoid(*e.reduced_volume, e.prolate, resolution), {}};
+  const Eigen::Vector3d axes(e.axes.data());
+  return {meshing::ellipsoid(axes / axes.maxCoeff(), resolution), {}};
 }
 
 Start make(const HarmonicSphere& sphere, const RunInput& input) {

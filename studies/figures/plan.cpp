@@ -54,7 +54,7 @@ Inputs read_inputs(const fs::path& folder, std::optional<int> triangles) {
   require(inputs.oblates.method == Method::flow && inputs.oblates.models.size() == 2
               && inputs.oblates.branches == std::vector<std::string>{"oblate"},
           scan, "must be a scan of the oblates of both models with method = \"flow\"");
-  const auto* ellipsoid = std::get_if<Ellipsoid3d>(&inputs.oblate_3d.start);
+  const auto* ellipsoid = std::get_if<Ellipsoid>(&inputs.oblate_3d.start);
   require(ellipsoid && ellipsoid->reduced_volume, oblate,
           "must start from an ellipsoid of a reduced volume");
   require(inputs.sbeh.model == Model::SBEH, sbeh, "must have model = \"SBEH\"");
@@ -74,7 +74,7 @@ PlannedRun oblate_run(const Inputs& inputs, Model model, double reduced_volume, 
       inputs.oblate_3d};
   run.input.model = model;
   run.input.material = run.input.material.with_L(L);
-  std::get<Ellipsoid3d>(run.input.start).reduced_volume = reduced_volume;
+  std::get<Ellipsoid>(run.input.start).reduced_volume = reduced_volume;
   return run;
 }
 

@@ -21,7 +21,7 @@ namespace {
 constexpr const char* times_name = "run_times.csv";
 
 std::string start_text(const RunInput& input) {
-  if (const auto* e = std::get_if<Ellipsoid3d>(&input.start))
+  if (const auto* e = std::get_if<Ellipsoid>(&input.start))
     return e->reduced_volume
              ? fmt::format("{} ellipsoid of reduced volume {}",
                            e->prolate ? "a prolate" : "an oblate", *e->reduced_volume)
@@ -93,7 +93,7 @@ std::optional<FoundRun> find_run(const fs::path& folder, const PlannedRun& plan,
   const std::size_t last = frames.rows.size() - 1;
   const double time = frames.number(last, "time");
   std::optional<model::FlowStop> end;
-  if (time >= found.input.end_time * (1 - model::same_time))
+  if (time >= found.input.times.end * (1 - model::same_time))
     end = model::FlowStop::end_time;
   else
     end = read_frame(place / frames.text(last, "file")).record.ends;

@@ -1,73 +1,13 @@
 #include "studies/parameters/describe.h"
 
-#include "studies/io/spelling.h"
 #include "studies/io/toml_reader.h"
+#include "studies/io/toml_text.h"
 
 #include <fmt/format.h>
 
 namespace sbeh::studies {
 
 namespace {
-
-constexpr std::size_t list_width = 80;  // and the key before it
-
-// ---- values -------------------------------------------------------------------------------------
-
-std::string as_toml(double value) { return fmt::format("{}", value); }  // shortest exact
-std::string as_toml(int value) { return fmt::format("{}", value); }
-std::string as_toml(bool value) { return value ? "true" : "false"; }
-std::string as_toml(const std::string& text) { return in_quotes(text); }
-std::string as_toml(model::Model model) { return in_quotes(name(model)); }
-std::string as_toml(Method method) { return in_quotes(name(method)); }
-std::string as_toml(Witness witness) { return in_quotes(name(witness)); }
-std::string as_toml(const meshing::Harmonic& h) {
-  return fmt::format("[{}, {}, {}]", h.l, h.m, h.amplitude);
-}
-std::string as_toml(const std::pair<int, double>& mode) {
-  return fmt::format("[{}, {}]", mode.first, mode.second);
-}
-
-/// A list, broken into lines that are not too long.
-template <class List>
-std::string list_as_toml(const List& list) {
-  std::string text = "[", separator;
-  std::size_t line_start = 0;
-  for (const auto& element : list) {
-    const std::string next = as_toml(element);
-    if (text.size() + separator.size() + next.size() - line_start > list_width) {
-      separator = ",\n  ";
-      line_start = text.size() + 2;
-    }
-    text += separator + next;
-    separator = ", ";
-  }
-  return text + "]";
-}
-template <class T>
-std::string as_toml(const std::vector<T>& list) {
-  return list_as_toml(list);
-}
-std::string as_toml(const std::array<double, 2>& list) { return list_as_toml(list); }
-std::string as_toml(const Eigen::Vector3d& list) { return list_as_toml(list); }
-
-/// The text that grows table by table and line by line.
-class TomlText {
- public:
-  explicit TomlText(std::string_view version)
-      : text_(fmt::format("# sbeh {}: every parameter of this run; can be run again\n", version)) {}
-
-  void table(const char* name) { text_ += fmt::format("\n[{}]\n", name); }
-  template <class T>
-  void value(const char* key, const T& value) {
-    text_ += fmt::format("{} = {}\n", key, as_toml(value));
-  }
-  const std::string& text() const { return text_; }
-
- private:
-  std::string text_;
-};
-
-// ---- tables -------------------------------------------------------------------------------------
 
 enum class Elasticity { with_L, without_L };
 
@@ -134,78 +74,6 @@ void write_numerics(TomlText& toml, const axisym::Numerics& numerics) {
   write_time_control(toml, numerics);
 }
 
-void write_ellipsoid(TomlText& toml, const auto& ellipsoid) {
-  toml.value("shape", std::string("ellipsoid"));
-  if (ellipsoid.axes) toml.value("axes", *ellipsoid.axes);
-  if (ellipsoid.reduced_volume) {
-    toml.value("reduced_volume", *ellipsoid.reduced_volume);
-    toml.value("kind", std::string(ellipsoid.prolate ? "prolate" : "oblate"));
-  }
-}
-
-void write_shape(TomlText& toml, const Ellipsoid& ellipsoid) { write_ellipsoid(toml, ellipsoid); }
-
-void write_shape(TomlText& toml, const Ellipsoid3d& ellipsoid) { write_ellipsoid(toml, ellipsoid); }
-
-void write_shape(TomlText& toml, const Harmonics& harmonics) {
-  toml.value("shape", std::string("harmonics"));
-  if (!harmonics.shape.empty()) toml.value("modes", harmonics.shape);
-  if (harmonics.order) toml.value("order", *harmonics.order);
-  if (!harmonics.order_modes.empty()) toml.value("order_modes", harmonics.order_modes);
-}
-
-void write_shape(TomlText& toml, const ScanRow& row) {
-  toml.value("shape", std::string("scan"));
-  toml.value("folder", row.folder);
-  toml.value("model", row.model);
-  toml.value("branch", row.branch);
-  toml.value("reduced_volume", row.reduced_volume);
-  toml.value("L", row.L);
-}
-
-void write_shape(TomlText& toml, const HarmonicSphere& sphere) {
-  toml.value("shape", std::string("harmonics"));
-  toml.value("modes", sphere.modes);
-}
-
-void write_shape(TomlText& toml, const MeshFileStart& mesh) {
-  toml.value("shape", std::string("mesh"));
-  toml.value("file", mesh.file);
-}
-
-void write_shape(TomlText& toml, const FrameStart& frame) {
-  toml.value("shape", std::string("frame"));
-  toml.value("file", frame.file);
-}
-
-void write_surface(TomlText& toml, const RunInput& input) {
-  toml.table("surface");
-  std::visit([&toml](const auto& shape) { write_shape(toml, shape); }, input.start);
-  const bool own_mesh = std::holds_alternative<MeshFileStart>(input.start),
-             own_state = std::holds_alternative<FrameStart>(input.start);
-  if (!own_mesh && !own_state) toml.value("triangles", input.triangles);
-  if (!own_state && !std::holds_alternative<ScanRow>(input.start) && has_free_order(input.model))
-    toml.value("order", input.initial_order);
-  if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
-}
-
-void write_start(TomlText& toml, const RelaxInput& input) {
-  toml.table("start");
-  std::visit([&toml](const auto& shape) { write_shape(toml, shape); }, input.start);
-  if (std::holds_alternative<Ellipsoid>(input.start) && has_free_order(input.model))
-    toml.value("order", input.initial_order);
-}
-
-void write_time(TomlText& toml, const auto& input, const char* states,
-                const std::vector<double>& state_times) {
-  toml.table("time");
-  toml.value("end", input.end_time);
-  toml.value("output", input.output_times);
-  toml.value(states, state_times);
-  toml.value("every_step", input.every_step);
-  toml.value("stop_at_rest", input.stop_at_rest);
-}
-
 }  // namespace
 
 InputKind kind_of(const std::filesystem::path& path) {
@@ -248,7 +116,7 @@ std::string describe(const RelaxInput& input, std::string_view version) {
   write_start(toml, input);
   write_material(toml, input.material, Elasticity::with_L, input.model);
   write_numerics(toml, input.numerics);
-  write_time(toml, input, "profiles", input.profile_times);
+  write_times(toml, input.times, "profiles");
   return toml.text();
 }
 
@@ -265,7 +133,7 @@ std::string describe(const RunInput& input, std::string_view version) {
   toml.value("solver_tolerance", input.numerics.solver_tolerance);
   toml.value("remesh", input.numerics.remesh);
   toml.value("most_triangles", input.numerics.most_triangles);
-  write_time(toml, input, "frames", input.frame_times);
+  write_times(toml, input.times, "frames");
   toml.value("checkpoint_minutes", input.checkpoint_minutes);
   return toml.text();
 }

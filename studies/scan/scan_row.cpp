@@ -20,6 +20,19 @@ ScanRow read_scan_row(const TomlTable& start, model::Model absent) {
   return row;
 }
 
+const std::vector<std::string>& scan_row_keys() {
+  static const std::vector<std::string> keys{"folder", "model", "branch", "reduced_volume", "L"};
+  return keys;
+}
+
+void write_shape(TomlText& toml, const ScanRow& row) {
+  toml.value("folder", row.folder);
+  toml.value("model", row.model);
+  toml.value("branch", row.branch);
+  toml.value("reduced_volume", row.reduced_volume);
+  toml.value("L", row.L);
+}
+
 axisym::State state_of(const ScanRow& row) {
   const PointKey key{row.reduced_volume, row.L, row.model, row.branch};
   const std::filesystem::path file =

@@ -4,8 +4,10 @@
 #include "axisym/curve.h"
 #include "model/material.h"
 #include "studies/io/toml_reader.h"
+#include "studies/io/toml_text.h"
 
 #include <string>
+#include <vector>
 
 namespace sbeh::studies {
 
@@ -16,10 +18,14 @@ struct ScanRow {
   std::string branch = "oblate";  ///< of known_branches() (scan_input.h)
   double reduced_volume = 0;      ///< 0 < V_r <= 1
   double L = 0;                   ///< > 0
+
+  bool operator==(const ScanRow&) const = default;
 };
 
 /// The keys of a start with shape = "scan", `absent` the model where none is named. Throws InputError.
 ScanRow read_scan_row(const TomlTable& start, model::Model absent);
+const std::vector<std::string>& scan_row_keys();
+void write_shape(TomlText& toml, const ScanRow& row);
 
 /// The profile of that point. Throws OutputError where it is not there or is none.
 axisym::State state_of(const ScanRow& row);

@@ -142,7 +142,7 @@ void require_same_case(const fs::path& folder, const RunInput& run, const Compar
 
 // Whether the run is the evolution that `flow` follows too: from the same ellipsoid, with the same drag.
 bool is_evolution_of(const RunInput& run, const CompareInput& input) {
-  const auto* start = std::get_if<Ellipsoid3d>(&run.start);
+  const auto* start = std::get_if<Ellipsoid>(&run.start);
   const model::Material &a = run.material, &b = input.material;
   return start && start->reduced_volume == input.reduced_volume
       && start->prolate == (input.branch == "prolate") && run.model == input.model

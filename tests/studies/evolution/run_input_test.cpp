@@ -2,7 +2,6 @@
 #include "studies/evolution/run_input.h"
 
 #include "studies/parameters/describe.h"
-#include "studies/parameters/evolution_input.h"
 #include "tests/studies/parameters/input_file.h"
 #include "tests/studies/parameters/same_input.h"
 
@@ -20,18 +19,18 @@ RunInput run_of(const std::string& text) { return read_run(written(text)); }
 TEST(RunInput, has_the_documented_defaults) {
   const RunInput input = run_of(small_run);
   EXPECT_EQ(input.model, Model::SBEH);
-  const auto& ellipsoid = std::get<Ellipsoid3d>(input.start);
+  const auto& ellipsoid = std::get<Ellipsoid>(input.start);
   EXPECT_EQ(ellipsoid.reduced_volume, 0.8);
-  EXPECT_EQ(ellipsoid.axes, std::nullopt);
+  EXPECT_TRUE(ellipsoid.axes.empty());
   EXPECT_FALSE(ellipsoid.prolate);
   EXPECT_EQ(input.triangles, 320);
   EXPECT_EQ(input.initial_order, model::full_order);
   EXPECT_TRUE(input.perturbation.empty());
-  EXPECT_EQ(input.end_time, 10);
-  EXPECT_EQ(input.output_times, default_output_times(10));
-  EXPECT_EQ(input.frame_times, default_profile_times(10));
-  EXPECT_FALSE(input.every_step);
-  EXPECT_TRUE(input.stop_at_rest);
+  EXPECT_EQ(input.times.end, 10);
+  EXPECT_EQ(input.times.rows, default_row_times(10));
+  EXPECT_EQ(input.times.states, default_state_times(10));
+  EXPECT_FALSE(input.times.every_step);
+  EXPECT_TRUE(input.times.stop_at_rest);
   EXPECT_EQ(input.checkpoint_minutes, 10);
   expect_same(input.material, model::Material{});
   expect_same(input.numerics, surface3d::Numerics{});

@@ -35,7 +35,7 @@ TEST(FiguresPlan, has_a_run_of_its_own_parameters_for_every_stationary_shape) {
       const PlannedRun& run = runs[k++];
       folders.insert(run.folder);
       EXPECT_EQ(run.folder, fmt::format("oblates_3d/SBEH_v{}_L{}", v, L));
-      EXPECT_EQ(std::get<Ellipsoid3d>(run.input.start).reduced_volume, v);
+      EXPECT_EQ(std::get<Ellipsoid>(run.input.start).reduced_volume, v);
       EXPECT_EQ(run.input.material.L1, L);
       EXPECT_EQ(run.input.triangles, 320);
     }
@@ -58,8 +58,8 @@ TEST(FiguresPlan, has_inputs_with_frames_at_the_instants_of_the_evolution) {
   const Inputs inputs = read_inputs("studies/inputs", {});
   for (const RunInput* input : {&inputs.sbeh, &inputs.ssh})
     for (const double instant : instants)
-      EXPECT_NE(std::find(input->frame_times.begin(), input->frame_times.end(), instant),
-                input->frame_times.end())
+      EXPECT_NE(std::find(input->times.states.begin(), input->times.states.end(), instant),
+                input->times.states.end())
           << instant;
 }
 

@@ -1,6 +1,5 @@
 // Inputs of scans and evolutions: what is read, and what is refused with which words.
 #include "studies/evolution/relax_input.h"
-#include "studies/parameters/evolution_input.h"
 #include "studies/scan/scan_input.h"
 #include "tests/studies/parameters/input_file.h"
 #include "tests/studies/parameters/same_input.h"
@@ -118,20 +117,20 @@ TEST(RelaxInput, has_the_documented_defaults) {
   EXPECT_EQ(input.model, Model::SBEH);
   const auto& ellipsoid = std::get<Ellipsoid>(input.start);
   EXPECT_EQ(ellipsoid.reduced_volume, 0.7);
-  EXPECT_EQ(ellipsoid.axes, std::nullopt);
+  EXPECT_TRUE(ellipsoid.axes.empty());
   EXPECT_FALSE(ellipsoid.prolate);
   EXPECT_EQ(input.initial_order, model::full_order);
-  EXPECT_EQ(input.end_time, 10);
-  EXPECT_FALSE(input.every_step);
-  EXPECT_TRUE(input.stop_at_rest);
+  EXPECT_EQ(input.times.end, 10);
+  EXPECT_FALSE(input.times.every_step);
+  EXPECT_TRUE(input.times.stop_at_rest);
   expect_same(input.material, model::Material{});
   expect_same(input.numerics, axisym::Numerics{});
 }
 
 TEST(RelaxInput, has_output_times_in_equal_ratios_unless_told) {
   for (const double end : {1e-4, 10.0, 1.0 / 3, 1e4}) {
-    const std::vector<double> output = default_output_times(end);
-    const std::vector<double> profiles = default_profile_times(end);
+    const std::vector<double> output = default_row_times(end);
+    const std::vector<double> profiles = default_state_times(end);
     EXPECT_EQ(output.size(), 201u);
     EXPECT_EQ(output[1], std::min(1e-5, end / 100));
     EXPECT_EQ(profiles.size(), 8u);
@@ -149,12 +148,12 @@ TEST(RelaxInput, takes_an_ellipsoid_with_axes_and_order) {
       "model = \"SBEH\"\n[start]\nshape = \"ellipsoid\"\naxes = [1.2, 0.5]\norder = 0.6667\n"
       "[time]\nend = 2\noutput = { from = 0.01, to = 1, count = 3, spacing = \"log\" }\n"
       "profiles = [2, 0]\nevery_step = true\nstop_at_rest = false\n");
-  EXPECT_EQ(std::get<Ellipsoid>(input.start).axes, (std::array{1.2, 0.5}));
+  EXPECT_EQ(std::get<Ellipsoid>(input.start).axes, (std::vector{1.2, 0.5}));
   EXPECT_EQ(input.initial_order, 0.6667);
-  EXPECT_EQ(input.output_times, (std::vector{0.01, 0.1, 1.0}));
-  EXPECT_EQ(input.profile_times, (std::vector{0.0, 2.0}));
-  EXPECT_TRUE(input.every_step);
-  EXPECT_FALSE(input.stop_at_rest);
+  EXPECT_EQ(input.times.rows, (std::vector{0.01, 0.1, 1.0}));
+  EXPECT_EQ(input.times.states, (std::vector{0.0, 2.0}));
+  EXPECT_TRUE(input.times.every_step);
+  EXPECT_FALSE(input.times.stop_at_rest);
 }
 
 TEST(RelaxInput, takes_harmonics_of_shape_and_order) {

@@ -91,58 +91,23 @@ inline void expect_same(const StabilityInput& a, const StabilityInput& b) {
   expect_same(a.numerics, b.numerics);
 }
 
-inline auto tie(const Ellipsoid& start) {
-  const auto& [reduced_volume, axes, prolate] = start;
-  return std::tie(reduced_volume, axes, prolate);
-}
-inline auto tie(const Harmonics& start) {
-  const auto& [shape, order, order_modes] = start;
-  return std::tie(shape, order, order_modes);
-}
-inline auto tie(const ScanRow& start) {
-  const auto& [folder, model, branch, reduced_volume, L] = start;
-  return std::tie(folder, model, branch, reduced_volume, L);
-}
-
 inline void expect_same(const RelaxInput& a, const RelaxInput& b) {
   const auto tie_rest = [](const RelaxInput& input) {
-    const auto& [model, start, order, material, numerics, end, output, profiles, every_step, rest] =
-        input;
-    return std::tie(model, order, end, output, profiles, every_step, rest);
+    const auto& [model, start, order, material, numerics, times] = input;
+    return std::tie(model, start, order, times);
   };
   EXPECT_TRUE(tie_rest(a) == tie_rest(b));
-  ASSERT_EQ(a.start.index(), b.start.index());
-  std::visit(
-      [&b](const auto& start) {
-        EXPECT_TRUE(tie(start) == tie(std::get<std::decay_t<decltype(start)>>(b.start)));
-      },
-      a.start);
   expect_same(a.material, b.material);
   expect_same(a.numerics, b.numerics);
 }
 
-inline auto tie(const Ellipsoid3d& start) {
-  const auto& [reduced_volume, axes, prolate] = start;
-  return std::tie(reduced_volume, axes, prolate);
-}
-inline auto tie(const HarmonicSphere& start) { return std::tie(start.modes); }
-inline auto tie(const MeshFileStart& start) { return std::tie(start.file); }
-inline auto tie(const FrameStart& start) { return std::tie(start.file); }
-
 inline void expect_same(const RunInput& a, const RunInput& b) {
   const auto tie_rest = [](const RunInput& input) {
-    const auto& [model, start, triangles, order, perturbation, material, numerics, end, output,
-                 frames, every_step, rest, checkpoint] = input;
-    return std::tie(model, triangles, order, perturbation, end, output, frames, every_step, rest,
-                    checkpoint);
+    const auto& [model, start, triangles, order, perturbation, material, numerics, times,
+                 checkpoint] = input;
+    return std::tie(model, start, triangles, order, perturbation, times, checkpoint);
   };
   EXPECT_TRUE(tie_rest(a) == tie_rest(b));
-  ASSERT_EQ(a.start.index(), b.start.index());
-  std::visit(
-      [&b](const auto& start) {
-        EXPECT_TRUE(tie(start) == tie(std::get<std::decay_t<decltype(start)>>(b.start)));
-      },
-      a.start);
   expect_same(a.material, b.material);
   expect_same(a.numerics, b.numerics);
 }

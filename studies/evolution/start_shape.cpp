@@ -1,0 +1,38 @@
+#include "studies/evolution/start_shape.h"
+
+#include <fmt/format.h>
+
+namespace sbeh::studies {
+
+namespace {
+constexpr double largest_aspect = 1000;  // of ellipsoids
+}
+
+Ellipsoid read_ellipsoid(const TomlTable& start, std::size_t count, std::string_view axes) {
+  Ellipsoid ellipsoid;
+  if (start.has("axes")) {
+    start.refuse("reduced_volume", "must not be given together with axes");
+    start.refuse("kind", "must not be given together with axes, which tell it");
+    ellipsoid.axes = start.numbers("axes", above(0));
+    if (ellipsoid.axes.size() != count) start.fail("axes", fmt::format("must be {}", axes));
+    const auto [least, largest] = std::minmax_element(ellipsoid.axes.begin(), ellipsoid.axes.end());
+    if (*largest / largest_aspect > *least)
+      start.fail("axes",
+                 fmt::format("must not differ by more than a factor of {}", largest_aspect));
+  } else {
+    ellipsoid.reduced_volume = start.number("reduced_volume", reduced_volumes);
+  }
+  ellipsoid.prolate = start.word("kind", {"oblate", "prolate"}, "oblate") == "prolate";
+  return ellipsoid;
+}
+
+void write_shape(TomlText& toml, const Ellipsoid& ellipsoid) {
+  if (ellipsoid.reduced_volume) {
+    toml.value("reduced_volume", *ellipsoid.reduced_volume);
+    toml.value("kind", std::string(ellipsoid.prolate ? "prolate" : "oblate"));
+  } else {
+    toml.value("axes", ellipsoid.axes);
+  }
+}
+
+}  // namespace sbeh::studies

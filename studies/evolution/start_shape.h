@@ -1,0 +1,68 @@
+// The shapes that the start of an evolution may have: one list for each kind of input.
+#pragma once
+
+#include "studies/io/number_range.h"
+#include "studies/io/spelling.h"
+#include "studies/io/toml_reader.h"
+#include "studies/io/toml_text.h"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace sbeh::studies {
+
+inline constexpr Interval orders = between(0, 1);
+inline constexpr int largest_degree = 32;  ///< of harmonics
+
+/// A shape in the list of an input: its place there is that of its type in the variant Input::start.
+template <class Input>
+struct StartShape {
+  std::string name;
+  std::vector<std::string> keys;  ///< that belong to it, besides `shape`
+  void (*read)(const TomlTable& start, Input& input);
+
+  bool has(std::string_view key) const {
+    return std::find(keys.begin(), keys.end(), key) != keys.end();
+  }
+};
+
+/// The one that the key `shape` names. Throws InputError for another word, and for keys which belong to
+/// other shapes than that one.
+template <class Input>
+const StartShape<Input>& chosen_shape(const TomlTable& start,
+                                      const std::vector<StartShape<Input>>& shapes) {
+  std::vector<std::string> names;
+  names.reserve(shapes.size());
+  for (const auto& shape : shapes) names.push_back(shape.name);
+  const std::string chosen = start.word("shape", names);
+  const auto& own = *std::find_if(shapes.begin(), shapes.end(),
+                                  [&](const auto& shape) { return shape.name == chosen; });
+  for (const auto& other : shapes)
+    for (const std::string& key : other.keys) {
+      if (own.has(key)) continue;
+      std::string owners;
+      for (const auto& shape : shapes)
+        if (shape.has(key)) owners += (owners.empty() ? "" : " and ") + in_quotes(shape.name);
+      start.refuse(key, "belongs to shape = " + owners + ", not to " + in_quotes(chosen));
+    }
+  return own;
+}
+
+/// Ellipsoid, scaled to the area 4π: of a reduced volume, or with axes.
+struct Ellipsoid {
+  std::optional<double> reduced_volume;  ///< V_r, 0 < V_r <= 1: of revolution
+  bool prolate = false;                  ///< which ellipsoid of that reduced volume
+  std::vector<double>
+      axes;  ///< semi-axes > 0, up to 1 : 1000: equatorial and polar, or along x, y, z
+
+  bool operator==(const Ellipsoid&) const = default;
+};
+
+/// Throws InputError. `axes` is what that key must be, such as "two numbers, …", `count` of them.
+Ellipsoid read_ellipsoid(const TomlTable& start, std::size_t count, std::string_view axes);
+void write_shape(TomlText& toml, const Ellipsoid& ellipsoid);
+
+}  // namespace sbeh::studies
