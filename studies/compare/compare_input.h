@@ -64,7 +64,7 @@ struct CompareInput {
   bool has(Witness witness) const;
 };
 
-/// Throws InputError (toml_reader.h).
+/// Throws InputError.
 CompareInput read_compare(const std::filesystem::path& path);
 
 }  // namespace sbeh::studies

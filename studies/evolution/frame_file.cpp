@@ -1,7 +1,7 @@
 #include "studies/evolution/frame_file.h"
 
+#include "studies/io/errors.h"
 #include "studies/io/output.h"
-#include "studies/io/toml_reader.h"
 #include "studies/mesh_files/mesh_file.h"
 
 #include <fmt/format.h>

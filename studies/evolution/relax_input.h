@@ -35,7 +35,7 @@ struct RelaxInput {
   Times times;  ///< states: profiles
 };
 
-/// Throws InputError (toml_reader.h).
+/// Throws InputError.
 RelaxInput read_relax(const std::filesystem::path& path);
 
 /// The table [start].

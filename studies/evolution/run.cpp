@@ -3,10 +3,10 @@
 #include "studies/evolution/frame_file.h"
 #include "studies/evolution/run_recorder.h"
 #include "studies/io/csv_line.h"
+#include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
 #include "studies/io/timed_table.h"
-#include "studies/io/toml_reader.h"
 #include "studies/parameters/describe.h"
 
 #include <fmt/format.h>

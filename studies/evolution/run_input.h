@@ -49,7 +49,7 @@ struct RunInput {
   double checkpoint_minutes = 10;  ///< of wall time between checkpoints, > 0
 };
 
-/// Throws InputError (toml_reader.h).
+/// Throws InputError.
 RunInput read_run(const std::filesystem::path& path);
 
 /// The table [surface].

@@ -2,10 +2,10 @@
 
 #include "studies/figures/tables.h"
 #include "studies/io/csv_line.h"
+#include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
-#include "studies/io/toml_reader.h"
 #include "studies/scan/scan.h"
 
 #include <fmt/format.h>

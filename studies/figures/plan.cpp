@@ -1,6 +1,6 @@
 #include "studies/figures/plan.h"
 
-#include "studies/io/toml_reader.h"
+#include "studies/io/errors.h"
 
 #include <fmt/format.h>
 

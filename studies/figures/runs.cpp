@@ -3,9 +3,9 @@
 #include "studies/evolution/frame_file.h"
 #include "studies/evolution/run_recorder.h"
 #include "studies/io/csv_table.h"
+#include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
-#include "studies/io/toml_reader.h"
 #include "studies/mesh_files/mesh_file.h"
 
 #include <fmt/format.h>

@@ -1,19 +1,14 @@
 // Writing results so that nothing is lost or overwritten silently.
 #pragma once
 
+#include "studies/io/errors.h"
+
 #include <filesystem>
 #include <fstream>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 
 namespace sbeh::studies {
-
-/// The results cannot be written: folder, file, reason, what to do.
-class OutputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 /// Writes to a temporary name beside `path` and renames. Throws OutputError.
 void write_file(const std::filesystem::path& path, std::string_view text);

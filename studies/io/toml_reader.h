@@ -2,24 +2,18 @@
 #pragma once
 
 #include "meshing/spherical_harmonics.h"
+#include "studies/io/errors.h"
 #include "studies/io/number_range.h"
 
 #include <filesystem>
 #include <memory>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 namespace sbeh::studies {
-
-/// Wrong input. what() reads `file:line: [section] key = value: what is allowed`.
-class InputError : public std::runtime_error {
- public:
-  using std::runtime_error::runtime_error;
-};
 
 struct TableState;
 

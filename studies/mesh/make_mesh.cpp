@@ -9,7 +9,7 @@
 #include "meshing/repair.h"
 #include "meshing/revolution.h"
 #include "meshing/shapes.h"
-#include "studies/io/toml_reader.h"
+#include "studies/io/errors.h"
 #include "studies/states/profile_file.h"
 
 #include <fmt/format.h>

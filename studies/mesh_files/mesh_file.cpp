@@ -1,8 +1,8 @@
 #include "studies/mesh_files/mesh_file.h"
 
 #include "meshing/curving.h"
+#include "studies/io/errors.h"
 #include "studies/io/output.h"
-#include "studies/io/toml_reader.h"
 #include "studies/mesh_files/formats.h"
 #include "studies/mesh_files/text_lines.h"
 

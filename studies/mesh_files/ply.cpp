@@ -1,5 +1,5 @@
 // PLY: a header that says what follows; text or binary of either byte order.
-#include "studies/io/toml_reader.h"
+#include "studies/io/errors.h"
 #include "studies/mesh_files/bytes.h"
 #include "studies/mesh_files/formats.h"
 #include "studies/mesh_files/text_lines.h"

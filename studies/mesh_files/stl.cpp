@@ -1,5 +1,5 @@
 // STL: triangles without connectivity, text or binary; binary in single precision.
-#include "studies/io/toml_reader.h"
+#include "studies/io/errors.h"
 #include "studies/mesh_files/bytes.h"
 #include "studies/mesh_files/formats.h"
 #include "studies/mesh_files/text_lines.h"

@@ -1,8 +1,8 @@
 #include "studies/mesh_files/text_lines.h"
 
 #include "studies/io/csv_line.h"
+#include "studies/io/errors.h"
 #include "studies/io/spelling.h"
-#include "studies/io/toml_reader.h"
 
 #include <fmt/format.h>
 

@@ -1,6 +1,6 @@
 // Reading VTU and VTP with VTK's own readers: all their encodings and compressions.
 #include "meshing/curving.h"
-#include "studies/io/toml_reader.h"
+#include "studies/io/errors.h"
 #include "studies/mesh_files/formats.h"
 
 #include <fmt/format.h>

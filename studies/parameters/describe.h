@@ -21,7 +21,7 @@ enum class InputKind {
   stability  ///< has a table [stability]: read_stability
 };
 
-/// Throws InputError (toml_reader.h) if the file cannot be read or has not one of these tables.
+/// Throws InputError if the file cannot be read or has not one of these tables.
 InputKind kind_of(const std::filesystem::path& path);
 
 /// The whole input, defaults included, as TOML under a comment with the program's version. Numbers

@@ -1,8 +1,8 @@
 #include "studies/report/report.h"
 
 #include "studies/io/csv_table.h"
+#include "studies/io/errors.h"
 #include "studies/io/output.h"
-#include "studies/io/toml_reader.h"
 #include "studies/report/svg_chart.h"
 
 #include <fmt/format.h>

@@ -40,7 +40,7 @@ const std::vector<std::string>& known_branches();
 
 std::size_t point_count(const ScanInput& input);
 
-/// Throws InputError (toml_reader.h).
+/// Throws InputError.
 ScanInput read_scan(const std::filesystem::path& path);
 
 }  // namespace sbeh::studies

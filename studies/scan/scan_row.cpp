@@ -1,6 +1,6 @@
 #include "studies/scan/scan_row.h"
 
-#include "studies/io/output.h"
+#include "studies/io/errors.h"
 #include "studies/parameters/material_input.h"
 #include "studies/scan/scan_input.h"
 #include "studies/scan/scan_table.h"

@@ -48,7 +48,7 @@ std::string stem(const StabilityKey& key);
 /// proportional to it; with residual_stiffness > 0 that is not so, and all are there.
 std::vector<StabilityKey> keys_of(const StabilityInput& input);
 
-/// Throws InputError (toml_reader.h).
+/// Throws InputError.
 StabilityInput read_stability(const std::filesystem::path& path);
 
 }  // namespace sbeh::studies

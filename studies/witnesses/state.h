@@ -3,12 +3,12 @@
 
 #include "meshing/curved_mesh.h"
 #include "studies/compare/compare_input.h"
+#include "studies/io/errors.h"
 #include "studies/states/meridian.h"
 
 #include <filesystem>
 #include <limits>
 #include <optional>
-#include <stdexcept>
 #include <string>
 #include <vector>
 
@@ -55,11 +55,6 @@ struct WitnessState {
   std::optional<meshing::CurvedMesh> mesh{};  ///< of surface3d
   std::optional<Meridian> meridian{};  ///< through the points, from the pole of H_pole on, z = 0
                                        ///< halfway between the poles; none of the 3D methods
-};
-
-/// A signal came while a method was at work.
-struct Interrupted : std::runtime_error {
-  using std::runtime_error::runtime_error;
 };
 
 /// Newton's method from the branch's entry on; the state, or the reason why there is none.

@@ -1,9 +1,9 @@
 #include "tools/commands/figures_command.h"
 
 #include "studies/figures/figures.h"
+#include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
-#include "studies/io/toml_reader.h"
 #include "tools/commands/picture_program.h"
 
 #include <CLI/CLI.hpp>

@@ -1,9 +1,8 @@
 #include "tools/commands/mesh_command.h"
 
 #include "studies/io/csv_line.h"
-#include "studies/io/output.h"
+#include "studies/io/errors.h"
 #include "studies/io/progress.h"
-#include "studies/io/toml_reader.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>

@@ -1,8 +1,8 @@
 // Meshes in files: what is written is read back, and what is no mesh is refused where it is wrong.
 #include "meshing/curving.h"
 #include "meshing/shapes.h"
+#include "studies/io/errors.h"
 #include "studies/io/output.h"
-#include "studies/io/toml_reader.h"
 #include "studies/mesh_files/formats.h"
 #include "tests/temporary_folder.h"
 

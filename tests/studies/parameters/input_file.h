@@ -1,7 +1,7 @@
 // Input files of a test: written to a folder of its own, read, and what the reader says of them.
 #pragma once
 
-#include "studies/io/toml_reader.h"
+#include "studies/io/errors.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 #include "tools/picture/canvas/frames.h"
 
-#include "studies/io/toml_reader.h"
+#include "studies/io/errors.h"
 #include "tools/picture/canvas/csv.h"
 
 #include <fmt/format.h>

@@ -2,7 +2,7 @@
 
 #include "meshing/curvature.h"
 #include "meshing/measures.h"
-#include "studies/io/toml_reader.h"
+#include "studies/io/errors.h"
 #include "studies/mesh_files/mesh_file.h"
 #include "tools/picture/canvas/csv.h"
 #include "tools/picture/canvas/image.h"
