@@ -4,6 +4,7 @@
 
 #include <Eigen/Core>
 
+#include <array>
 #include <vector>
 
 namespace sbeh::axisym {
@@ -11,6 +12,9 @@ namespace sbeh::axisym {
 /// The branches of Seifert, Berndl and Lipowsky, Phys. Rev. A 44 (1991) 1182, without spontaneous
 /// curvature. Oblates and prolates are symmetric top to bottom, stomatocytes are not.
 enum class Branch { oblate, prolate, stomatocyte };
+constexpr auto values_of(Branch) {
+  return std::array{Branch::oblate, Branch::prolate, Branch::stomatocyte};
+}
 /// "oblate", "prolate" or "stomatocyte".
 const char* name(Branch branch);
 

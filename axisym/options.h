@@ -8,11 +8,23 @@ namespace sbeh::axisym {
 /// How the axisymmetric solvers discretise. Defaults hold the stationary energies of the paper's
 /// scan to 1e-7 relative under halving of both the elements and the steps.
 struct Numerics : model::TimeControl {
-  int elements = 48;     ///< P3 elements from pole to pole, 8 … 4096
-  double grading = 0.5;  ///< how strongly elements gather where curvature is large, 0 … 4
+  int elements = 48;
+  double grading = 0.5;
 
   /// Throws std::invalid_argument with name, value and constraint.
   void validate() const;
+
+  bool operator==(const Numerics&) const = default;
 };
+
+/// The table of its parameters.
+template <model::maybe_const<Numerics> N>
+void for_each_parameter(N& numerics, auto&& visit) {
+  using P = model::Parameter;
+  visit(P{"elements", model::between(8, 4096), "P3 elements from pole to pole"}, numerics.elements);
+  visit(P{"grading", model::between(0, 4), "how strongly elements gather where curvature is large"},
+        numerics.grading);
+  for_each_parameter(static_cast<model::const_as<model::TimeControl, N>&>(numerics), visit);
+}
 
 }  // namespace sbeh::axisym

@@ -2,7 +2,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
 #include <stdexcept>
 
 namespace sbeh::model {
@@ -39,31 +38,21 @@ Material Material::with_L(double L) const {
 
 namespace {
 void require(bool holds, const char* name, double value, const char* constraint) {
-  if (!holds || !std::isfinite(value))
+  if (!holds)
     throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, value, constraint));
 }
 }  // namespace
 
 void Material::validate() const {
-  require(true, "L1", L1, "finite");
-  require(true, "L2", L2, "finite");
-  require(true, "L3", L3, "finite");
+  check_parameters(*this);
   require(l1() > 0, "6 L1 + L2 + L3", 4 * l1(), "> 0 (distortion energy)");
   require(splay() >= 0, "2 L1 + L2 + L3", splay() / 2.25, ">= 0 (bending energy)");
   // (κ/2)H² + κ_G K as a form in the principal curvatures: −2κ <= κ_G <= 0.
   require(2 * L1 + L3 >= 0, "2 L1 + L3", 2 * L1 + L3, ">= 0 (Gaussian energy)");
   require(2 * L1 + 2 * L2 + L3 >= 0, "2 L1 + 2 L2 + L3", 2 * L1 + 2 * L2 + L3,
           ">= 0 (Gaussian energy)");
-  require(viscosity >= 0, "viscosity", viscosity, ">= 0");
-  require(immobility > 0, "immobility", immobility, "> 0");
-  require(friction_tangential >= 0, "friction_tangential", friction_tangential, ">= 0");
-  require(friction_normal >= 0, "friction_normal", friction_normal, ">= 0");
   require(viscosity + friction_tangential > 0, "viscosity + friction_tangential",
           viscosity + friction_tangential, "> 0 (else nothing resists the flow)");
-  require(std::isfinite(order_viscosity), "order_viscosity", order_viscosity, "finite");
-  require(residual_stiffness >= 0, "residual_stiffness", residual_stiffness, ">= 0");
-  require(std::isfinite(spontaneous_curvature), "spontaneous_curvature", spontaneous_curvature,
-          "finite");
 }
 
 }  // namespace sbeh::model

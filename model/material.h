@@ -1,13 +1,19 @@
 // The physics of one membrane: elastic moduli, potential, viscosities, frictions.
 #pragma once
 
+#include "model/parameter.h"
 #include "model/potential.h"
+
+#include <array>
 
 namespace sbeh::model {
 
 /// Which equations of motion. SBEH has a free order β; the others keep β = 2/3 and have the same states
 /// of rest: SSH (surface Stokes–Helfrich) and the two L² flows of the Helfrich energy.
 enum class Model { SBEH, SSH, HelfrichLocal, HelfrichGlobal };
+constexpr auto values_of(Model) {
+  return std::array{Model::SBEH, Model::SSH, Model::HelfrichLocal, Model::HelfrichGlobal};
+}
 
 /// "SBEH", "SSH", "Helfrich-local" or "Helfrich-global".
 const char* name(Model model);
@@ -32,21 +38,18 @@ inline AreaConstraint area_constraint(Model model) {
 /// The fully ordered state.
 inline constexpr double full_order = 2.0 / 3.0;
 
-/// The material parameters; all dimensionless, lengths in radii of the sphere of equal area.
-/// The defaults are the paper's. A residual bending stiffness k0 and a spontaneous curvature H0 are
-/// added to the paper's energy; see equations.md.
+/// The material parameters; all dimensionless, lengths in radii of the sphere of equal area. Their meanings
+/// and ranges are in the table below; the defaults are the paper's. A residual bending stiffness k0 and a
+/// spontaneous curvature H0 are added to the paper's energy; see equations.md.
 struct Material {
-  double L1 = 0.05;  ///< elastic constants of the Q-tensor; one-constant approximation: L1 = L,
-  double L2 = 0;     ///< L2 = L3 = 0
-  double L3 = 0;
-  Potential potential;               ///< u(β)
-  double viscosity = 1;              ///< μ >= 0, of the surface flow
-  double immobility = 1;             ///< M > 0, resistance of the order to change
-  double friction_tangential = 0.1;  ///< γ_∥ >= 0, against the surroundings
-  double friction_normal = 0.1;      ///< γ_⊥ >= 0
-  double order_viscosity = 0;        ///< ξ, how the order changes the viscosity
-  double residual_stiffness = 0;     ///< k0 >= 0, bending stiffness at vanishing order
-  double spontaneous_curvature = 0;  ///< H0, same sign as the trace H (−2 on the unit sphere)
+  double L1 = 0.05, L2 = 0, L3 = 0;
+  Potential potential;
+  double viscosity = 1;
+  double immobility = 1;
+  double friction_tangential = 0.1, friction_normal = 0.1;
+  double order_viscosity = 0;
+  double residual_stiffness = 0;
+  double spontaneous_curvature = 0;
 
   /// l₁ of the distortion energy (l₁/2)|∇β|².
   double l1() const { return (6 * L1 + L2 + L3) / 4; }
@@ -88,10 +91,34 @@ struct Material {
   /// below in the gradients (l₁ > 0, −2κ <= κ_G <= 0) and the dissipation is positive.
   void validate() const;
 
+  bool operator==(const Material&) const = default;
+
  private:
   double splay() const { return 2.25 * (2 * L1 + L2 + L3); }
   double saddle_splay() const { return 2.25 * (2 * L1 + L3); }
 };
+
+/// The table of its parameters.
+template <maybe_const<Material> M>
+void for_each_parameter(M& m, auto&& visit) {
+  using P = Parameter;
+  visit(P{"L1", any_number, "elastic constant; one-constant approximation: L1 = L"}, m.L1);
+  visit(P{"L2", any_number, "elastic constant; one-constant approximation: 0"}, m.L2);
+  visit(P{"L3", any_number, "elastic constant; one-constant approximation: 0"}, m.L3);
+  visit(P{"potential", {}, "u(β), coefficients of its powers; bounded below"}, m.potential);
+  visit(P{"viscosity", at_least(0), "μ, of the surface flow"}, m.viscosity);
+  visit(P{"immobility", above(0), "M, resistance of the order to change"}, m.immobility);
+  visit(P{"friction_tangential", at_least(0), "γ_∥, against the surroundings"},
+        m.friction_tangential);
+  visit(P{"friction_normal", at_least(0), "γ_⊥"}, m.friction_normal);
+  visit(P{"order_viscosity", any_number, "ξ, how the order changes the viscosity"},
+        m.order_viscosity);
+  visit(P{"residual_stiffness", at_least(0), "k0, bending stiffness at vanishing order"},
+        m.residual_stiffness);
+  visit(P{"spontaneous_curvature", any_number,
+          "H0, of the sign of the trace H (−2 on the unit sphere)"},
+        m.spontaneous_curvature);
+}
 
 /// The material as the model's flow has it: where has_own_drag, without viscosity and with friction 1,
 /// under a global area constraint against the normal velocity alone.

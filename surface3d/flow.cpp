@@ -120,13 +120,12 @@ bool Solver::renew(State& state) {
 }  // namespace
 
 void Numerics::validate() const {
+  model::check_parameters(*this);
   TimeControl::validate();
-  if (!(solver_tolerance >= 1e-12 && solver_tolerance <= 1e-2))
+  if (integrator == Integrator::two_step && !extrapolate)
     throw std::invalid_argument(
-        fmt::format("solver_tolerance = {}: must be in 1e-12 ... 0.01", solver_tolerance));
-  if (most_triangles < 20 || most_triangles > 200'000)
-    throw std::invalid_argument(
-        fmt::format("most_triangles = {}: must be in 20 ... 200000", most_triangles));
+        "extrapolate = false: must be true with integrator = \"two-step\", which is of second "
+        "order");
 }
 
 const char* name(Integrator integrator) {

@@ -4,12 +4,17 @@
 #include "model/time/flow.h"
 #include "surface3d/time_step.h"
 
+#include <array>
+
 namespace sbeh::surface3d {
 
 enum class Integrator {
   two_step,      ///< second order for one solve a step, see model/time/two_step.h
   step_doubling  ///< three solves a step, see model/time/step_doubling.h
 };
+constexpr auto values_of(Integrator) {
+  return std::array{Integrator::two_step, Integrator::step_doubling};
+}
 /// "two-step" or "step-doubling".
 const char* name(Integrator integrator);
 
@@ -22,12 +27,30 @@ struct Numerics : model::TimeControl {
   Integrator integrator = Integrator::two_step;
   Scheme scheme = Scheme::split;
   Factorisation factorisation = Factorisation::lagged;
-  double solver_tolerance = default_solver_tolerance;  ///< of the linear systems, 1e-12 … 1e-2
-  bool remesh = false;        ///< make new triangles where they do not resolve the surface
-  int most_triangles = 5120;  ///< not more than so many, 20 … 200000
+  double solver_tolerance = default_solver_tolerance;
+  bool remesh = false;
+  int most_triangles = 5120;
 
   /// Throws std::invalid_argument with name, value and constraint.
   void validate() const;
+
+  bool operator==(const Numerics&) const = default;
 };
+
+/// The table of its parameters.
+template <model::maybe_const<Numerics> N>
+void for_each_parameter(N& numerics, auto&& visit) {
+  using P = model::Parameter;
+  for_each_parameter(static_cast<model::const_as<model::TimeControl, N>&>(numerics), visit);
+  visit(P{"integrator", {}, "two-step needs extrapolate = true"}, numerics.integrator);
+  visit(P{"scheme", {}, "of the coupled step, see surface3d/README.md"}, numerics.scheme);
+  visit(P{"factorisation", {}, "how a step solves its linear systems"}, numerics.factorisation);
+  visit(P{"solver_tolerance", model::between(1e-12, 1e-2), "of the linear systems"},
+        numerics.solver_tolerance);
+  visit(P{"remesh", {}, "make new triangles where they do not resolve the surface"},
+        numerics.remesh);
+  visit(P{"most_triangles", model::between(20, 200'000), "never more than so many"},
+        numerics.most_triangles);
+}
 
 }  // namespace sbeh::surface3d

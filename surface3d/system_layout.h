@@ -3,10 +3,13 @@
 
 #include "surface3d/surface.h"
 
+#include <array>
+
 namespace sbeh::surface3d {
 
 /// See coupled_system.h.
 enum class Scheme { split, monolithic };
+constexpr auto values_of(Scheme) { return std::array{Scheme::split, Scheme::monolithic}; }
 /// "split" or "monolithic".
 const char* name(Scheme scheme);
 

@@ -6,6 +6,7 @@
 #include "surface3d/coupled_system.h"
 #include "surface3d/surface.h"
 
+#include <array>
 #include <memory>
 
 namespace sbeh::surface3d {
@@ -36,6 +37,9 @@ enum class Factorisation {
   lagged,     ///< factors of an earlier step, refactored when that is cheaper
   every_step  ///< the reference: exact solutions
 };
+constexpr auto values_of(Factorisation) {
+  return std::array{Factorisation::lagged, Factorisation::every_step};
+}
 /// "lagged" or "every-step".
 const char* name(Factorisation factorisation);
 

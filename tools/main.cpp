@@ -9,7 +9,7 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
 #include "studies/io/spelling.h"
-#include "studies/parameters/describe.h"
+#include "studies/parameters/input_kind.h"
 #include "studies/report/report.h"
 #include "studies/scan/scan.h"
 #include "studies/seifert/seifert.h"
@@ -109,7 +109,7 @@ int check_compare(const Arguments& a) {
   // Measured on one core of 2026, from an ellipsoid with V_r = 0.8 to rest.
   const double seconds = 1 + (runs_3d ? 0.08 * input.surface3d.triangles : 0);
   fmt::print("{}: {} {} with reduced volume {} and L = {} by {} methods, about {:.0f} s\n\n{}",
-             a.input, model::name(input.model), input.branch, input.reduced_volume, input.L,
+             a.input, model::name(input.model), name(input.branch), input.reduced_volume, input.L,
              input.methods.size(), seconds, studies::describe(input, SBEH_VERSION));
   return 0;
 }
@@ -226,7 +226,8 @@ int compare(const Arguments& a) {
   const fs::path folder = folder_of(a);
   const studies::CompareSummary s = studies::run_compare(input, folder, SBEH_VERSION);
   fmt::print("{} {}, reduced volume {}, L = {}\n{}tables in {}\n", model::name(input.model),
-             input.branch, input.reduced_volume, input.L, studies::table_of(s), folder.string());
+             name(input.branch), input.reduced_volume, input.L, studies::table_of(s),
+             folder.string());
   draw_results(a, "compare", folder);
   for (const std::string& sentence : studies::complaints(s)) complain(sentence);
   return s.agrees() ? exit_code_of_success() : 1;

@@ -4,7 +4,6 @@
 #include "studies/io/csv_line.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
-#include "studies/parameters/describe.h"
 
 #include <fmt/format.h>
 

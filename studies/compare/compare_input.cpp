@@ -2,8 +2,8 @@
 
 #include "studies/io/spelling.h"
 #include "studies/io/toml_reader.h"
+#include "studies/io/toml_text.h"
 #include "studies/parameters/material_input.h"
-#include "studies/scan/scan_input.h"
 #include "studies/witnesses/state.h"
 
 #include <fmt/format.h>
@@ -17,6 +17,7 @@ namespace {
 
 constexpr std::array<const char*, 6> witness_names{"newton", "shooting",  "minimiser",
                                                    "flow",   "surface3d", "harmonics"};
+const ParameterNames flow_keys{"tolerance", "rest_speed"};
 constexpr double least_harmonic_volume = 0.65;
 constexpr int fewest_triangles = 20, most_triangles = 200'000;
 
@@ -26,7 +27,7 @@ void require_harmonic_shape(const TomlTable& table, const CompareInput& input) {
   if (input.model != model::Model::SSH)
     table.fail("methods",
                "must not contain \"harmonics\" for model = \"SBEH\": it has full order only");
-  if (input.branch == "stomatocyte" || input.reduced_volume < least_harmonic_volume)
+  if (input.branch == axisym::Branch::stomatocyte || input.reduced_volume < least_harmonic_volume)
     table.fail("methods",
                fmt::format("must not contain \"harmonics\" but for oblates and prolates with "
                            "reduced_volume >= {}",
@@ -34,21 +35,19 @@ void require_harmonic_shape(const TomlTable& table, const CompareInput& input) {
 }
 
 void read_case(const TomlTable& table, CompareInput& input) {
-  input.model = model_of(table.word("model", scan_model_words()));
-  input.branch = table.word("branch", known_branches(), input.branch);
+  input.model = table.choice("model", rest_models);
+  read_value(table, "branch", input.branch);
   input.reduced_volume = table.number("reduced_volume", {.low = 0, .high = 1, .low_open = true});
   if (input.reduced_volume == 1)
     table.fail("reduced_volume", "must be < 1: there is only the sphere, and nothing to compare");
   input.L = table.number("L", above(0));
-  const std::vector<std::string> known(witness_names.begin(), witness_names.end());
-  for (const std::string& word : table.words("methods", known))
-    input.methods.push_back(Witness(std::find(known.begin(), known.end(), word) - known.begin()));
+  input.methods = table.choices("methods", values_of(Witness{}));
   if (input.methods.size() < 2)
     table.fail("methods", "must be two at least, to be compared with each other");
   if (input.has(Witness::shooting) && input.model != model::Model::SSH)
     table.fail("methods",
                "must not contain \"shooting\" for model = \"SBEH\": it has full order only");
-  if (input.has(Witness::flow) && input.branch == "stomatocyte")
+  if (input.has(Witness::flow) && input.branch == axisym::Branch::stomatocyte)
     table.fail("methods",
                "must not contain \"flow\" for branch = \"stomatocyte\": an ellipsoid does "
                "not go there");
@@ -71,21 +70,15 @@ SurfaceMethod read_surface_method(const TomlTable& table, const CompareInput& in
     method.run = table.text("run");
   }
   method.revolved = table.word("start", {"ellipsoid", "revolved"}, "ellipsoid") == "revolved";
-  if (input.has(Witness::surface3d) && input.branch == "stomatocyte" && method.run.empty()
-      && !method.revolved)
+  if (input.has(Witness::surface3d) && input.branch == axisym::Branch::stomatocyte
+      && method.run.empty() && !method.revolved)
     table.fail("start",
                "must be \"revolved\" for branch = \"stomatocyte\": an ellipsoid does not go "
                "there");
   method.triangles = table.integer("triangles", fewest_triangles, most_triangles, method.triangles);
   method.end_time = table.number("end", above(0), method.end_time);
-  method.numerics.tolerance = table.number("tolerance", {}, method.numerics.tolerance);
-  method.numerics.rest_speed = table.number("rest_speed", {}, method.numerics.rest_speed);
-  table.reject_unknown_keys();
-  try {
-    method.numerics.validate();
-  } catch (const std::invalid_argument& error) {
-    table.fail_from(error);
-  }
+  read_some(table, method.numerics, flow_keys);
+  check(table, method.numerics);
   return method;
 }
 
@@ -113,6 +106,26 @@ void refuse_spontaneous_curvature(const TomlTable& material, const CompareInput&
       material.fail(
           "spontaneous_curvature",
           fmt::format("must be 0 for the method \"{}\" of model = \"SSH\"", name(witness)));
+}
+
+void write_surface_method(TomlText& toml, const SurfaceMethod& method) {
+  toml.table("surface3d");
+  if (!method.run.empty()) {
+    toml.value("run", method.run);
+    return;
+  }
+  toml.value("start", std::string(method.revolved ? "revolved" : "ellipsoid"));
+  toml.value("triangles", method.triangles);
+  toml.value("end", method.end_time);
+  write_some(toml, method.numerics, flow_keys);
+}
+
+void write_tolerances(TomlText& toml, const char* table, const Tolerances& tolerances) {
+  if (tolerances.empty()) return;
+  toml.table(table);
+  for (const std::string& quantity : tolerated_quantities())
+    if (const auto at = tolerances.find(quantity); at != tolerances.end())
+      toml.value(quantity.c_str(), at->second);
 }
 
 }  // namespace
@@ -158,7 +171,7 @@ CompareInput read_compare(const std::filesystem::path& path) {
   input.material = read_material_without_L(material, "a comparison, where L comes from [compare]")
                        .with_L(input.L);
   refuse_spontaneous_curvature(material, input);
-  input.numerics = read_numerics(numerics);
+  input.numerics = read_numerics<axisym::Numerics>(numerics);
   input.surface3d = read_surface_method(surface, input);
   input.harmonics = read_harmonic_method(harmonics);
   tolerance.refuse("history", "has its place in [tolerance_3d]: flow is compared with surface3d");
@@ -166,6 +179,26 @@ CompareInput read_compare(const std::filesystem::path& path) {
   input.tolerance_3d = read_tolerances(tolerance_3d);
   require_histories(tolerance_3d, input);
   return input;
+}
+
+std::string describe(const CompareInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.table("compare");
+  toml.value("model", input.model);
+  toml.value("branch", input.branch);
+  toml.value("reduced_volume", input.reduced_volume);
+  toml.value("L", input.L);
+  toml.value("methods", input.methods);
+  write_material_without_L(toml, input.material);
+  write_numerics(toml, input.numerics);
+  if (input.has(Witness::surface3d)) write_surface_method(toml, input.surface3d);
+  if (input.has(Witness::harmonics)) {
+    toml.table("harmonics");
+    toml.value("degree", input.harmonics.degree);
+  }
+  write_tolerances(toml, "tolerance", input.tolerance);
+  write_tolerances(toml, "tolerance_3d", input.tolerance_3d);
+  return toml.text();
 }
 
 }  // namespace sbeh::studies

@@ -6,7 +6,6 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
-#include "studies/parameters/describe.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/profile_file.h"
 

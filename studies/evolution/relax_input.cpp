@@ -47,8 +47,6 @@ void read_start(const TomlTable& start, RelaxInput& input) {
   start.reject_unknown_keys();
 }
 
-}  // namespace
-
 void write_start(TomlText& toml, const RelaxInput& input) {
   toml.table("start");
   toml.value("shape", shapes()[input.start.index()].name);
@@ -57,24 +55,36 @@ void write_start(TomlText& toml, const RelaxInput& input) {
     toml.value("order", input.initial_order);
 }
 
+}  // namespace
+
 RelaxInput read_relax(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
-  const std::string model = file.word("model", model_words());
+  const auto model = file.choice("model", values_of(model::Model{}));
   const TomlTable start = file.table("start");
   const TomlTable time = file.table("time");
   const TomlTable material = file.table("material");
   const TomlTable numerics = file.table("numerics");
   file.reject_unknown_keys();
   RelaxInput input;
-  input.model = model_of(model);
+  input.model = model;
   read_start(start, input);
   if (const auto* row = std::get_if<ScanRow>(&input.start))
     input.material = input.material.with_L(row->L);
   input.material = read_material(material, input.model, input.material);
-  input.numerics = read_numerics(numerics);
+  input.numerics = read_numerics<axisym::Numerics>(numerics);
   input.times = read_times(time, "profiles");
   time.reject_unknown_keys();
   return input;
+}
+
+std::string describe(const RelaxInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.value("model", input.model);
+  write_start(toml, input);
+  write_material(toml, input.material, input.model);
+  write_numerics(toml, input.numerics);
+  write_times(toml, input.times, "profiles");
+  return toml.text();
 }
 
 }  // namespace sbeh::studies

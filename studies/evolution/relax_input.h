@@ -10,6 +10,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <variant>
 #include <vector>
@@ -33,12 +34,15 @@ struct RelaxInput {
   model::Material material;  ///< from a ScanRow: L is that of the row unless [material] gives it
   axisym::Numerics numerics;
   Times times;  ///< states: profiles
+
+  bool operator==(const RelaxInput&) const = default;
 };
 
 /// Throws InputError.
 RelaxInput read_relax(const std::filesystem::path& path);
 
-/// The table [start].
-void write_start(TomlText& toml, const RelaxInput& input);
+/// The whole input, defaults included, as TOML under a comment with the program's version: reading the text
+/// gives the same input, bit for bit.
+std::string describe(const RelaxInput& input, std::string_view version);
 
 }  // namespace sbeh::studies

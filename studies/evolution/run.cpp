@@ -7,7 +7,6 @@
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
 #include "studies/io/timed_table.h"
-#include "studies/parameters/describe.h"
 
 #include <fmt/format.h>
 

@@ -66,8 +66,6 @@ void read_time(const TomlTable& time, RunInput& input) {
   time.reject_unknown_keys();
 }
 
-}  // namespace
-
 void write_surface(TomlText& toml, const RunInput& input) {
   const auto& shape = shapes()[input.start.index()];
   toml.table("surface");
@@ -78,21 +76,34 @@ void write_surface(TomlText& toml, const RunInput& input) {
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
 }
 
+}  // namespace
+
 RunInput read_run(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
-  const std::string model = file.word("model", model_words());
+  const auto model = file.choice("model", values_of(model::Model{}));
   const TomlTable surface = file.table("surface"), time = file.table("time"),
                   material = file.table("material"), numerics = file.table("numerics");
   file.reject_unknown_keys();
   RunInput input;
-  input.model = model_of(model);
+  input.model = model;
   read_surface(surface, input);
   if (const auto* row = std::get_if<ScanRow>(&input.start))
     input.material = input.material.with_L(row->L);
   input.material = read_material(material, input.model, input.material);
-  input.numerics = read_numerics_3d(numerics);
+  input.numerics = read_numerics<surface3d::Numerics>(numerics);
   read_time(time, input);
   return input;
+}
+
+std::string describe(const RunInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.value("model", input.model);
+  write_surface(toml, input);
+  write_material(toml, input.material, input.model);
+  write_numerics(toml, input.numerics);
+  write_times(toml, input.times, "frames");
+  toml.value("checkpoint_minutes", input.checkpoint_minutes);
+  return toml.text();
 }
 
 }  // namespace sbeh::studies

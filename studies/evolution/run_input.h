@@ -10,6 +10,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <variant>
 #include <vector>
 
@@ -47,12 +48,15 @@ struct RunInput {
   surface3d::Numerics numerics;
   Times times;                     ///< states: frames
   double checkpoint_minutes = 10;  ///< of wall time between checkpoints, > 0
+
+  bool operator==(const RunInput&) const = default;
 };
 
 /// Throws InputError.
 RunInput read_run(const std::filesystem::path& path);
 
-/// The table [surface].
-void write_surface(TomlText& toml, const RunInput& input);
+/// The whole input, defaults included, as TOML under a comment with the program's version: reading the text
+/// gives the same input, bit for bit.
+std::string describe(const RunInput& input, std::string_view version);
 
 }  // namespace sbeh::studies

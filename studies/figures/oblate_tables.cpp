@@ -21,7 +21,8 @@ using model::Model;
 namespace {
 
 fs::path point_file(const Sources& sources, Model model, double v, double L, const char* ending) {
-  return sources.folder / scan_folder / "points" / (stem(PointKey{v, L, model, "oblate"}) + ending);
+  return sources.folder / scan_folder / "points"
+       / (stem(PointKey{v, L, model, axisym::Branch::oblate}) + ending);
 }
 
 template <class Visit>

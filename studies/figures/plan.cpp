@@ -52,7 +52,7 @@ Inputs read_inputs(const fs::path& folder, std::optional<int> triangles) {
                  sbeh = folder / "y53_ordered.toml", ssh = folder / "y53.toml";
   Inputs inputs{read_scan(scan), read_run(oblate), read_run(sbeh), read_run(ssh)};
   require(inputs.oblates.method == Method::flow && inputs.oblates.models.size() == 2
-              && inputs.oblates.branches == std::vector<std::string>{"oblate"},
+              && inputs.oblates.branches == std::vector<axisym::Branch>{axisym::Branch::oblate},
           scan, "must be a scan of the oblates of both models with method = \"flow\"");
   const auto* ellipsoid = std::get_if<Ellipsoid>(&inputs.oblate_3d.start);
   require(ellipsoid && ellipsoid->reduced_volume, oblate,

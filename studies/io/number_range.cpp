@@ -8,16 +8,6 @@
 
 namespace sbeh::studies {
 
-bool Interval::contains(double value) const {
-  return (low_open ? value > low : value >= low) && value <= high;
-}
-
-std::string Interval::text() const {
-  std::string below = std::isfinite(high) ? fmt::format("<= {}", high) : "";
-  if (!std::isfinite(low)) return below;
-  return fmt::format("{} {}{}{}", low_open ? ">" : ">=", low, below.empty() ? "" : " and ", below);
-}
-
 std::vector<double> evenly_spaced(double low, double high, int count, Spacing spacing) {
   std::vector<double> values{low};
   for (int i = 1; i < count - 1; ++i) {

@@ -21,6 +21,8 @@ std::string as_toml(const std::pair<int, double>& mode) {
   return fmt::format("[{}, {}]", mode.first, mode.second);
 }
 
+std::string as_toml(const model::Potential& potential) { return as_toml(potential.coefficients()); }
+
 std::string list_as_toml(const std::vector<std::string>& values) {
   std::string text = "[", separator;
   std::size_t line_start = 0;

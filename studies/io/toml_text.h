@@ -2,6 +2,7 @@
 #pragma once
 
 #include "meshing/spherical_harmonics.h"
+#include "model/potential.h"
 
 #include <string>
 #include <string_view>
@@ -24,6 +25,9 @@ template <class Choice>
 requires std::is_enum_v<Choice> std::string as_toml(Choice choice) {
   return as_toml(std::string(name(choice)));
 }
+
+/// The coefficients of its powers.
+std::string as_toml(const model::Potential& potential);
 
 /// A list of values as they stand in a file, broken into lines that are not too long.
 std::string list_as_toml(const std::vector<std::string>& values);

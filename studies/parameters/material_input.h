@@ -1,17 +1,14 @@
-// The tables that all inputs share: [material], the physics, and [numerics], the discretisation.
+// The table [material], which all inputs share: the physics.
 #pragma once
 
-#include "axisym/options.h"
 #include "model/material.h"
-#include "studies/io/toml_reader.h"
-#include "surface3d/options.h"
+#include "studies/parameters/parameters.h"
 
 namespace sbeh::studies {
 
-/// The optional table [material]: keys as the members of model::Material, and
+/// The optional table [material]: keys as the parameters of model::Material, and
 ///   L = 0.05                              one-constant approximation, instead of L1, L2, L3
 ///   friction = 0.1                        instead of friction_tangential and friction_normal
-///   potential = [c0, c1, …]               u(β) = Σ c_k β^k, bounded below
 ///   landau_de_gennes = { a, b, c }        u(β) = (β²/8)(12a + 4bβ + 9cβ²), instead of potential
 /// What the table does not say is as in `absent`. Refuses viscosity and friction for a model which has
 /// its own. Throws InputError.
@@ -23,20 +20,17 @@ model::Material read_material(const TomlTable& table, model::Model model,
 model::Material read_material_without_L(
     const TomlTable& table, std::string_view where = "a scan, where L comes from [scan]");
 
-/// The optional table [numerics]: keys as the members of axisym::Numerics. Throws InputError.
-axisym::Numerics read_numerics(const TomlTable& table);
+/// The coefficients, or landau_de_gennes. Throws InputError unless the potential is bounded below.
+void read_value(const TomlTable& table, const char* key, model::Potential& potential);
 
-/// The same for a 3D run: keys as the members of surface3d::Numerics.
-surface3d::Numerics read_numerics_3d(const TomlTable& table);
+/// Writes the table, without what the model says itself; the other form without L1, L2, L3.
+void write_material(TomlText& toml, const model::Material& material, model::Model model);
+void write_material_without_L(TomlText& toml, const model::Material& material);
 
-/// The names of all models, and of those that a scan has.
-const std::vector<std::string>& model_words();
-const std::vector<std::string>& scan_model_words();
-
-/// The model of that name, one of model_words().
-model::Model model_of(const std::string& word);
+/// The models that have states of rest of their own: those of a scan.
+inline constexpr std::array rest_models{model::Model::SBEH, model::Model::SSH};
 
 /// Throws if one of the keys, which say something of the order, is there though the model has none.
-void refuse_order(const TomlTable& table, model::Model model, const std::vector<std::string>& keys);
+void refuse_order(const TomlTable& table, model::Model model, const ParameterNames& keys);
 
 }  // namespace sbeh::studies

@@ -1,7 +1,6 @@
 // The numbers of a folder of results that matter most.
 #include "studies/io/csv_table.h"
 #include "studies/io/toml_reader.h"
-#include "studies/parameters/describe.h"
 #include "studies/report/report.h"
 
 #include <fmt/format.h>

@@ -14,7 +14,8 @@ std::vector<RimRecord> find_beyond_fold(const ScanInput& input, const std::vecto
   constexpr double reach =
       2;  // sharp rims are lower than smooth ones from about half the fold's L on
   for (const FoldRow& fold : folds)
-    if (fold.branch == "oblate" && fold.L <= reach * input.L.back() && fold.reduced_volume > 0.51)
+    if (fold.branch == axisym::Branch::oblate && fold.L <= reach * input.L.back()
+        && fold.reduced_volume > 0.51)
       volumes.push_back(fold.reduced_volume);
   std::vector<std::vector<RimRecord>> found(volumes.size());
   tbb::parallel_for(std::size_t(0), volumes.size(), [&](std::size_t k) {

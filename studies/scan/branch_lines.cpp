@@ -30,7 +30,7 @@ std::vector<Row> collect(std::size_t count, Find&& find) {
 }
 
 // The fold that the scan has run into, or else the one ahead of its largest L.
-std::vector<FoldRow> fold_of(const ScanInput& input, const std::string& branch, double v,
+std::vector<FoldRow> fold_of(const ScanInput& input, axisym::Branch branch, double v,
                              const PointLookup& point) {
   for (const double L : input.L) {
     const auto at = point({v, L, Model::SBEH, branch});
@@ -129,10 +129,10 @@ std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
         const auto offer = [&](const std::string& branch, double energy) {
           if (!lowest || energy < lowest->energy) lowest = LowestRow{model, L, v, branch, energy};
         };
-        for (const std::string& branch : input.branches) {
+        for (const axisym::Branch branch : input.branches) {
           const PointResult* point = row({v, L, model, branch});
           if (point && point->status == PointStatus::stationary)
-            offer(branch, point->diagnostics->energy.total());
+            offer(name(branch), point->diagnostics->energy.total());
         }
         for (const axisym::RimRecord& state : beyond)
           if (model == Model::SBEH && state.kind == axisym::RimKind::sharp && state.L == L
@@ -155,14 +155,15 @@ std::string table_of(const std::vector<FoldRow>& rows) {
   std::string text = "reduced_volume,L,energy,order_min,H_abs_max,branch\n";
   for (const FoldRow& r : rows)
     text += fmt::format("{},{},{},{},{},{}\n", r.reduced_volume, r.L, r.energy, r.order_min,
-                        r.H_abs_max, r.branch);
+                        r.H_abs_max, name(r.branch));
   return text;
 }
 
 std::string table_of(const std::vector<EqualEnergyRow>& rows) {
   std::string text = "first,second,L,reduced_volume,energy\n";
   for (const EqualEnergyRow& r : rows)
-    text += fmt::format("{},{},{},{},{}\n", r.first, r.second, r.L, r.reduced_volume, r.energy);
+    text += fmt::format("{},{},{},{},{}\n", name(r.first), name(r.second), r.L, r.reduced_volume,
+                        r.energy);
   return text;
 }
 

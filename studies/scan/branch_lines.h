@@ -16,7 +16,7 @@ using PointLookup = std::function<std::optional<PointOutcome>(const PointKey&)>;
 
 /// A fold of a branch at a reduced volume of the scan.
 struct FoldRow {
-  std::string branch;
+  axisym::Branch branch;
   double reduced_volume, L, energy, order_min, H_abs_max;
 };
 
@@ -26,7 +26,7 @@ std::vector<FoldRow> find_folds(const ScanInput& input, const PointLookup& point
 
 /// Two branches of equal energy.
 struct EqualEnergyRow {
-  std::string first, second;
+  axisym::Branch first, second;
   double L, reduced_volume, energy;
 };
 

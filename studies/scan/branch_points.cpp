@@ -52,7 +52,7 @@ PointOutcome stationary(const model::Material& material, const PointKey& key, co
   } else if (row.self_contact) {
     row.status = PointStatus::unresolved;
     row.stop_reason = "the surface passes through itself: contact is not in the model";
-  } else if (row.shape != key.branch) {
+  } else if (row.shape != name(key.branch)) {
     row.status = PointStatus::failed;
     row.stop_reason = fmt::format("the state found is of class {}: the branch was left", row.shape);
   }
@@ -90,8 +90,10 @@ PointOutcome outcome_of(const ScanInput& input, const PointKey& key, const Branc
         "the smooth {} branch ends in a fold at V_r = {:.6g}, L = {:.6g}{}; the values are those "
         "at "
         "the fold",
-        key.branch, at.reduced_volume, at.L,
-        key.model == Model::SBEH && key.branch == "oblate" ? "; beyond it the rim is sharp" : "");
+        name(key.branch), at.reduced_volume, at.L,
+        key.model == Model::SBEH && key.branch == axisym::Branch::oblate
+            ? "; beyond it the rim is sharp"
+            : "");
   }
   return point;
 }
@@ -142,14 +144,8 @@ std::optional<BranchState> settled(const model::Material& material, Model model,
                      .iterations = r.iterations};
 }
 
-axisym::Branch branch_of(const std::string& name) {
-  if (name == "oblate") return axisym::Branch::oblate;
-  return name == "prolate" ? axisym::Branch::prolate : axisym::Branch::stomatocyte;
-}
-
-std::optional<Neighbour> enter_branch(const ScanInput& input, const std::string& branch, double L) {
-  const auto entry =
-      axisym::enter_branch(branch_of(branch), input.material.with_L(L), input.numerics);
+std::optional<Neighbour> enter_branch(const ScanInput& input, axisym::Branch branch, double L) {
+  const auto entry = axisym::enter_branch(branch, input.material.with_L(L), input.numerics);
   if (!entry) return {};
   return Neighbour{entry->state.at, entry->state.solution.state};
 }
@@ -230,9 +226,9 @@ std::optional<PointOutcome> flow_to_rest(const ScanInput& input, const PointKey&
   const Clock clock;
   const model::Material material = input.material.with_L(key.L);
   const axisym::Numerics& n = input.numerics;
-  const State start{
-      axisym::spheroid(key.reduced_volume, key.branch == "prolate", n.elements, n.grading),
-      axisym::Field::Constant(3 * n.elements + 1, model::full_order)};
+  const State start{axisym::spheroid(key.reduced_volume, key.branch == axisym::Branch::prolate,
+                                     n.elements, n.grading),
+                    axisym::Field::Constant(3 * n.elements + 1, model::full_order)};
   const axisym::FlowSchedule schedule{.end_time = input.flow_end_time, .output_times = {}};
   const axisym::FlowResult run =
       axisym::run_flow(material, key.model, start, axisym::target_of(key.reduced_volume), n,

@@ -33,11 +33,8 @@ PointOutcome failed_point(const PointKey& key, std::string reason);
 std::optional<axisym::BranchState> settled(const model::Material& material, model::Model model,
                                            const Neighbour& at);
 
-/// The branch of that name, one of known_branches().
-axisym::Branch branch_of(const std::string& name);
-
 /// SSH's state from which a branch is followed, at the elastic constant L; empty when Newton fails.
-std::optional<Neighbour> enter_branch(const ScanInput& input, const std::string& branch, double L);
+std::optional<Neighbour> enter_branch(const ScanInput& input, axisym::Branch branch, double L);
 
 /// Follows the branch of `model` from a neighbour (of the same model) to the point of the key.
 PointOutcome follow_to(const ScanInput& input, const PointKey& key, const Neighbour& from);

@@ -4,7 +4,6 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
-#include "studies/parameters/describe.h"
 #include "studies/scan/beyond_fold_table.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/branch_points.h"
@@ -29,7 +28,7 @@ std::vector<PointKey> keys_of(const ScanInput& input) {
   for (const double v : input.reduced_volume)
     for (const double L : input.L)
       for (const Model model : input.models)
-        for (const std::string& branch : input.branches) keys.push_back({v, L, model, branch});
+        for (axisym::Branch branch : input.branches) keys.push_back({v, L, model, branch});
   std::sort(keys.begin(), keys.end());
   return keys;
 }
@@ -131,7 +130,7 @@ bool wants(const ScanInput& input, Model model) {
 }
 
 // SBEH at one reduced volume, along ascending L, from SSH's shape.
-void scan_order_column(const ScanInput& input, ScanFolder& folder, const std::string& branch,
+void scan_order_column(const ScanInput& input, ScanFolder& folder, axisym::Branch branch,
                        const Neighbour& ssh) {
   const double v = ssh.at.reduced_volume;
   std::optional<Neighbour> last;
@@ -151,7 +150,7 @@ void scan_order_column(const ScanInput& input, ScanFolder& folder, const std::st
 }
 
 // All of one reduced volume, given SSH's shape there at the first L.
-void scan_column(const ScanInput& input, ScanFolder& folder, const std::string& branch,
+void scan_column(const ScanInput& input, ScanFolder& folder, axisym::Branch branch,
                  const Neighbour& ssh) {
   if (wants(input, Model::SSH))
     for (std::size_t k = 1; k < input.L.size(); ++k) {
@@ -162,7 +161,7 @@ void scan_column(const ScanInput& input, ScanFolder& folder, const std::string& 
 }
 
 // Without an SSH shape nothing of a reduced volume can be reached: all its points share the reason.
-void give_up_column(const ScanInput& input, ScanFolder& folder, double v, const std::string& branch,
+void give_up_column(const ScanInput& input, ScanFolder& folder, double v, axisym::Branch branch,
                     const PointResult& ssh) {
   for (const double L : input.L)
     for (const Model model : input.models) {
@@ -175,7 +174,7 @@ void give_up_column(const ScanInput& input, ScanFolder& folder, double v, const 
     }
 }
 
-void scan_spheres(const ScanInput& input, ScanFolder& folder, const std::string& branch) {
+void scan_spheres(const ScanInput& input, ScanFolder& folder, axisym::Branch branch) {
   for (const double L : input.L)
     for (const Model model : input.models) {
       const PointKey key{1, L, model, branch};
@@ -196,7 +195,7 @@ std::vector<double> chain_of(const std::vector<double>& volumes, double entry) {
 
 // SSH's shapes along the chain; `branch_off` is called with each of them.
 template <class BranchOff>
-void walk_chain(const ScanInput& input, ScanFolder& folder, const std::string& branch,
+void walk_chain(const ScanInput& input, ScanFolder& folder, axisym::Branch branch,
                 BranchOff&& branch_off) {
   const double L = input.L.front();
   const auto entry = enter_branch(input, branch, L);
@@ -224,11 +223,11 @@ void walk_chain(const ScanInput& input, ScanFolder& folder, const std::string& b
 }
 
 // One chain of SSH shapes along V_r; columns along L branch off it and run in parallel.
-void scan_by_newton(const ScanInput& input, ScanFolder& folder, const std::string& branch) {
+void scan_by_newton(const ScanInput& input, ScanFolder& folder, axisym::Branch branch) {
   tbb::task_group columns;
   columns.run([&] {
     walk_chain(input, folder, branch, [&](const Neighbour& ssh) {
-      columns.run([&input, &folder, &branch, ssh] { scan_column(input, folder, branch, ssh); });
+      columns.run([&input, &folder, branch, ssh] { scan_column(input, folder, branch, ssh); });
     });
     if (input.reduced_volume.back() == 1) scan_spheres(input, folder, branch);
   });
@@ -282,7 +281,7 @@ ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& path,
   if (input.method == Method::flow)
     scan_by_flow(input, folder);
   else
-    for (const std::string& branch : input.branches) scan_by_newton(input, folder, branch);
+    for (axisym::Branch branch : input.branches) scan_by_newton(input, folder, branch);
   folder.progress().finish();
   if (input.method == Method::newton) write_lines(input, folder);
   folder.table().sort();

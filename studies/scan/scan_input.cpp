@@ -1,6 +1,7 @@
 #include "studies/scan/scan_input.h"
 
 #include "studies/io/toml_reader.h"
+#include "studies/io/toml_text.h"
 #include "studies/parameters/material_input.h"
 
 #include <fmt/format.h>
@@ -10,11 +11,6 @@
 namespace sbeh::studies {
 
 const char* name(Method method) { return method == Method::newton ? "newton" : "flow"; }
-
-const std::vector<std::string>& known_branches() {
-  static const std::vector<std::string> branches{"oblate", "prolate", "stomatocyte"};
-  return branches;
-}
 
 std::size_t point_count(const ScanInput& input) {
   return input.reduced_volume.size() * input.L.size() * input.models.size() * input.branches.size();
@@ -30,7 +26,7 @@ void require_folds(const TomlTable& table, const ScanInput& input) {
     return std::find(list.begin(), list.end(), value) != list.end();
   };
   if (input.method != Method::newton || !has(input.models, model::Model::SBEH)
-      || !has(input.branches, std::string("oblate")))
+      || !has(input.branches, axisym::Branch::oblate))
     table.fail("beyond_fold",
                "needs method = \"newton\", the model \"SBEH\" and the branch \"oblate\"");
 }
@@ -38,15 +34,13 @@ void require_folds(const TomlTable& table, const ScanInput& input) {
 void read_scan_table(const TomlTable& table, ScanInput& input) {
   input.reduced_volume = table.grid("reduced_volume", reduced_volumes);
   input.L = table.grid("L", above(0));
-  input.models.clear();
   for (const model::Model flow : {model::Model::HelfrichLocal, model::Model::HelfrichGlobal})
     table.refuse_word("models", name(flow),
                       "must not be scanned: its states of rest are those of SSH");
-  for (const std::string& word : table.words("models", scan_model_words(), scan_model_words()))
-    input.models.push_back(model_of(word));
-  input.branches = table.words("branches", known_branches(), input.branches);
-  const std::string newton = name(Method::newton), flow = name(Method::flow);
-  if (table.word("method", {newton, flow}, newton) == flow) input.method = Method::flow;
+  input.models = table.choices("models", rest_models, std::optional(input.models));
+  input.branches =
+      table.choices("branches", values_of(axisym::Branch{}), std::optional(input.branches));
+  read_value(table, "method", input.method);
   if (input.method != Method::flow)
     table.refuse("end_time", "must not be given without method = \"flow\"");
   input.flow_end_time = table.number("end_time", above(0), input.flow_end_time);
@@ -71,8 +65,23 @@ ScanInput read_scan(const std::filesystem::path& path) {
   ScanInput input;
   read_scan_table(scan, input);
   input.material = read_material_without_L(material);
-  input.numerics = read_numerics(numerics);
+  input.numerics = read_numerics<axisym::Numerics>(numerics);
   return input;
+}
+
+std::string describe(const ScanInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.table("scan");
+  toml.value("reduced_volume", input.reduced_volume);
+  toml.value("L", input.L);
+  toml.value("models", input.models);
+  toml.value("branches", input.branches);
+  toml.value("method", input.method);
+  if (input.method == Method::flow) toml.value("end_time", input.flow_end_time);
+  if (input.method == Method::newton) toml.value("beyond_fold", input.beyond_fold);
+  write_material_without_L(toml, input.material);
+  write_numerics(toml, input.numerics);
+  return toml.text();
 }
 
 }  // namespace sbeh::studies

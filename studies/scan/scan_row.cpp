@@ -2,7 +2,6 @@
 
 #include "studies/io/errors.h"
 #include "studies/parameters/material_input.h"
-#include "studies/scan/scan_input.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/profile_file.h"
 
@@ -13,8 +12,8 @@ namespace sbeh::studies {
 ScanRow read_scan_row(const TomlTable& start, model::Model absent) {
   ScanRow row;
   row.folder = start.text("folder");
-  row.model = model_of(start.word("model", scan_model_words(), name(rest_model(absent))));
-  row.branch = start.word("branch", known_branches(), row.branch);
+  row.model = start.choice("model", rest_models, std::optional(rest_model(absent)));
+  read_value(start, "branch", row.branch);
   row.reduced_volume = start.number("reduced_volume", reduced_volumes);
   row.L = start.number("L", above(0));
   return row;

@@ -1,6 +1,7 @@
 // One point of an earlier scan as a start.
 #pragma once
 
+#include "axisym/classical_shape.h"
 #include "axisym/curve.h"
 #include "model/material.h"
 #include "studies/io/toml_reader.h"
@@ -15,9 +16,9 @@ namespace sbeh::studies {
 struct ScanRow {
   std::string folder;  ///< the scan's results, as written: relative to the working directory
   model::Model model = model::Model::SBEH;
-  std::string branch = "oblate";  ///< of known_branches() (scan_input.h)
-  double reduced_volume = 0;      ///< 0 < V_r <= 1
-  double L = 0;                   ///< > 0
+  axisym::Branch branch = axisym::Branch::oblate;
+  double reduced_volume = 0;  ///< 0 < V_r <= 1
+  double L = 0;               ///< > 0
 
   bool operator==(const ScanRow&) const = default;
 };

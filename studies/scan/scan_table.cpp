@@ -63,7 +63,7 @@ axisym::Diagnostics diagnostics_of(const std::array<double, 17>& m) {
 std::string line_of(const PointResult& row) {
   std::string line =
       fmt::format("{},{},{},{},{}", model::name(row.key.model), row.key.reduced_volume, row.key.L,
-                  row.key.branch, status_words[std::size_t(row.status)]);
+                  name(row.key.branch), status_words[std::size_t(row.status)]);
   std::array<double, 17> m;
   m.fill(std::nan(""));
   if (row.diagnostics) m = measures(*row.diagnostics);
@@ -80,9 +80,11 @@ std::optional<PointResult> row_of(const std::string& line) {
   const auto f = split_csv(line);
   if (f.size() != columns) return {};
   PointResult row;
-  if (f[0] != "SBEH" && f[0] != "SSH") return {};
-  row.key.model = f[0] == "SBEH" ? model::Model::SBEH : model::Model::SSH;
-  row.key.branch = f[3];
+  const auto model = model::value_named<model::Model>(f[0]);
+  const auto branch = model::value_named<axisym::Branch>(f[3]);
+  if (!model || !branch) return {};
+  row.key.model = *model;
+  row.key.branch = *branch;
   bool ok = parse_number(f[1], row.key.reduced_volume) && parse_number(f[2], row.key.L);
   const auto word = std::find(status_words.begin(), status_words.end(), f[4]);
   ok = ok && word != status_words.end();
@@ -106,7 +108,7 @@ std::optional<PointResult> row_of(const std::string& line) {
 }  // namespace
 
 std::string stem(const PointKey& key) {
-  return fmt::format("{}_{}_v{}_L{}", model::name(key.model), key.branch, key.reduced_volume,
+  return fmt::format("{}_{}_v{}_L{}", model::name(key.model), name(key.branch), key.reduced_volume,
                      key.L);
 }
 

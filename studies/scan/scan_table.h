@@ -19,7 +19,7 @@ struct PointKey {
   double reduced_volume;
   double L;
   model::Model model;
-  std::string branch;
+  axisym::Branch branch;
   auto operator<=>(const PointKey&) const = default;
 };
 /// Name of the point's files without ending, such as SBEH_oblate_v0.6_L0.07.

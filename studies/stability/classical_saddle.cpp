@@ -15,8 +15,8 @@ std::optional<ClassicalSaddle> classical_saddle(const StabilityInput& input,
       || reduced_volume < least_volume)
     return {};
   const surface3d::HarmonicShape shape = surface3d::minimise_harmonics(
-      surface3d::harmonic_spheroid(reduced_volume, key.branch == "prolate", degree), reduced_volume,
-      degree);
+      surface3d::harmonic_spheroid(reduced_volume, key.branch == axisym::Branch::prolate, degree),
+      reduced_volume, degree);
   if (shape.stop != surface3d::HarmonicStop::stationary) return {};
   return ClassicalSaddle{shape.negative_directions, shape.stiffness};
 }

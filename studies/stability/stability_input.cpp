@@ -1,6 +1,7 @@
 #include "studies/stability/stability_input.h"
 
 #include "studies/io/toml_reader.h"
+#include "studies/io/toml_text.h"
 #include "studies/parameters/material_input.h"
 
 #include <fmt/format.h>
@@ -9,8 +10,11 @@
 
 namespace sbeh::studies {
 
+using axisym::Branch;
+
 namespace {
 
+const ParameterNames flow_keys{"largest_step", "tolerance"};
 constexpr int fewest_triangles = 20, most_triangles = 200'000;
 constexpr int largest_perturbation_degree = 8;
 
@@ -44,10 +48,9 @@ void read_states(const TomlTable& table, StabilityInput& input) {
   if (input.reduced_volume.back() == 1)
     table.fail("reduced_volume", "must be < 1: there is only the sphere, which cannot move");
   input.L = table.grid("L", above(0));
-  input.models.clear();
-  for (const std::string& word : table.words("models", scan_model_words(), scan_model_words()))
-    input.models.push_back(model_of(word));
-  input.branches = table.words("branches", {"oblate", "prolate"}, input.branches);
+  input.models = table.choices("models", rest_models, std::optional(input.models));
+  constexpr std::array branches{Branch::oblate, Branch::prolate};
+  input.branches = table.choices("branches", branches, std::optional(input.branches));
   input.perturbations = read_perturbations(table, input.perturbations);
   table.reject_unknown_keys();
 }
@@ -55,15 +58,8 @@ void read_states(const TomlTable& table, StabilityInput& input) {
 void read_surface(const TomlTable& table, StabilityInput& input) {
   input.triangles = table.integer("triangles", fewest_triangles, most_triangles, input.triangles);
   input.end_time = table.number("end", above(0), input.end_time);
-  surface3d::Numerics& n = input.numerics_3d;
-  n.largest_step = table.number("largest_step", {}, n.largest_step);
-  n.tolerance = table.number("tolerance", {}, n.tolerance);
-  table.reject_unknown_keys();
-  try {
-    n.validate();
-  } catch (const std::invalid_argument& error) {
-    table.fail_from(error);
-  }
+  read_some(table, input.numerics_3d, flow_keys);
+  check(table, input.numerics_3d);
 }
 
 }  // namespace
@@ -74,8 +70,8 @@ StabilityInput::StabilityInput() {
 }
 
 std::string stem(const StabilityKey& key) {
-  return fmt::format("{}_{}_v{}_L{}_Y{}{}", model::name(key.model), key.branch, key.reduced_volume,
-                     key.L, key.l, key.m);
+  return fmt::format("{}_{}_v{}_L{}_Y{}{}", model::name(key.model), name(key.branch),
+                     key.reduced_volume, key.L, key.l, key.m);
 }
 
 std::vector<StabilityKey> keys_of(const StabilityInput& input) {
@@ -85,7 +81,7 @@ std::vector<StabilityKey> keys_of(const StabilityInput& input) {
       for (const model::Model model : input.models) {
         const bool once = model == model::Model::SSH && input.material.residual_stiffness == 0;
         if (once && L != input.L.back()) continue;
-        for (const std::string& branch : input.branches)
+        for (const Branch branch : input.branches)
           for (const meshing::Harmonic& mode : input.perturbations)
             keys.push_back({v, L, model, branch, mode.l, mode.m});
       }
@@ -103,8 +99,25 @@ StabilityInput read_stability(const std::filesystem::path& path) {
   read_surface(surface, input);
   input.material =
       read_material_without_L(material, "a study of stability, where L comes from [stability]");
-  input.numerics = read_numerics(numerics);
+  input.numerics = read_numerics<axisym::Numerics>(numerics);
   return input;
+}
+
+std::string describe(const StabilityInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.table("stability");
+  toml.value("reduced_volume", input.reduced_volume);
+  toml.value("L", input.L);
+  toml.value("models", input.models);
+  toml.value("branches", input.branches);
+  toml.value("perturbations", input.perturbations);
+  toml.table("surface3d");
+  toml.value("triangles", input.triangles);
+  toml.value("end", input.end_time);
+  write_some(toml, input.numerics_3d, flow_keys);
+  write_material_without_L(toml, input.material);
+  write_numerics(toml, input.numerics);
+  return toml.text();
 }
 
 }  // namespace sbeh::studies

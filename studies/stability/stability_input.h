@@ -2,6 +2,7 @@
 // they are followed.
 #pragma once
 
+#include "axisym/classical_shape.h"
 #include "axisym/options.h"
 #include "meshing/spherical_harmonics.h"
 #include "model/material.h"
@@ -9,6 +10,7 @@
 
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sbeh::studies {
@@ -19,7 +21,7 @@ struct StabilityInput {
   std::vector<double> reduced_volume;  ///< V_r, each in 0 < V_r < 1; ascending
   std::vector<double> L;               ///< one-constant elastic constants, each > 0; ascending
   std::vector<model::Model> models{model::Model::SBEH, model::Model::SSH};
-  std::vector<std::string> branches{"oblate"};  ///< "oblate" or "prolate"
+  std::vector<axisym::Branch> branches{axisym::Branch::oblate};  ///< oblate or prolate
   /// Displacements along the normal by a Y_lm, 1 <= m <= l, one run for each; with m = 1 of odd l >= 3, since
   /// the others mostly shift or turn the surface.
   std::vector<meshing::Harmonic> perturbations{{2, 2, 0.01}, {3, 3, 0.01}};
@@ -30,6 +32,8 @@ struct StabilityInput {
   model::Material material;  ///< its L1, L2, L3 give way to L of the point: material.with_L(L)
   axisym::Numerics numerics;
   StabilityInput();
+
+  bool operator==(const StabilityInput&) const = default;
 };
 
 /// One run: a state and its perturbation. Ordered as the finished table is.
@@ -37,7 +41,7 @@ struct StabilityKey {
   double reduced_volume;
   double L;
   model::Model model;
-  std::string branch;
+  axisym::Branch branch;
   int l, m;
   auto operator<=>(const StabilityKey&) const = default;
 };
@@ -50,5 +54,9 @@ std::vector<StabilityKey> keys_of(const StabilityInput& input);
 
 /// Throws InputError.
 StabilityInput read_stability(const std::filesystem::path& path);
+
+/// The whole input, defaults included, as TOML under a comment with the program's version: reading the text
+/// gives the same input, bit for bit.
+std::string describe(const StabilityInput& input, std::string_view version);
 
 }  // namespace sbeh::studies

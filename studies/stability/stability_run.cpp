@@ -34,8 +34,7 @@ constexpr double grown = 10, rest_share = 0.01;
 // Energies that differ by less than this share of the sphere's bending energy 8πκ are one.
 constexpr double same_energy = 0.01;
 
-NewtonState state_of(const StabilityInput& input, const StabilityKey& key,
-                     const std::string& branch) {
+NewtonState state_of(const StabilityInput& input, const StabilityKey& key, axisym::Branch branch) {
   CompareInput one;
   one.model = key.model;
   one.branch = branch;
@@ -171,11 +170,11 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   StabilityOutcome outcome;
   StabilityResult& result = outcome.result;
   result.key = key;
-  const NewtonState oblate = state_of(input, key, "oblate"),
-                    prolate = state_of(input, key, "prolate");
+  const NewtonState oblate = state_of(input, key, axisym::Branch::oblate),
+                    prolate = state_of(input, key, axisym::Branch::prolate);
   result.energy_oblate = oblate.found.measures.energy;
   result.energy_prolate = prolate.found.measures.energy;
-  const NewtonState& axisymmetric = key.branch == "oblate" ? oblate : prolate;
+  const NewtonState& axisymmetric = key.branch == axisym::Branch::oblate ? oblate : prolate;
   if (!axisymmetric.state) {
     result.stop_reason = axisymmetric.found.failure;
     return outcome;

@@ -5,6 +5,7 @@
 #include "studies/stability/mode_amplitude.h"
 #include "studies/stability/stability_input.h"
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,6 +18,9 @@ enum class Verdict {
   undecided,  ///< neither can be said before the end time
   failed      ///< there is no state, or the run broke off before anything could be said
 };
+constexpr auto values_of(Verdict) {
+  return std::array{Verdict::stays, Verdict::leaves, Verdict::undecided, Verdict::failed};
+}
 const char* name(Verdict verdict);
 
 /// One time of a run.

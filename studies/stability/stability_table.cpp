@@ -21,9 +21,6 @@ constexpr const char* header =
     "energy_prolate,end_time,steps,triangles,unresolved_from,negative_directions,stiffness,"
     "wall_seconds,stop_reason";
 
-constexpr std::array<Verdict, 4> verdicts{Verdict::stays, Verdict::leaves, Verdict::undecided,
-                                          Verdict::failed};
-
 template <class T>
 std::string optional_field(const std::optional<T>& value) {
   return value ? fmt::format("{}", *value) : "";
@@ -33,7 +30,7 @@ std::string known_field(double value) { return std::isnan(value) ? "" : fmt::for
 std::string line_of(const StabilityResult& row) {
   const StabilityKey& k = row.key;
   std::string line = fmt::format("{},{},{},{},{},{},{},{}", model::name(k.model), k.reduced_volume,
-                                 k.L, k.branch, k.l, k.m, name(row.verdict), row.end_state);
+                                 k.L, name(k.branch), k.l, k.m, name(row.verdict), row.end_state);
   line += row.growth ? fmt::format(",{},{:.3g},{},{}", row.growth->rate, row.growth->error,
                                    row.growth->from, row.growth->to)
                      : ",,,,";
@@ -59,15 +56,14 @@ std::optional<StabilityResult> row_of(const CsvTable& table, std::size_t row) {
     return number_in(table, row, column).value_or(not_known);
   };
   StabilityResult result;
-  const std::string model = table.text(row, "model"), verdict = table.text(row, "verdict");
-  const auto said =
-      std::find_if(verdicts.begin(), verdicts.end(), [&](Verdict v) { return verdict == name(v); });
+  const auto model = model::value_named<model::Model>(table.text(row, "model"));
+  const auto branch = model::value_named<axisym::Branch>(table.text(row, "branch"));
+  const auto verdict = model::value_named<Verdict>(table.text(row, "verdict"));
   const auto v = number_in(table, row, "reduced_volume"), L = number_in(table, row, "L"),
              l = number_in(table, row, "l"), m = number_in(table, row, "m");
-  if ((model != "SBEH" && model != "SSH") || said == verdicts.end() || !v || !L || !l || !m)
-    return {};
-  result.key = {*v, *L, model_of(model), table.text(row, "branch"), int(*l), int(*m)};
-  result.verdict = *said;
+  if (!model || !branch || !verdict || !v || !L || !l || !m) return {};
+  result.key = {*v, *L, *model, *branch, int(*l), int(*m)};
+  result.verdict = *verdict;
   result.end_state = table.text(row, "end_state");
   if (number_in(table, row, "rate"))
     result.growth = GrowthRate{.rate = known("rate"),

@@ -69,8 +69,8 @@ std::string table_of(const std::vector<Threshold>& thresholds) {
   std::string text = "model,L,branch,l,m,reduced_volume,error,below,above,harmonics\n";
   for (const Threshold& t : thresholds)
     text += fmt::format("{},{},{},{},{},{},{:.2g},{},{},{}\n", model::name(t.below.model),
-                        t.below.L, t.below.branch, t.below.l, t.below.m, t.reduced_volume, t.error,
-                        t.below.reduced_volume, t.upper_volume,
+                        t.below.L, name(t.below.branch), t.below.l, t.below.m, t.reduced_volume,
+                        t.error, t.below.reduced_volume, t.upper_volume,
                         std::isnan(t.harmonics) ? "" : fmt::format("{:.5f}", t.harmonics));
   return text;
 }

@@ -31,7 +31,8 @@ WitnessState harmonic_state(const CompareInput& input,
   const int degree = input.harmonics.degree;
   const HarmonicShape shape = surface3d::minimise_harmonics(
       start ? surface3d::fit_harmonics(surface3d::Triangulation(*start), start->nodes, degree)
-            : surface3d::harmonic_spheroid(input.reduced_volume, input.branch == "prolate", degree),
+            : surface3d::harmonic_spheroid(input.reduced_volume,
+                                           input.branch == axisym::Branch::prolate, degree),
       input.reduced_volume, degree);
   WitnessState found{.witness = Witness::harmonics};
   if (shape.stop != surface3d::HarmonicStop::stationary) {
@@ -54,7 +55,7 @@ WitnessState harmonic_state(const CompareInput& input,
     found.points.col(i) << z.cross(x).norm(), z.dot(x);
   }
   const bool prolate = found.points.row(1).cwiseAbs().maxCoeff() > found.points.row(0).maxCoeff();
-  if (prolate != (input.branch == "prolate")) {
+  if (prolate != (input.branch == axisym::Branch::prolate)) {
     found = {.witness = Witness::harmonics};
     found.failure = fmt::format("has come to the {} instead", prolate ? "prolate" : "oblate");
     return found;

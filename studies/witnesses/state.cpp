@@ -129,8 +129,8 @@ NewtonState newton_state(const CompareInput& input) {
 WitnessState flow_state(const CompareInput& input) {
   constexpr double end_time = 200;
   const axisym::Numerics& n = input.numerics;
-  const axisym::Nodes X =
-      axisym::spheroid(input.reduced_volume, input.branch == "prolate", n.elements, n.grading);
+  const axisym::Nodes X = axisym::spheroid(
+      input.reduced_volume, input.branch == axisym::Branch::prolate, n.elements, n.grading);
   WitnessState found{.witness = Witness::flow};
   const axisym::FlowResult run = axisym::run_flow(
       input.material, input.model, {X, axisym::Field::Constant(X.cols(), model::full_order)},
@@ -157,7 +157,7 @@ WitnessState flow_state(const CompareInput& input) {
 WitnessState shooting_state(const CompareInput& input) {
   try {
     const std::array<double, 1> at{input.reduced_volume};
-    const ClassicalShape shape = axisym::shoot_branch(branch_of(input.branch), at).front();
+    const ClassicalShape shape = axisym::shoot_branch(input.branch, at).front();
     // Equal steps of arc length from either pole to the equator.
     const int equator = int(shape.profile.cols() - 1) / 2;
     return classical_state(input, Witness::shooting, shape,
@@ -171,7 +171,7 @@ WitnessState shooting_state(const CompareInput& input) {
 
 WitnessState minimiser_state(const CompareInput& input) {
   const std::string none = "there is no smooth minimum of this branch, or it is not resolved";
-  const axisym::Branch branch = branch_of(input.branch);
+  const axisym::Branch branch = input.branch;
   if (input.model == Model::SSH) {
     const auto shape = axisym::minimise_classical(branch, input.reduced_volume);
     if (!shape) return failed(Witness::minimiser, none);

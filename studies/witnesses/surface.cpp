@@ -71,8 +71,8 @@ Rest start_of(const CompareInput& input, const std::optional<axisym::State>& pro
     meshing::RevolvedMesh revolved = meshing::revolved({profile->X, profile->beta}, resolution);
     return {.mesh = std::move(revolved.mesh), .beta = std::move(revolved.beta)};
   }
-  Rest start{.mesh =
-                 meshing::ellipsoid(input.reduced_volume, input.branch == "prolate", resolution)};
+  Rest start{.mesh = meshing::ellipsoid(input.reduced_volume,
+                                        input.branch == axisym::Branch::prolate, resolution)};
   start.beta = surface3d::Field::Constant(start.mesh.node_count(), model::full_order);
   return start;
 }
@@ -145,7 +145,7 @@ bool is_evolution_of(const RunInput& run, const CompareInput& input) {
   const auto* start = std::get_if<Ellipsoid>(&run.start);
   const model::Material &a = run.material, &b = input.material;
   return start && start->reduced_volume == input.reduced_volume
-      && start->prolate == (input.branch == "prolate") && run.model == input.model
+      && start->prolate == (input.branch == axisym::Branch::prolate) && run.model == input.model
       && run.initial_order == model::full_order && run.perturbation.empty()
       && a.viscosity == b.viscosity && a.immobility == b.immobility
       && a.friction_tangential == b.friction_tangential && a.friction_normal == b.friction_normal

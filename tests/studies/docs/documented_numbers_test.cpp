@@ -182,7 +182,7 @@ TEST(OrderTable, of_equal_energies_of_oblate_and_prolate_is_that_of_a_scan) {
   input.reduced_volume = {0.64, 0.66, 0.68, 0.7, 0.72};
   for (std::size_t k = 2; k < L.size(); ++k) input.L.push_back(printed(L[k]).value);
   input.models = {Model::SBEH};
-  input.branches = {"oblate", "prolate"};
+  input.branches = {axisym::Branch::oblate, axisym::Branch::prolate};
   const CsvTable line = read_csv(scanned("equal", input) / "equal_energy.csv");
   expect_printed(V[1], axisym::shoot_special_points().prolate_oblate.reduced_volume, 1e-10);
   ASSERT_EQ(line.rows.size(), input.L.size());
@@ -196,7 +196,7 @@ TEST(OrderTable, of_the_ends_of_both_branches_is_that_of_a_scan) {
   for (const auto& row : rows) input.reduced_volume.push_back(printed(row[0]).value);
   input.L = {0.05};
   input.models = {Model::SBEH};
-  input.branches = {"oblate", "prolate"};
+  input.branches = {axisym::Branch::oblate, axisym::Branch::prolate};
   const CsvTable folds = read_csv(scanned("ends", input) / "folds.csv");
   ASSERT_EQ(folds.rows.size(), 2 * rows.size());
   for (std::size_t k = 0; k < folds.rows.size(); ++k) {

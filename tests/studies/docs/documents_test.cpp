@@ -1,9 +1,12 @@
 // The documents stay true: their inputs are accepted, their links lead somewhere, their tables are complete.
+#include "studies/compare/compare_input.h"
 #include "studies/evolution/relax.h"
 #include "studies/evolution/run_start.h"
 #include "studies/evolution/series_file.h"
 #include "studies/io/csv_line.h"
-#include "studies/parameters/describe.h"
+#include "studies/parameters/input_kind.h"
+#include "studies/scan/scan_input.h"
+#include "studies/stability/stability_input.h"
 #include "tests/studies/docs/document.h"
 #include "tests/studies/parameters/input_file.h"
 
@@ -71,6 +74,9 @@ void check_input(const fs::path& path, std::vector<ScanInput>& scans) {
       break;
     case InputKind::compare:
       read_compare(path);
+      break;
+    case InputKind::stability:
+      read_stability(path);
       break;
   }
 }

@@ -1,8 +1,9 @@
 // Which kind an input is, and that its description reads back as the same input.
-#include "studies/parameters/describe.h"
-
+#include "studies/compare/compare_input.h"
+#include "studies/evolution/relax_input.h"
+#include "studies/parameters/input_kind.h"
+#include "studies/scan/scan_input.h"
 #include "tests/studies/parameters/input_file.h"
-#include "tests/studies/parameters/same_input.h"
 
 #include <algorithm>
 #include <cmath>
@@ -51,7 +52,7 @@ TEST(Description, of_a_scan_reads_back_as_the_same_scan) {
     const std::string description = describe(input, "1.2.3");
     EXPECT_EQ(description.substr(0, description.find('\n')),
               "# sbeh 1.2.3: every parameter of this run; can be run again");
-    expect_same(input, scan_of(description));
+    EXPECT_EQ(input, scan_of(description));
     EXPECT_EQ(describe(scan_of(description), "1.2.3"), description);
   }
 }
@@ -75,7 +76,7 @@ TEST(Description, of_an_evolution_reads_back_as_the_same_evolution) {
   for (const std::string& text : texts) {
     const RelaxInput input = relax_of(text);
     const std::string description = describe(input, "1.2.3");
-    expect_same(input, relax_of(description));
+    EXPECT_EQ(input, relax_of(description));
     EXPECT_EQ(describe(relax_of(description), "1.2.3"), description);
   }
 }
@@ -97,7 +98,7 @@ TEST(Description, of_a_comparison_reads_back_as_the_same_comparison) {
     const CompareInput input = read_compare(written(text));
     const std::string description = describe(input, "1.2.3");
     const CompareInput again = read_compare(written(description));
-    expect_same(input, again);
+    EXPECT_EQ(input, again);
     EXPECT_EQ(describe(again, "1.2.3"), description);
   }
 }
@@ -110,7 +111,7 @@ TEST(Description, keeps_every_bit_of_a_number) {
   for (int i = 0; i < 1000; ++i)
     input.L.push_back(mantissa(random) * std::pow(10, exponent(random)));
   std::sort(input.L.begin(), input.L.end());
-  expect_same(input, scan_of(describe(input, "0")));
+  EXPECT_EQ(input, scan_of(describe(input, "0")));
 }
 
 TEST(Description, has_lines_of_at_most_a_hundred_letters) {

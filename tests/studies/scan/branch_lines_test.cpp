@@ -68,7 +68,7 @@ TEST(EqualEnergies, of_oblate_and_prolate_start_at_the_classical_point_and_are_e
   input.reduced_volume = {0.6, 0.65, 0.7, 0.75};
   input.L = {1e-6, 0.01, 0.05, 0.09};
   input.models = {model::Model::SBEH};
-  input.branches = {"oblate", "prolate"};
+  input.branches = {axisym::Branch::oblate, axisym::Branch::prolate};
   const Rows coarse = lines_of(input, 48).meetings, fine = lines_of(input, 72).meetings;
   ASSERT_EQ(coarse.size(), 4u);
   ASSERT_EQ(fine.size(), 4u);
@@ -89,7 +89,7 @@ TEST(LowestBranch, is_that_of_least_energy_among_the_stationary_ones) {
   input.reduced_volume = {0.45, 0.6, 0.7};
   input.L = {0.02, 0.06};
   input.models = {model::Model::SBEH, model::Model::SSH};
-  input.branches = {"oblate", "prolate"};
+  input.branches = {axisym::Branch::oblate, axisym::Branch::prolate};
   input.numerics.elements = 32;
   const sbeh::test::TemporaryFolder folder;
   run_scan(input, folder.path() / "scan", "test");
@@ -100,10 +100,10 @@ TEST(LowestBranch, is_that_of_least_energy_among_the_stationary_ones) {
   for (const auto& row : lowest) {
     const model::Model model = row[0] == "SBEH" ? model::Model::SBEH : model::Model::SSH;
     const double L = std::stod(row[1]), v = std::stod(row[2]), energy = std::stod(row[4]);
-    for (const std::string branch : {"oblate", "prolate"}) {
+    for (const axisym::Branch branch : input.branches) {
       const PointResult* point = table.find({v, L, model, branch});
       ASSERT_TRUE(point);
-      if (branch == row[3]) {
+      if (name(branch) == row[3]) {
         EXPECT_EQ(point->status, PointStatus::stationary);
         EXPECT_EQ(point->diagnostics->energy.total(), energy);
       } else if (point->status == PointStatus::stationary) {
@@ -112,7 +112,7 @@ TEST(LowestBranch, is_that_of_least_energy_among_the_stationary_ones) {
     }
   }
   // The oblate at 0.45 passes through itself: it is marked, and the prolate is offered in spite of its energy.
-  const PointResult* crossed = table.find({0.45, 0.02, model::Model::SSH, "oblate"});
+  const PointResult* crossed = table.find({0.45, 0.02, model::Model::SSH, axisym::Branch::oblate});
   ASSERT_TRUE(crossed);
   EXPECT_TRUE(crossed->self_contact);
   EXPECT_NE(crossed->status, PointStatus::stationary);

@@ -6,6 +6,7 @@
 namespace sbeh::studies {
 namespace {
 
+using axisym::Branch;
 using model::Model;
 
 ScanInput input_of(int elements) {
@@ -15,17 +16,19 @@ ScanInput input_of(int elements) {
   return input;
 }
 
-void expect_refused(const PointOutcome& point, const std::string& shape) {
+void expect_refused(const PointOutcome& point, Branch shape) {
   EXPECT_EQ(point.row.status, PointStatus::failed);
-  EXPECT_EQ(point.row.shape, shape);
-  EXPECT_NE(point.row.stop_reason.find("is of class " + shape), std::string::npos)
+  EXPECT_EQ(point.row.shape, name(shape));
+  EXPECT_NE(point.row.stop_reason.find(std::string("is of class ") + name(shape)),
+            std::string::npos)
       << point.row.stop_reason;
 }
 
 TEST(StartOfAnotherBranch, is_refused_with_its_class_named) {
   const ScanInput input = input_of(32);
-  for (const auto& [asked, given] : {std::pair{"prolate", "oblate"}, {"oblate", "prolate"}}) {
-    SCOPED_TRACE(std::string(given) + " given for " + asked);
+  for (const auto& [asked, given] :
+       {std::pair{Branch::prolate, Branch::oblate}, {Branch::oblate, Branch::prolate}}) {
+    SCOPED_TRACE(std::string(name(given)) + " given for " + name(asked));
     const auto start = enter_branch(input, given, 0.05);
     ASSERT_TRUE(start);
     expect_refused(follow_to(input, {0.8, 0.05, Model::SSH, asked}, *start), given);
@@ -43,16 +46,16 @@ TEST(Evolution, that_comes_to_rest_at_another_class_is_refused_with_it) {
   input.numerics.tolerance = 1e-3;
   std::vector<SeriesRow> history;
   // Starts from an oblate spheroid, and has no reason to turn inside out at this reduced volume.
-  const auto point = flow_to_rest(input, {0.8, 0.05, Model::SSH, "stomatocyte"}, history);
+  const auto point = flow_to_rest(input, {0.8, 0.05, Model::SSH, Branch::stomatocyte}, history);
   ASSERT_TRUE(point);
-  expect_refused(*point, "oblate");
+  expect_refused(*point, Branch::oblate);
 }
 
 TEST(StateAtAFold, is_told_with_the_L_and_the_stability_of_the_side_before_it) {
   const ScanInput input = input_of(48);
-  for (const char* branch : {"oblate", "stomatocyte"})
+  for (const Branch branch : {Branch::oblate, Branch::stomatocyte})
     for (const double v : {0.55, 0.58, 0.61, 0.64}) {
-      SCOPED_TRACE(std::string(branch) + " " + std::to_string(v));
+      SCOPED_TRACE(std::string(name(branch)) + " " + std::to_string(v));
       const auto entry = enter_branch(input, branch, 0.05);
       ASSERT_TRUE(entry);
       const PointOutcome ssh = follow_to(input, {v, 0.05, Model::SSH, branch}, *entry);

@@ -1,0 +1,19 @@
+// Which kind of input a file is.
+#pragma once
+
+#include <filesystem>
+
+namespace sbeh::studies {
+
+enum class InputKind {
+  scan,      ///< has a table [scan]: read_scan
+  relax,     ///< has a table [start]: read_relax
+  run,       ///< has a table [surface]: read_run
+  compare,   ///< has a table [compare]: read_compare
+  stability  ///< has a table [stability]: read_stability
+};
+
+/// Throws InputError if the file cannot be read or has not one of these tables.
+InputKind kind_of(const std::filesystem::path& path);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,95 @@
+// Structs with a table of parameters (model/parameter.h), read from TOML and written back.
+#pragma once
+
+#include "model/parameter.h"
+#include "studies/io/toml_reader.h"
+#include "studies/io/toml_text.h"
+
+#include <algorithm>
+#include <limits>
+#include <stdexcept>
+#include <string_view>
+#include <type_traits>
+#include <vector>
+
+namespace sbeh::studies {
+
+/// Some parameters, by name.
+using ParameterNames = std::vector<std::string_view>;
+inline bool contains(const ParameterNames& names, std::string_view name) {
+  return std::find(names.begin(), names.end(), name) != names.end();
+}
+
+/// The value of a key, of the parameter's kind; unchanged where the key is absent. Ranges are the struct's:
+/// see checked.
+inline void read_value(const TomlTable& table, const char* key, double& value) {
+  value = table.number(key, {}, value);
+}
+inline void read_value(const TomlTable& table, const char* key, int& value) {
+  constexpr int any = std::numeric_limits<int>::max();
+  value = table.integer(key, -any, any, value);
+}
+inline void read_value(const TomlTable& table, const char* key, bool& value) {
+  value = table.boolean(key, value);
+}
+template <class E>
+requires std::is_enum_v<E>
+void read_value(const TomlTable& table, const char* key, E& value) {
+  value = table.choice(key, values_of(E{}), std::optional(value));
+}
+
+/// Throws InputError for unknown keys, and for what the struct's validate() refuses.
+template <class Struct>
+void check(const TomlTable& table, const Struct& read) {
+  table.reject_unknown_keys();
+  try {
+    read.validate();
+  } catch (const std::invalid_argument& error) {
+    table.fail_from(error);
+  }
+}
+
+/// Reads the parameters but those of `without`, or only those of `these`.
+template <class Struct>
+void read_parameters(const TomlTable& table, Struct& into, const ParameterNames& without = {}) {
+  for_each_parameter(into, [&](const model::Parameter& parameter, auto& value) {
+    if (!contains(without, parameter.name)) read_value(table, parameter.name, value);
+  });
+}
+template <class Struct>
+void read_some(const TomlTable& table, Struct& into, const ParameterNames& these) {
+  for_each_parameter(into, [&](const model::Parameter& parameter, auto& value) {
+    if (contains(these, parameter.name)) read_value(table, parameter.name, value);
+  });
+}
+
+/// Writes them; `these` in their own order.
+template <class Struct>
+void write_parameters(TomlText& toml, const Struct& from, const ParameterNames& without = {}) {
+  for_each_parameter(from, [&](const model::Parameter& parameter, const auto& value) {
+    if (!contains(without, parameter.name)) toml.value(parameter.name, value);
+  });
+}
+template <class Struct>
+void write_some(TomlText& toml, const Struct& from, const ParameterNames& these) {
+  for (const std::string_view key : these)
+    for_each_parameter(from, [&](const model::Parameter& parameter, const auto& value) {
+      if (key == parameter.name) toml.value(key, value);
+    });
+}
+
+/// The whole table [numerics] of either solver.
+template <class Numerics>
+Numerics read_numerics(const TomlTable& table) {
+  Numerics numerics;
+  read_parameters(table, numerics);
+  check(table, numerics);
+  return numerics;
+}
+template <class Numerics>
+void write_numerics(TomlText& toml, const Numerics& numerics) {
+  toml.table("numerics");
+  write_parameters(toml, numerics);
+}
+
+}  // namespace sbeh::studies
