@@ -1,16 +1,17 @@
-#include "tools/commands/figures_command.h"
-
+// `sbeh figures`: the paper's figures, with the runs they need.
 #include "studies/figures/figures.h"
+
 #include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
-#include "studies/io/progress.h"
-#include "tools/commands/picture_program.h"
+#include "tools/commands/commands.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <memory>
+#include <optional>
 
 namespace sbeh::tools {
 
@@ -18,15 +19,14 @@ namespace fs = std::filesystem;
 namespace figures = studies::figures;
 using figures::Figure;
 
-struct FiguresCommand::Words {
-  CLI::App* command = nullptr;
+namespace {
+
+struct Words {
   std::vector<std::string> figures;
   std::string folder = "results/figures", inputs = "studies/inputs";
   std::optional<int> triangles;
   bool draw_only = false, no_pictures = false;
 };
-
-namespace {
 
 std::vector<Figure> figures_of(const std::vector<std::string>& words) {
   if (words.empty()) return {figures::all_figures.begin(), figures::all_figures.end()};
@@ -40,8 +40,6 @@ std::vector<Figure> figures_of(const std::vector<std::string>& words) {
   }
   return wanted;
 }
-
-void complain(const std::string& what) { studies::tell(fmt::format("sbeh: {}\n", what)); }
 
 // Draws the figures that have their tables; false when one has none or cannot be drawn.
 bool draw_all(const figures::Summary& summary, const fs::path& folder) {
@@ -76,28 +74,7 @@ void tell_missing(const figures::Summary& summary) {
   }
 }
 
-}  // namespace
-
-FiguresCommand::FiguresCommand(CLI::App& app) : words_(std::make_shared<Words>()) {
-  Words& w = *words_;
-  w.command =
-      app.add_subcommand("figures", "the paper's figures: the runs they need, then pictures");
-  w.command->add_option("FIGURE", w.figures,
-                        "energy, shapes, evolution, measures, or 1 to 4 (all of them)");
-  w.command->add_option("-o,--output", w.folder, "folder for runs and figures (results/figures)");
-  w.command->add_option("--inputs", w.inputs, "folder of their inputs (studies)");
-  w.command
-      ->add_option("--triangles", w.triangles,
-                   "of the 3D runs, instead of those of the inputs (1280)")
-      ->check(CLI::Range(20, 200'000));
-  w.command->add_flag("--draw-only", w.draw_only, "run nothing, draw from what is there");
-  w.command->add_flag("--no-pictures", w.no_pictures, "tables only");
-}
-
-bool FiguresCommand::parsed() const { return words_->command->parsed(); }
-
-int FiguresCommand::run() const {
-  const Words& w = *words_;
+int make(const Words& w) {
   const fs::path folder = w.folder;
   const figures::Summary summary = figures::make_figures({.figures = figures_of(w.figures),
                                                           .folder = folder,
@@ -112,14 +89,36 @@ int FiguresCommand::run() const {
                     fmt::join(summary.unresolved, "; ")));
   if (summary.interrupted) {
     complain("interrupted; the same command goes on from here");
-    return 128 + studies::interrupt_signal();
+    return exit_code_of_interrupt();
   }
   tell_missing(summary);
   const bool drawn = w.no_pictures || draw_all(summary, folder);
   fmt::print("{}tables in {}\n", figures::text_of(studies::read_csv(folder / "figures.csv")),
              folder.string());
-  if (studies::interrupt_signal()) return 128 + studies::interrupt_signal();
+  if (studies::interrupt_signal()) return exit_code_of_interrupt();
   return drawn && summary.failed.empty() ? 0 : 1;
+}
+
+}  // namespace
+
+Command add_figures(CLI::App& program) {
+  const auto words = std::make_shared<Words>();
+  Words& w = *words;
+  CLI::App* app =
+      program.add_subcommand("figures", "the paper's figures: the runs they need, then pictures");
+  app->add_option("FIGURE", w.figures,
+                  "energy, shapes, evolution, measures, or 1 to 4 (all of them)");
+  app->add_option("-o,--output", w.folder, "folder for runs and figures (results/figures)");
+  app->add_option("--inputs", w.inputs, "folder of their inputs (studies/inputs)");
+  app->add_option("--triangles", w.triangles,
+                  "of the 3D runs, instead of those of the inputs (1280)")
+      ->check(CLI::Range(20, 200'000));
+  app->add_flag("--draw-only", w.draw_only, "run nothing, draw from what is there");
+  app->add_flag("--no-pictures", w.no_pictures, "tables only");
+  return {app, [words] {
+            studies::catch_interrupts();
+            return make(*words);
+          }};
 }
 
 }  // namespace sbeh::tools

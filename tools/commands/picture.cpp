@@ -1,13 +1,13 @@
-#include "tools/commands/picture_program.h"
-
+// `sbeh picture`: the program that draws, beside this one.
 #include "studies/io/progress.h"
+#include "tools/commands/commands.h"
 
+#include <CLI/CLI.hpp>
 #include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 
 namespace sbeh::tools {
 
@@ -29,6 +29,16 @@ int draw(const std::vector<std::string>& arguments) {
   int status = 0;
   if (child < 0 || waitpid(child, &status, 0) < 0) return 127;
   return WIFEXITED(status) ? WEXITSTATUS(status) : 1;
+}
+
+Command add_picture(CLI::App& program) {
+  CLI::App* app = program.add_subcommand("picture",
+                                         "draw the pictures of a folder again: picture "
+                                         "scan|relax|run|seifert|compare|figures|stability "
+                                         "DIR");
+  app->prefix_command();
+  app->set_help_flag();  // `sbeh picture --help` is the picture program's
+  return {app, [app] { return draw(app->remaining()); }};
 }
 
 }  // namespace sbeh::tools

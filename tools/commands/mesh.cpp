@@ -1,8 +1,8 @@
-#include "tools/commands/mesh_command.h"
-
+// `sbeh mesh`: a shape becomes a curved mesh in a file, a report, or both.
 #include "studies/io/csv_line.h"
 #include "studies/io/errors.h"
-#include "studies/io/progress.h"
+#include "studies/mesh/make_mesh.h"
+#include "tools/commands/commands.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -17,7 +17,9 @@ namespace sbeh::tools {
 namespace fs = std::filesystem;
 using studies::InputError;
 
-struct MeshCommand::Words {
+namespace {
+
+struct Words {
   CLI::App *sphere = nullptr, *ellipsoid = nullptr, *harmonic = nullptr, *revolve = nullptr,
            *file = nullptr;
   std::string axes, input, output, area;
@@ -27,8 +29,6 @@ struct MeshCommand::Words {
   double grading = 0;
   bool prolate = false, repair = false, report = false, overwrite = false;
 };
-
-namespace {
 
 // Three numbers between commas.
 std::array<double, 3> three_numbers(const char* option, const std::string& text,
@@ -65,11 +65,65 @@ void refuse_to_overwrite(const fs::path& path) {
     throw InputError(fmt::format("{}: is there already; --overwrite replaces it", path.string()));
 }
 
+studies::MeshRequest request_of(const Words& w) {
+  studies::MeshRequest request{.shape = studies::SphereShape{},
+                               .triangles = w.triangles,
+                               .order = w.order,
+                               .grading = w.grading,
+                               .reduced_volume = w.reduced_volume};
+  if (!w.area.empty()) request.area = area_of(w.area);
+  if (*w.ellipsoid) {
+    studies::EllipsoidShape ellipsoid{.semi_axes = {}, .prolate = w.prolate};
+    if (!w.axes.empty()) {
+      const auto a = three_numbers("--axes", w.axes, "three lengths > 0, as in 1,1,0.5");
+      ellipsoid.semi_axes = Eigen::Vector3d(a[0], a[1], a[2]);
+    }
+    request.shape = ellipsoid;
+  }
+  if (*w.harmonic) {
+    studies::HarmonicShape shape;
+    for (const std::string& mode : w.modes) shape.modes.push_back(harmonic_of(mode));
+    request.shape = shape;
+  }
+  if (*w.revolve) request.shape = studies::ProfileShape{w.input};
+  if (*w.file) request.shape = studies::FileShape{w.input, w.repair};
+  return request;
+}
+
+int make(const Words& w) {
+  if (w.output.empty() && !w.report)
+    throw InputError("mesh: nothing to do: give a file with -o, or --report, or both");
+  if (!w.output.empty()) {
+    studies::require_mesh_suffix(w.output);
+    if (!w.overwrite) refuse_to_overwrite(w.output);
+  }
+  const studies::MadeMesh made = studies::make_mesh(request_of(w));
+  for (const std::string& note : made.notes) complain(note);
+  if (!w.output.empty()) {
+    if (!w.overwrite) refuse_to_overwrite(w.output);
+    studies::write_mesh(w.output, made.mesh, made.fields);
+    if (made.mesh.order > 1 && !studies::keeps_curved(w.output))
+      complain(
+          fmt::format("{} holds the plain triangles between the corners; .vtu would hold the "
+                      "curved ones",
+                      w.output));
+  }
+  if (w.report)
+    fmt::print("{}", studies::report(made.quality));
+  else
+    fmt::print("{}: {} triangles of order {}, area {:.8g}, reduced volume {:.8g}\n", w.output,
+               made.quality.triangles, made.mesh.order, made.quality.area,
+               made.quality.reduced_volume);
+  return 0;
+}
+
 }  // namespace
 
-MeshCommand::MeshCommand(CLI::App& app) : words_(std::make_shared<Words>()) {
-  Words& w = *words_;
-  CLI::App* mesh = app.add_subcommand("mesh", "a curved mesh of a shape: mesh SHAPE ... -o FILE");
+Command add_mesh(CLI::App& program) {
+  const auto words = std::make_shared<Words>();
+  Words& w = *words;
+  CLI::App* mesh =
+      program.add_subcommand("mesh", "a curved mesh of a shape: mesh SHAPE ... -o FILE");
   mesh->require_subcommand(1);
   const auto add = [&](const char* name, const char* text) {
     CLI::App* shape = mesh->add_subcommand(name, text);
@@ -99,56 +153,7 @@ MeshCommand::MeshCommand(CLI::App& app) : words_(std::make_shared<Words>()) {
   w.file = add("file", "triangles of a file, curved; without --triangles they stay as they are");
   w.file->add_option("FILE", w.input, ".obj, .off, .ply, .stl, .vtu or .vtp")->required();
   w.file->add_flag("--repair", w.repair, "mend what can be mended safely, and say what was done");
-}
-
-int MeshCommand::run() const {
-  const Words& w = *words_;
-  if (w.output.empty() && !w.report)
-    throw InputError("mesh: nothing to do: give a file with -o, or --report, or both");
-  if (!w.output.empty()) {
-    studies::require_mesh_suffix(w.output);
-    if (!w.overwrite) refuse_to_overwrite(w.output);
-  }
-  studies::MeshRequest request{.shape = studies::SphereShape{},
-                               .triangles = w.triangles,
-                               .order = w.order,
-                               .grading = w.grading,
-                               .reduced_volume = w.reduced_volume};
-  if (!w.area.empty()) request.area = area_of(w.area);
-  if (*w.ellipsoid) {
-    studies::EllipsoidShape ellipsoid{.semi_axes = {}, .prolate = w.prolate};
-    if (!w.axes.empty()) {
-      const auto a = three_numbers("--axes", w.axes, "three lengths > 0, as in 1,1,0.5");
-      ellipsoid.semi_axes = Eigen::Vector3d(a[0], a[1], a[2]);
-    }
-    request.shape = ellipsoid;
-  }
-  if (*w.harmonic) {
-    studies::HarmonicShape shape;
-    for (const std::string& mode : w.modes) shape.modes.push_back(harmonic_of(mode));
-    request.shape = shape;
-  }
-  if (*w.revolve) request.shape = studies::ProfileShape{w.input};
-  if (*w.file) request.shape = studies::FileShape{w.input, w.repair};
-
-  const studies::MadeMesh made = studies::make_mesh(request);
-  for (const std::string& note : made.notes) studies::tell(fmt::format("sbeh: {}\n", note));
-  if (!w.output.empty()) {
-    if (!w.overwrite) refuse_to_overwrite(w.output);
-    studies::write_mesh(w.output, made.mesh, made.fields);
-    if (made.mesh.order > 1 && !studies::keeps_curved(w.output))
-      studies::tell(
-          fmt::format("sbeh: {} holds the plain triangles between the corners; .vtu would hold the "
-                      "curved ones\n",
-                      w.output));
-  }
-  if (w.report)
-    fmt::print("{}", studies::report(made.quality));
-  else
-    fmt::print("{}: {} triangles of order {}, area {:.8g}, reduced volume {:.8g}\n", w.output,
-               made.quality.triangles, made.mesh.order, made.quality.area,
-               made.quality.reduced_volume);
-  return 0;
+  return {mesh, [words] { return make(*words); }};
 }
 
 }  // namespace sbeh::tools

@@ -1,0 +1,47 @@
+// `sbeh check`: whether an input is right, and what it asks for.
+#include "studies/io/errors.h"
+#include "studies/parameters/input_kind.h"
+#include "tools/commands/commands.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+#include <stdexcept>
+
+namespace sbeh::tools {
+
+namespace {
+
+void check(const std::string& file) {
+  switch (studies::kind_of(file)) {
+    case studies::InputKind::scan:
+      return check_scan(file);
+    case studies::InputKind::relax:
+      return check_relax(file);
+    case studies::InputKind::run:
+      return check_run(file);
+    case studies::InputKind::compare:
+      return check_compare(file);
+    case studies::InputKind::stability:
+      return check_stability(file);
+  }
+}
+
+}  // namespace
+
+Command add_check(CLI::App& program) {
+  const auto file = std::make_shared<std::string>();
+  CLI::App* app =
+      add_command(program, "check", "say whether an input is right, and what it asks for");
+  add_required(app, "FILE", *file, "input (TOML)");
+  return {app, [file] {
+            try {
+              check(*file);
+              return 0;
+            } catch (const std::invalid_argument& error) {  // only the start itself could tell
+              throw studies::InputError(fmt::format("{}: {}", *file, error.what()));
+            }
+          }};
+}
+
+}  // namespace sbeh::tools

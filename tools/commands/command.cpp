@@ -1,0 +1,77 @@
+#include "tools/commands/command.h"
+
+#include "studies/io/errors.h"
+#include "studies/io/interrupt.h"
+#include "studies/io/progress.h"
+
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+#include <tbb/global_control.h>
+
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+namespace sbeh::tools {
+
+namespace fs = std::filesystem;
+
+fs::path Study::results() const {
+  return folder.empty() ? fs::path("results") / fs::path(input).stem() : fs::path(folder);
+}
+
+CLI::App* add_command(CLI::App& program, const char* name, const char* text) {
+  return program.add_subcommand(name, text);
+}
+void add_required(CLI::App* command, const char* name, std::string& value, const char* text) {
+  command->add_option(name, value, text)->required();
+}
+void add_option(CLI::App* command, const char* name, std::string& value, const char* text) {
+  command->add_option(name, value, text);
+}
+void add_option(CLI::App* command, const char* name, int& value, const char* text, int least,
+                int most) {
+  command->add_option(name, value, text)->check(CLI::Range(least, most));
+}
+void add_flag(CLI::App* command, const char* name, bool& value, const char* text) {
+  command->add_flag(name, value, text);
+}
+
+Command add_study(CLI::App& program, const char* name, const char* text,
+                  std::function<int(const Study&)> run) {
+  const auto study = std::make_shared<Study>();
+  CLI::App* app = add_command(program, name, text);
+  add_required(app, "FILE", study->input, "input (TOML)");
+  add_option(app, "-o,--output", study->folder, "folder for the results (results/NAME)");
+  add_flag(app, "--no-pictures", study->no_pictures, "tables only");
+  add_option(app, "--threads", study->threads, "at most so many (all cores)", 1, 4096);
+  return {app, [study, run = std::move(run)] {
+            studies::catch_interrupts();
+            std::optional<tbb::global_control> limit;
+            if (study->threads > 0)
+              limit.emplace(tbb::global_control::max_allowed_parallelism,
+                            std::size_t(study->threads));
+            try {
+              return run(*study);
+            } catch (const std::invalid_argument& error) {  // only the start itself could tell
+              throw studies::InputError(fmt::format("{}: {}", study->input, error.what()));
+            }
+          }};
+}
+
+void complain(std::string_view what) { studies::tell(fmt::format("sbeh: {}\n", what)); }
+
+void draw_results(studies::ResultsKind kind, const fs::path& folder) {
+  if (draw({studies::name(kind), folder.string()}) != 0)
+    complain(
+        fmt::format("no pictures; the tables in {0} are complete. "
+                    "Try again with: sbeh picture {1} {0}",
+                    folder.string(), studies::name(kind)));
+}
+
+int exit_code_of_interrupt() { return 128 + studies::interrupt_signal(); }
+int exit_code_of_success() { return studies::interrupt_signal() ? exit_code_of_interrupt() : 0; }
+
+const char* beside_times(bool every_step) { return every_step ? " and one for each step" : ""; }
+
+}  // namespace sbeh::tools

@@ -1,0 +1,32 @@
+// The commands of sbeh, a file each: its options, what `sbeh check` says of its input, and what it does.
+#pragma once
+
+#include "tools/commands/command.h"
+
+namespace sbeh::tools {
+
+Command add_scan(CLI::App& program);
+Command add_relax(CLI::App& program);
+Command add_run(CLI::App& program);
+Command add_check(CLI::App& program);
+Command add_compare(CLI::App& program);
+Command add_stability(CLI::App& program);
+Command add_seifert(CLI::App& program);
+Command add_report(CLI::App& program);
+Command add_figures(CLI::App& program);
+Command add_mesh(CLI::App& program);
+Command add_picture(CLI::App& program);
+
+/// In the order of the help.
+inline constexpr Command (*all_commands[])(CLI::App& program) = {
+    add_scan,    add_relax,  add_run,     add_check, add_compare, add_stability,
+    add_seifert, add_report, add_figures, add_mesh,  add_picture};
+
+// What an input asks for, printed; each throws studies::InputError if it is wrong.
+void check_scan(const std::string& file);
+void check_relax(const std::string& file);
+void check_run(const std::string& file);
+void check_compare(const std::string& file);
+void check_stability(const std::string& file);
+
+}  // namespace sbeh::tools

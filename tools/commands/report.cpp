@@ -1,0 +1,36 @@
+// `sbeh report`: a folder of results as one page of HTML.
+#include "studies/report/report.h"
+
+#include "tools/commands/commands.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace sbeh::tools {
+
+namespace {
+
+int report(const std::filesystem::path& folder, bool no_pictures) {
+  const studies::ResultsKind kind = studies::kind_of_results(folder);
+  if (!no_pictures)
+    for (const std::string& picture : studies::missing_pictures(folder, kind))
+      if (draw({studies::name(kind), folder.string(), "--only", picture}) != 0)
+        complain(fmt::format("{}: cannot be drawn; the report is without it", picture));
+  const studies::ReportSummary s = studies::write_report(folder, SBEH_VERSION);
+  fmt::print("{} {}\n", s.replaced ? "replaced the earlier report" : "wrote", s.file.string());
+  return 0;
+}
+
+}  // namespace
+
+Command add_report(CLI::App& program) {
+  const auto folder = std::make_shared<std::string>();
+  const auto no_pictures = std::make_shared<bool>(false);
+  CLI::App* app = add_command(program, "report", "a folder of results as one page of HTML");
+  add_required(app, "DIR", *folder, "folder of a scan, run, relax, seifert, compare or stability");
+  add_flag(app, "--no-pictures", *no_pictures, "do not draw those that are missing");
+  return {app, [=] { return report(*folder, *no_pictures); }};
+}
+
+}  // namespace sbeh::tools

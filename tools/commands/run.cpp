@@ -1,0 +1,82 @@
+// `sbeh run`: one 3D evolution.
+#include "studies/evolution/run.h"
+
+#include "studies/evolution/run_cost.h"
+#include "tools/commands/commands.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace sbeh::tools {
+
+namespace {
+
+namespace fs = std::filesystem;
+using model::FlowStop;
+
+void complain_of_end(const studies::RunSummary& s, const fs::path& folder) {
+  if (s.unresolved_from)
+    complain(
+        fmt::format("unresolved from t = {:.6g}: what comes later is not to be trusted, see {}",
+                    *s.unresolved_from, (folder / "events.csv").string()));
+  if (s.run.stop == FlowStop::step_too_small) complain(model::describe(s.run.fault));
+  if (s.run.stop == FlowStop::unresolved)
+    complain(
+        "the triangles degenerate; the last frame is the last state: try more triangles, remesh = "
+        "true in [numerics], or a residual_stiffness where the order vanishes");
+  if (s.run.stop == FlowStop::self_contact)
+    complain(
+        "the surface comes nearer to itself than its nodes are to each other; nothing in the model "
+        "keeps it from passing through, so that the run ends here");
+}
+
+int run(const Study& study, bool resume) {
+  const studies::RunInput input = studies::read_run(study.input);
+  const fs::path folder = study.results();
+  const studies::RunSummary s = studies::run_surface(input, folder, SBEH_VERSION, resume);
+  const model::FlowRecord& last = s.run.last;
+  fmt::print("{} at t = {:.6g} after {} steps ({} rejected): energy {:.10g}\n",
+             model::describe(s.run.stop), last.time, s.run.steps, last.rejected,
+             last.energy.total());
+  if (s.resumed_from > 0) fmt::print("resumed from t = {:.6g}\n", s.resumed_from);
+  fmt::print("history in {}, {} frames: open {} in ParaView\n", (folder / "series.csv").string(),
+             s.frames, (folder / "run.pvd").string());
+  if (s.run.stop == FlowStop::interrupted) {
+    complain("interrupted; the same command with --resume goes on from here");
+    return exit_code_of_interrupt();
+  }
+  complain_of_end(s, folder);
+  if (!study.no_pictures) draw_results(studies::ResultsKind::run, folder);
+  const bool wrong = s.run.stop == FlowStop::step_too_small || s.run.stop == FlowStop::unresolved
+                  || s.run.stop == FlowStop::self_contact;
+  return wrong ? 1 : exit_code_of_success();
+}
+
+}  // namespace
+
+Command add_run(CLI::App& program) {
+  const auto resume = std::make_shared<bool>(false);
+  const Command command = add_study(program, "run", "one 3D evolution",
+                                    [resume](const Study& study) { return run(study, *resume); });
+  add_flag(command.app, "--resume", *resume, "go on with a run that was interrupted or killed");
+  return command;
+}
+
+void check_run(const std::string& file) {
+  const studies::RunInput input = studies::read_run(file);
+  const studies::RunStart start = studies::start_of(input);
+  const int triangles = start.mesh.triangle_count();
+  const studies::RunCost cost = studies::cost_of(input, triangles);
+  fmt::print(
+      "{}: a 3D run of {} to t = {}, reduced volume {:.6g}, {} triangles, {} unknowns; about "
+      "{:.2g} s "
+      "a step and {:.0f} MB of memory; {} lines of history{}, {} frames of {:.2f} MB\n\n{}",
+      file, model::name(input.model), input.times.end,
+      surface3d::reduced_volume(start.target.area, start.target.volume), triangles, cost.unknowns,
+      cost.seconds_per_step, cost.megabytes, input.times.rows.size(),
+      beside_times(input.times.every_step), input.times.states.size(), cost.frame_megabytes,
+      studies::describe(input, SBEH_VERSION));
+}
+
+}  // namespace sbeh::tools

@@ -1,0 +1,38 @@
+// `sbeh seifert`: the classical diagram by three witnesses.
+#include "studies/seifert/seifert.h"
+
+#include "tools/commands/commands.h"
+
+#include <fmt/format.h>
+
+#include <memory>
+
+namespace sbeh::tools {
+
+namespace {
+
+struct Words {
+  std::string folder = "results/seifert";
+  bool no_pictures = false;
+  int elements = 96;
+};
+
+int seifert(const Words& w) {
+  fmt::print("{}", studies::table_of(studies::run_seifert(w.folder, w.elements)));
+  fmt::print("tables in {}\n", w.folder);
+  if (!w.no_pictures) draw_results(studies::ResultsKind::seifert, w.folder);
+  return 0;
+}
+
+}  // namespace
+
+Command add_seifert(CLI::App& program) {
+  const auto words = std::make_shared<Words>();
+  CLI::App* app = add_command(program, "seifert", "the classical diagram by three witnesses");
+  add_option(app, "-o,--output", words->folder, "folder for the results (results/seifert)");
+  add_flag(app, "--no-pictures", words->no_pictures, "tables only");
+  add_option(app, "--elements", words->elements, "of the finite elements (96)", 32, 4096);
+  return {app, [words] { return seifert(*words); }};
+}
+
+}  // namespace sbeh::tools
