@@ -24,28 +24,29 @@ WitnessState state_of(Witness witness, const CompareInput& input,
                       const std::vector<WitnessState>& before, std::optional<axisym::State>& newton,
                       const fs::path& frame) {
   const auto by_newton = [&] {
-    NewtonState found = newton_state(input);
-    newton = found.state;
+    NewtonState found = newton_state(input.state);
+    if (found.state) newton = found.state->state;
     return found.found;
   };
   switch (witness) {
     case Witness::newton:
       return by_newton();
     case Witness::shooting:
-      return shooting_state(input);
+      return shooting_state(input.state);
     case Witness::minimiser:
-      return minimiser_state(input);
+      return minimiser_state(input.state);
     case Witness::flow:
-      return flow_state(input);
+      return flow_state(input.state, history_times(input.surface3d));
     case Witness::surface3d:
       if (input.surface3d.revolved && !newton) by_newton();
       if (input.surface3d.revolved && !newton)
         return {.witness = witness, .failure = "newton has no state to revolve"};
-      return surface_state(input, newton, frame);
+      return surface_state(input.state, input.surface3d, newton, frame);
     case Witness::harmonics: {
       const auto start =
           std::find_if(before.begin(), before.end(), [](const auto& s) { return s.mesh; });
-      return harmonic_state(input, start == before.end() ? std::nullopt : start->mesh);
+      return harmonic_state(input.state, input.harmonics,
+                            start == before.end() ? std::nullopt : start->mesh);
     }
   }
   return {};

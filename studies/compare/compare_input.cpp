@@ -15,8 +15,6 @@ namespace sbeh::studies {
 
 namespace {
 
-constexpr std::array<const char*, 6> witness_names{"newton", "shooting",  "minimiser",
-                                                   "flow",   "surface3d", "harmonics"};
 const ParameterNames flow_keys{"tolerance", "rest_speed"};
 constexpr double least_harmonic_volume = 0.65;
 constexpr int fewest_triangles = 20, most_triangles = 200'000;
@@ -24,10 +22,11 @@ constexpr int fewest_triangles = 20, most_triangles = 200'000;
 // The surface must be near enough to an ellipsoid.
 void require_harmonic_shape(const TomlTable& table, const CompareInput& input) {
   if (!input.has(Witness::harmonics)) return;
-  if (input.model != model::Model::SSH)
+  if (input.state.model != model::Model::SSH)
     table.fail("methods",
                "must not contain \"harmonics\" for model = \"SBEH\": it has full order only");
-  if (input.branch == axisym::Branch::stomatocyte || input.reduced_volume < least_harmonic_volume)
+  if (input.state.branch == axisym::Branch::stomatocyte
+      || input.state.reduced_volume < least_harmonic_volume)
     table.fail("methods",
                fmt::format("must not contain \"harmonics\" but for oblates and prolates with "
                            "reduced_volume >= {}",
@@ -35,19 +34,20 @@ void require_harmonic_shape(const TomlTable& table, const CompareInput& input) {
 }
 
 void read_case(const TomlTable& table, CompareInput& input) {
-  input.model = table.choice("model", rest_models);
-  read_value(table, "branch", input.branch);
-  input.reduced_volume = table.number("reduced_volume", {.low = 0, .high = 1, .low_open = true});
-  if (input.reduced_volume == 1)
+  axisym::StationaryCase& state = input.state;
+  state.model = table.choice("model", rest_models);
+  read_value(table, "branch", state.branch);
+  state.reduced_volume = table.number("reduced_volume", {.low = 0, .high = 1, .low_open = true});
+  if (state.reduced_volume == 1)
     table.fail("reduced_volume", "must be < 1: there is only the sphere, and nothing to compare");
-  input.L = table.number("L", above(0));
+  state.material = state.material.with_L(table.number("L", above(0)));
   input.methods = table.choices("methods", values_of(Witness{}));
   if (input.methods.size() < 2)
     table.fail("methods", "must be two at least, to be compared with each other");
-  if (input.has(Witness::shooting) && input.model != model::Model::SSH)
+  if (input.has(Witness::shooting) && state.model != model::Model::SSH)
     table.fail("methods",
                "must not contain \"shooting\" for model = \"SBEH\": it has full order only");
-  if (input.has(Witness::flow) && input.branch == axisym::Branch::stomatocyte)
+  if (input.has(Witness::flow) && state.branch == axisym::Branch::stomatocyte)
     table.fail("methods",
                "must not contain \"flow\" for branch = \"stomatocyte\": an ellipsoid does "
                "not go there");
@@ -70,7 +70,7 @@ SurfaceMethod read_surface_method(const TomlTable& table, const CompareInput& in
     method.run = table.text("run");
   }
   method.revolved = table.word("start", {"ellipsoid", "revolved"}, "ellipsoid") == "revolved";
-  if (input.has(Witness::surface3d) && input.branch == axisym::Branch::stomatocyte
+  if (input.has(Witness::surface3d) && input.state.branch == axisym::Branch::stomatocyte
       && method.run.empty() && !method.revolved)
     table.fail("start",
                "must be \"revolved\" for branch = \"stomatocyte\": an ellipsoid does not go "
@@ -100,7 +100,8 @@ void require_histories(const TomlTable& tolerance_3d, const CompareInput& input)
 
 // With a spontaneous curvature the classical shapes are others.
 void refuse_spontaneous_curvature(const TomlTable& material, const CompareInput& input) {
-  if (input.material.spontaneous_curvature == 0 || input.model != model::Model::SSH) return;
+  if (input.state.material.spontaneous_curvature == 0 || input.state.model != model::Model::SSH)
+    return;
   for (const Witness witness : {Witness::shooting, Witness::minimiser, Witness::harmonics})
     if (input.has(witness))
       material.fail(
@@ -138,13 +139,6 @@ std::vector<std::string> tolerated_quantities() {
   return names;
 }
 
-const char* name(Witness witness) { return witness_names[std::size_t(witness)]; }
-
-SurfaceMethod::SurfaceMethod() {
-  numerics.tolerance = 1e-3;
-  numerics.rest_speed = 1e-5;
-}
-
 bool CompareInput::has(Witness witness) const {
   return std::find(methods.begin(), methods.end(), witness) != methods.end();
 }
@@ -168,10 +162,11 @@ CompareInput read_compare(const std::filesystem::path& path) {
   if (!in_3d && !by_harmonics && has_tolerance_3d)
     file.refuse("tolerance_3d",
                 "has no place without \"surface3d\" or \"harmonics\" among the methods");
-  input.material = read_material_without_L(material, "a comparison, where L comes from [compare]")
-                       .with_L(input.L);
+  input.state.material =
+      read_material_without_L(material, "a comparison, where L comes from [compare]")
+          .with_L(input.state.L());
   refuse_spontaneous_curvature(material, input);
-  input.numerics = read_numerics<axisym::Numerics>(numerics);
+  input.state.numerics = read_numerics<axisym::Numerics>(numerics);
   input.surface3d = read_surface_method(surface, input);
   input.harmonics = read_harmonic_method(harmonics);
   tolerance.refuse("history", "has its place in [tolerance_3d]: flow is compared with surface3d");
@@ -184,13 +179,13 @@ CompareInput read_compare(const std::filesystem::path& path) {
 std::string describe(const CompareInput& input, std::string_view version) {
   TomlText toml(version);
   toml.table("compare");
-  toml.value("model", input.model);
-  toml.value("branch", input.branch);
-  toml.value("reduced_volume", input.reduced_volume);
-  toml.value("L", input.L);
+  toml.value("model", input.state.model);
+  toml.value("branch", input.state.branch);
+  toml.value("reduced_volume", input.state.reduced_volume);
+  toml.value("L", input.state.L());
   toml.value("methods", input.methods);
-  write_material_without_L(toml, input.material);
-  write_numerics(toml, input.numerics);
+  write_material_without_L(toml, input.state.material);
+  write_numerics(toml, input.state.numerics);
   if (input.has(Witness::surface3d)) write_surface_method(toml, input.surface3d);
   if (input.has(Witness::harmonics)) {
     toml.table("harmonics");

@@ -1,12 +1,9 @@
 // What a comparison is asked for: one case, the methods that compute it, and how well they must agree.
 #pragma once
 
-#include "axisym/classical_shape.h"
-#include "axisym/options.h"
-#include "model/material.h"
-#include "surface3d/options.h"
+#include "axisym/stationary/stationary_case.h"
+#include "studies/witnesses/witness.h"
 
-#include <array>
 #include <filesystem>
 #include <map>
 #include <string>
@@ -15,45 +12,10 @@
 
 namespace sbeh::studies {
 
-/// A way to a stationary state.
-enum class Witness {
-  newton,     ///< Newton's method on finite elements of the generating curve
-  shooting,   ///< shape equations by Boost.Odeint; SSH without spontaneous curvature
-  minimiser,  ///< spectral curves, Ceres and Newton; SBEH, or SSH without spontaneous curvature
-  flow,       ///< the axisymmetric solver, in time from an ellipsoid to rest
-  surface3d,  ///< the 3D solver, in time, to rest
-  harmonics   ///< spherical harmonics without an axis, Ceres and Newton; SSH, V_r >= 0.65
-};
-constexpr auto values_of(Witness) {
-  return std::array{Witness::newton, Witness::shooting,  Witness::minimiser,
-                    Witness::flow,   Witness::surface3d, Witness::harmonics};
-}
-/// "newton", "shooting", "minimiser", "flow", "surface3d" or "harmonics".
-const char* name(Witness witness);
-
-/// The 3D method: table [surface3d].
-struct SurfaceMethod {
-  std::string run;        ///< folder of a run (sbeh run), whose last frame is taken; or empty
-  bool revolved = false;  ///< key `start`: "ellipsoid" of full order, or "revolved": Newton's state
-  int triangles = 320;    ///< about so many
-  double end_time = 20;   ///< key `end`, > 0: a flow that is not at rest ends here
-  surface3d::Numerics numerics;  ///< keys `tolerance` (1e-3) and `rest_speed` (1e-5)
-  SurfaceMethod();
-
-  bool operator==(const SurfaceMethod&) const = default;
-};
-
-/// The 3D minimiser: table [harmonics].
-struct HarmonicMethod {
-  int degree = 16;  ///< largest l, 8 <= degree <= 24
-
-  bool operator==(const HarmonicMethod&) const = default;
-};
-
 /// Largest differences allowed, by the names of tolerated_quantities(). Energies are relative to the
 /// total energy, all others as they are.
 using Tolerances = std::map<std::string, double>;
-/// The quantities that are compared: those of witness_state.h, "distance" of the profiles, and "history"
+/// The quantities that are compared: those of witnesses/state.h, "distance" of the profiles, and "history"
 /// of the energy, which flow and surface3d have.
 std::vector<std::string> tolerated_quantities();
 
@@ -61,13 +23,8 @@ std::vector<std::string> tolerated_quantities();
 /// [numerics] (of newton), [surface3d], [harmonics], [tolerance] (pairs of axisymmetric methods) and
 /// [tolerance_3d] (pairs with surface3d or harmonics).
 struct CompareInput {
-  model::Model model = model::Model::SBEH;  ///< SBEH or SSH
-  axisym::Branch branch = axisym::Branch::oblate;
-  double reduced_volume = 0;     ///< 0 < V_r < 1
-  double L = 0;                  ///< > 0, one-constant elastic constant
+  axisym::StationaryCase state;  ///< V_r < 1, one-constant approximation
   std::vector<Witness> methods;  ///< two at least; the first is the reference
-  model::Material material;      ///< with this L
-  axisym::Numerics numerics;
   SurfaceMethod surface3d;
   HarmonicMethod harmonics;
   Tolerances tolerance, tolerance_3d;

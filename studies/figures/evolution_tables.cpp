@@ -31,11 +31,8 @@ std::optional<std::size_t> nearest_frame(const CsvTable& frames, double instant)
 }
 
 double energy_of_oblate(const RunInput& input, double reduced_volume, double residual_stiffness) {
-  CompareInput oblate;
-  oblate.model = input.model;
-  oblate.reduced_volume = reduced_volume;
-  oblate.L = input.material.L1;
-  oblate.material = input.material;
+  axisym::StationaryCase oblate{
+      .model = input.model, .reduced_volume = reduced_volume, .material = input.material};
   oblate.material.residual_stiffness = residual_stiffness;
   return newton_state(oblate).found.measures.energy;
 }

@@ -40,7 +40,8 @@ std::vector<FoldRow> fold_of(const ScanInput& input, axisym::Branch branch, doub
   }
   const double L = input.L.back();
   const auto last = point({v, L, Model::SBEH, branch});
-  const auto fold = is_stationary(last) ? fold_above(input, {{v, L}, *last->state}) : std::nullopt;
+  const auto fold =
+      is_stationary(last) ? fold_above(case_of(input, last->row.key), *last->state) : std::nullopt;
   if (!fold) return {};
   const axisym::Diagnostics d =
       axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state);

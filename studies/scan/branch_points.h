@@ -6,6 +6,7 @@
 
 #include "axisym/flow.h"
 #include "axisym/stationary/branch_entry.h"
+#include "axisym/stationary/stationary_case.h"
 #include "studies/evolution/series_file.h"
 #include "studies/scan/scan_table.h"
 
@@ -14,10 +15,12 @@
 
 namespace sbeh::studies {
 
-/// A row and the state it describes; no state where the point failed.
+/// A row and the state it describes.
 struct PointOutcome {
   PointResult row;
-  std::optional<axisym::State> state;
+  std::optional<axisym::State> state;  ///< none where the point failed
+  /// The state with H, Λ, Σ and P where Newton's method has found it; not where it was read back, or evolved.
+  std::optional<axisym::StationaryState> solution{};
 };
 
 /// A stationary state to start from.
@@ -26,41 +29,45 @@ struct Neighbour {
   axisym::State state;
 };
 
+/// The case of a scan's point.
+axisym::StationaryCase case_of(const ScanInput& input, const PointKey& key);
+
 /// A failed point, with the reason.
-PointOutcome failed_point(const PointKey& key, std::string reason);
+PointOutcome failed_point(const axisym::StationaryCase& of, std::string reason);
 
 /// Newton's method from positions and order alone; empty when it fails.
 std::optional<axisym::BranchState> settled(const model::Material& material, model::Model model,
                                            const Neighbour& at);
 
-/// SSH's state from which a branch is followed, at the elastic constant L; empty when Newton fails.
-std::optional<Neighbour> enter_branch(const ScanInput& input, axisym::Branch branch, double L);
+/// SSH's state from which the branch is followed, at the case's elastic constant; empty when Newton fails.
+std::optional<Neighbour> enter_branch(const axisym::StationaryCase& of);
 
-/// Follows the branch of `model` from a neighbour (of the same model) to the point of the key.
-PointOutcome follow_to(const ScanInput& input, const PointKey& key, const Neighbour& from);
+/// Follows the branch of the case's model from a neighbour (of the same model) to the case.
+PointOutcome follow_to(const axisym::StationaryCase& of, const Neighbour& from);
 
 /// SSH's state with another elastic constant: the same shape unless k₀ or H₀ is there.
-PointOutcome rescale_to(const ScanInput& input, const PointKey& key, const Neighbour& from);
+PointOutcome rescale_to(const axisym::StationaryCase& of, const Neighbour& from);
 
 /// An L well below any fold: stomatocytes with V_r = 0.5 fold at 7e-5.
 inline constexpr double small_L = 1e-5;
 
 /// The first SBEH state at a reduced volume, from SSH's: at a small L, then along the branch.
-PointOutcome order_from(const ScanInput& input, const PointKey& key, const Neighbour& ssh);
+PointOutcome order_from(const axisym::StationaryCase& of, const Neighbour& ssh);
 
 /// The point beyond a fold: the fold's row and state under another L.
 PointOutcome beyond_fold(const PointKey& key, const PointOutcome& fold);
 
-/// The fold in which a branch of SBEH ends as L grows, at the reduced volume of a state on it; empty
-/// when there is none below L = 2.
-std::optional<axisym::BranchState> fold_above(const ScanInput& input, const Neighbour& from);
+/// The fold in which the branch of SBEH ends as L grows, from the case's state; empty when there is none below
+/// L = 2.
+std::optional<axisym::BranchState> fold_above(const axisym::StationaryCase& of,
+                                              const axisym::State& state);
 
 /// V_r = 1: the sphere, with the uniform order at rest there.
-PointOutcome sphere_point(const ScanInput& input, const PointKey& key);
+PointOutcome sphere_point(const axisym::StationaryCase& of);
 
-/// The flow from the spheroid (oblate or prolate) with β = 2/3 to rest, polished by Newton's method. Records
-/// every accepted step. Empty when interrupted.
-std::optional<PointOutcome> flow_to_rest(const ScanInput& input, const PointKey& key,
+/// The flow from the spheroid (oblate or prolate) with β = 2/3 to rest until end_time at the latest, polished by
+/// Newton's method. Records every accepted step. Empty when interrupted.
+std::optional<PointOutcome> flow_to_rest(const axisym::StationaryCase& of, double end_time,
                                          std::vector<SeriesRow>& history);
 
 }  // namespace sbeh::studies

@@ -139,7 +139,8 @@ void scan_order_column(const ScanInput& input, ScanFolder& folder, axisym::Branc
     const PointKey key{v, L, Model::SBEH, branch};
     const auto outcome = point(folder, key, [&] {
       if (fold) return beyond_fold(key, *fold);
-      return last ? follow_to(input, key, *last) : order_from(input, key, ssh);
+      const axisym::StationaryCase of = case_of(input, key);
+      return last ? follow_to(of, *last) : order_from(of, ssh);
     });
     if (!outcome) return;
     if (outcome->row.status == PointStatus::stationary)
@@ -155,7 +156,7 @@ void scan_column(const ScanInput& input, ScanFolder& folder, axisym::Branch bran
   if (wants(input, Model::SSH))
     for (std::size_t k = 1; k < input.L.size(); ++k) {
       const PointKey key{ssh.at.reduced_volume, input.L[k], Model::SSH, branch};
-      if (!point(folder, key, [&] { return rescale_to(input, key, ssh); })) return;
+      if (!point(folder, key, [&] { return rescale_to(case_of(input, key), ssh); })) return;
     }
   if (wants(input, Model::SBEH)) scan_order_column(input, folder, branch, ssh);
 }
@@ -167,7 +168,8 @@ void give_up_column(const ScanInput& input, ScanFolder& folder, double v, axisym
     for (const Model model : input.models) {
       const PointKey key{v, L, model, branch};
       point(folder, key, [&] {
-        PointOutcome outcome = failed_point(key, "no SSH shape to start from: " + ssh.stop_reason);
+        PointOutcome outcome =
+            failed_point(case_of(input, key), "no SSH shape to start from: " + ssh.stop_reason);
         outcome.row.status = ssh.status;
         return outcome;
       });
@@ -178,7 +180,7 @@ void scan_spheres(const ScanInput& input, ScanFolder& folder, axisym::Branch bra
   for (const double L : input.L)
     for (const Model model : input.models) {
       const PointKey key{1, L, model, branch};
-      point(folder, key, [&] { return sphere_point(input, key); });
+      point(folder, key, [&] { return sphere_point(case_of(input, key)); });
     }
 }
 
@@ -198,7 +200,7 @@ template <class BranchOff>
 void walk_chain(const ScanInput& input, ScanFolder& folder, axisym::Branch branch,
                 BranchOff&& branch_off) {
   const double L = input.L.front();
-  const auto entry = enter_branch(input, branch, L);
+  const auto entry = enter_branch(case_of(input, {axisym::entry_volume, L, Model::SSH, branch}));
   const double entry_volume = entry ? entry->at.reduced_volume : axisym::entry_volume;
   std::optional<Neighbour> last = entry;
   bool below = false;
@@ -207,8 +209,9 @@ void walk_chain(const ScanInput& input, ScanFolder& folder, axisym::Branch branc
     if (v <= entry_volume && !std::exchange(below, true)) last = entry;
     const PointKey key{v, L, Model::SSH, branch};
     const auto compute = [&] {
-      return last ? follow_to(input, key, *last)
-                  : failed_point(key, "Newton's method failed at the entry of the branch");
+      const axisym::StationaryCase of = case_of(input, key);
+      return last ? follow_to(of, *last)
+                  : failed_point(of, "Newton's method failed at the entry of the branch");
     };
     const std::optional<PointOutcome> ssh =
         wants(input, Model::SSH) ? point(folder, key, compute) : compute();
@@ -239,8 +242,9 @@ void scan_by_flow(const ScanInput& input, ScanFolder& folder) {
   tbb::parallel_for(std::size_t(0), keys.size(), [&](std::size_t k) {
     if (interrupt_signal() || folder.has(keys[k])) return;
     std::vector<SeriesRow> history;
-    const auto outcome = keys[k].reduced_volume == 1 ? std::optional(sphere_point(input, keys[k]))
-                                                     : flow_to_rest(input, keys[k], history);
+    const axisym::StationaryCase of = case_of(input, keys[k]);
+    const auto outcome = of.reduced_volume == 1 ? std::optional(sphere_point(of))
+                                                : flow_to_rest(of, input.flow_end_time, history);
     if (!outcome) return;
     write_file(folder.series_path(keys[k]), series_text(history));
     folder.keep(*outcome);

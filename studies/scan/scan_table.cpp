@@ -107,6 +107,10 @@ std::optional<PointResult> row_of(const std::string& line) {
 
 }  // namespace
 
+PointKey key_of(const axisym::StationaryCase& of) {
+  return {of.reduced_volume, of.L(), of.model, of.branch};
+}
+
 std::string stem(const PointKey& key) {
   return fmt::format("{}_{}_v{}_L{}", model::name(key.model), name(key.branch), key.reduced_volume,
                      key.L);

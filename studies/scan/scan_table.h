@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/diagnostics.h"
+#include "axisym/stationary/stationary_case.h"
 #include "studies/io/output.h"
 #include "studies/scan/scan_input.h"
 
@@ -22,6 +23,8 @@ struct PointKey {
   axisym::Branch branch;
   auto operator<=>(const PointKey&) const = default;
 };
+/// That of a case, with its L.
+PointKey key_of(const axisym::StationaryCase& of);
 /// Name of the point's files without ending, such as SBEH_oblate_v0.6_L0.07.
 std::string stem(const PointKey& key);
 

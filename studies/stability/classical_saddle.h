@@ -1,7 +1,7 @@
 // Whether a classical shape is a saddle among all surfaces, by minimisation over spherical harmonics.
 #pragma once
 
-#include "studies/stability/stability_input.h"
+#include "axisym/stationary/stationary_case.h"
 
 #include <optional>
 
@@ -12,9 +12,8 @@ struct ClassicalSaddle {
   double stiffness;         ///< least second variation, see surface3d/harmonic/minimiser.h
 };
 
-/// Of the key's branch at a reduced volume; empty unless it is one of SSH without spontaneous curvature, V_r >=
-/// 0.65, where the harmonics resolve it.
-std::optional<ClassicalSaddle> classical_saddle(const StabilityInput& input,
-                                                const StabilityKey& key, double reduced_volume);
+/// Empty unless the case is one of SSH without spontaneous curvature, V_r >= 0.65, where the harmonics resolve
+/// it.
+std::optional<ClassicalSaddle> classical_saddle(const axisym::StationaryCase& of);
 
 }  // namespace sbeh::studies

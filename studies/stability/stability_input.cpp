@@ -74,6 +74,15 @@ std::string stem(const StabilityKey& key) {
                      key.reduced_volume, key.L, key.l, key.m);
 }
 
+axisym::StationaryCase case_of(const StabilityInput& input, const StabilityKey& key,
+                               Branch branch) {
+  return {.model = key.model,
+          .branch = branch,
+          .reduced_volume = key.reduced_volume,
+          .material = input.material.with_L(key.L),
+          .numerics = input.numerics};
+}
+
 std::vector<StabilityKey> keys_of(const StabilityInput& input) {
   std::vector<StabilityKey> keys;
   for (const double v : input.reduced_volume)

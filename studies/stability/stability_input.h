@@ -2,8 +2,7 @@
 // they are followed.
 #pragma once
 
-#include "axisym/classical_shape.h"
-#include "axisym/options.h"
+#include "axisym/stationary/stationary_case.h"
 #include "meshing/spherical_harmonics.h"
 #include "model/material.h"
 #include "surface3d/options.h"
@@ -47,6 +46,10 @@ struct StabilityKey {
 };
 /// Name of the run's files without ending, such as SBEH_oblate_v0.8_L0.05_Y22.
 std::string stem(const StabilityKey& key);
+
+/// The state that is perturbed, or that of another branch there.
+axisym::StationaryCase case_of(const StabilityInput& input, const StabilityKey& key,
+                               axisym::Branch branch);
 
 /// All runs, in order. Of SSH only those with the largest L: the shapes do not depend on it, and rates are
 /// proportional to it; with residual_stiffness > 0 that is not so, and all are there.

@@ -34,17 +34,6 @@ constexpr double grown = 10, rest_share = 0.01;
 // Energies that differ by less than this share of the sphere's bending energy 8πκ are one.
 constexpr double same_energy = 0.01;
 
-NewtonState state_of(const StabilityInput& input, const StabilityKey& key, axisym::Branch branch) {
-  CompareInput one;
-  one.model = key.model;
-  one.branch = branch;
-  one.reduced_volume = key.reduced_volume;
-  one.L = key.L;
-  one.material = input.material.with_L(key.L);
-  one.numerics = input.numerics;
-  return newton_state(one);
-}
-
 meshing::Harmonic perturbation_of(const StabilityInput& input, const StabilityKey& key) {
   return *std::find_if(input.perturbations.begin(), input.perturbations.end(),
                        [&](const auto& mode) { return mode.l == key.l && mode.m == key.m; });
@@ -170,8 +159,8 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   StabilityOutcome outcome;
   StabilityResult& result = outcome.result;
   result.key = key;
-  const NewtonState oblate = state_of(input, key, axisym::Branch::oblate),
-                    prolate = state_of(input, key, axisym::Branch::prolate);
+  const NewtonState oblate = newton_state(case_of(input, key, axisym::Branch::oblate)),
+                    prolate = newton_state(case_of(input, key, axisym::Branch::prolate));
   result.energy_oblate = oblate.found.measures.energy;
   result.energy_prolate = prolate.found.measures.energy;
   const NewtonState& axisymmetric = key.branch == axisym::Branch::oblate ? oblate : prolate;
@@ -180,7 +169,7 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
     return outcome;
   }
   result.energy_axisymmetric = axisymmetric.found.measures.energy;
-  if (const auto saddle = classical_saddle(input, key, key.reduced_volume)) {
+  if (const auto saddle = classical_saddle(case_of(input, key, key.branch))) {
     result.negative_directions = saddle->negative_directions;
     result.stiffness = saddle->stiffness;
   }
@@ -189,7 +178,7 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   const double kappa = material.kappa(model::full_order);
   Start start;
   try {
-    start = perturbed(*axisymmetric.state, input, key);
+    start = perturbed(axisymmetric.state->state, input, key);
   } catch (const std::invalid_argument& error) {
     result.stop_reason = error.what();
     return outcome;

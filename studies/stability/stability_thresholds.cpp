@@ -22,7 +22,11 @@ auto line_of(const StabilityKey& key) {
 
 // Between two volumes of which the directions differ; the change of m alone is not told apart.
 double by_harmonics(const StabilityInput& input, const StabilityKey& key, double low, double high) {
-  const auto count = [&](double v) { return classical_saddle(input, key, v); };
+  const auto count = [&](double v) {
+    axisym::StationaryCase there = case_of(input, key, key.branch);
+    there.reduced_volume = v;
+    return classical_saddle(there);
+  };
   const auto at_low = count(low), at_high = count(high);
   if (!at_low || !at_high || at_low->negative_directions == at_high->negative_directions)
     return not_known;

@@ -26,14 +26,14 @@ double curvature_along(const HarmonicSurface& surface, const Vector3d& direction
 
 }  // namespace
 
-WitnessState harmonic_state(const CompareInput& input,
+WitnessState harmonic_state(const axisym::StationaryCase& of, const HarmonicMethod& method,
                             const std::optional<meshing::CurvedMesh>& start) {
-  const int degree = input.harmonics.degree;
+  const int degree = method.degree;
   const HarmonicShape shape = surface3d::minimise_harmonics(
       start ? surface3d::fit_harmonics(surface3d::Triangulation(*start), start->nodes, degree)
-            : surface3d::harmonic_spheroid(input.reduced_volume,
-                                           input.branch == axisym::Branch::prolate, degree),
-      input.reduced_volume, degree);
+            : surface3d::harmonic_spheroid(of.reduced_volume, of.branch == axisym::Branch::prolate,
+                                           degree),
+      of.reduced_volume, degree);
   WitnessState found{.witness = Witness::harmonics};
   if (shape.stop != surface3d::HarmonicStop::stationary) {
     found.failure = describe(shape.stop);
@@ -43,7 +43,7 @@ WitnessState harmonic_state(const CompareInput& input,
   found.remark = fmt::format(
       "l <= {}, from {}; {} directions in which the energy falls; deviation from an axis {:.1e}",
       degree, start ? "surface3d" : "an ellipsoid", shape.negative_directions, axis.deviation);
-  found.measures = classical_measures(input, shape.energy, shape.pressure, shape.tension);
+  found.measures = classical_measures(of.material, shape.energy, shape.pressure, shape.tension);
   const double above = curvature_along(shape.surface, axis.direction),
                below = curvature_along(shape.surface, -axis.direction);
   found.measures.H_pole = std::max(above, below);
@@ -55,7 +55,7 @@ WitnessState harmonic_state(const CompareInput& input,
     found.points.col(i) << z.cross(x).norm(), z.dot(x);
   }
   const bool prolate = found.points.row(1).cwiseAbs().maxCoeff() > found.points.row(0).maxCoeff();
-  if (prolate != (input.branch == axisym::Branch::prolate)) {
+  if (prolate != (of.branch == axisym::Branch::prolate)) {
     found = {.witness = Witness::harmonics};
     found.failure = fmt::format("has come to the {} instead", prolate ? "prolate" : "oblate");
     return found;

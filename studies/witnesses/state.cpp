@@ -18,6 +18,7 @@
 namespace sbeh::studies {
 
 using axisym::ClassicalShape;
+using axisym::StationaryCase;
 using model::Model;
 using std::numbers::pi;
 
@@ -31,10 +32,10 @@ void take_curve(WitnessState& found, const Meridian& curve, const std::array<dou
   found.measures.H_pole = std::max(H_poles[0], H_poles[1]);
 }
 
-WitnessState classical_state(const CompareInput& input, Witness witness,
+WitnessState classical_state(const model::Material& material, Witness witness,
                              const ClassicalShape& shape, Meridian curve) {
   WitnessState found{.witness = witness};
-  found.measures = classical_measures(input, shape.energy, shape.pressure, shape.tension);
+  found.measures = classical_measures(material, shape.energy, shape.pressure, shape.tension);
   take_curve(found, curve, {shape.H_pole, shape.H_pole});
   return found;
 }
@@ -48,20 +49,14 @@ WitnessState failed(Witness witness, std::string reason) {
 }
 
 // Follows the branch of SSH from its entry, then, for a free order, to the elastic constant.
-PointOutcome follow_branch(const CompareInput& input) {
-  const ScanInput scan{.reduced_volume = {input.reduced_volume},
-                       .L = {input.L},
-                       .models = {input.model},
-                       .branches = {input.branch},
-                       .material = input.material,
-                       .numerics = input.numerics};
-  const PointKey key{input.reduced_volume, input.L, input.model, input.branch};
-  const auto entry = enter_branch(scan, input.branch, input.L);
-  if (!entry) return failed_point(key, "Newton's method failed at the entry of the branch");
-  const PointKey ssh_key{input.reduced_volume, input.L, Model::SSH, input.branch};
-  const PointOutcome ssh = follow_to(scan, ssh_key, *entry);
-  if (input.model == Model::SSH || ssh.row.status != PointStatus::stationary) return ssh;
-  return order_from(scan, key, {{input.reduced_volume, input.L}, *ssh.state});
+PointOutcome follow_branch(const StationaryCase& of) {
+  const auto entry = enter_branch(of);
+  if (!entry) return failed_point(of, "Newton's method failed at the entry of the branch");
+  StationaryCase classical = of;
+  classical.model = Model::SSH;
+  PointOutcome ssh = follow_to(classical, *entry);
+  if (of.model == Model::SSH || ssh.row.status != PointStatus::stationary) return ssh;
+  return order_from(of, {{of.reduced_volume, of.L()}, *ssh.state});
 }
 
 }  // namespace
@@ -82,9 +77,8 @@ const std::vector<Quantity>& quantities() {
   return all;
 }
 
-Measures classical_measures(const CompareInput& input, double energy, double pressure,
+Measures classical_measures(const model::Material& m, double energy, double pressure,
                             double tension) {
-  const model::Material& m = input.material;
   const double beta = model::full_order, kappa = m.kappa(beta), u = m.potential.value(beta);
   Measures of;
   of.energy_distortion = 0;
@@ -97,19 +91,15 @@ Measures classical_measures(const CompareInput& input, double energy, double pre
   return of;
 }
 
-NewtonState newton_state(const CompareInput& input) {
-  const PointOutcome point = follow_branch(input);
+NewtonState newton_state(const StationaryCase& of) {
+  const PointOutcome point = follow_branch(of);
   if (point.row.status != PointStatus::stationary) {
     const std::string& reason = point.row.stop_reason;  // of a row, whose values are not taken here
     return {{}, failed(Witness::newton, reason.substr(0, reason.find("; the values")))};
   }
-  const auto settled_state =
-      settled(input.material, input.model, {{input.reduced_volume, input.L}, *point.state});
-  if (!settled_state)
-    return {{}, failed(Witness::newton, "Newton's method does not converge at its own state")};
-  const axisym::StationaryState& s = settled_state->solution;
-  const axisym::Energy energy = axisym::energy(input.material, s.state, s.H);
-  const axisym::Diagnostics d = axisym::diagnose(input.material, s.state);
+  const axisym::StationaryState& s = *point.solution;
+  const axisym::Energy energy = axisym::energy(of.material, s.state, s.H);
+  const axisym::Diagnostics& d = *point.row.diagnostics;
   const Meridian curve(s.state);
   WitnessState found{.witness = Witness::newton,
                      .remark = fmt::format("{} elements", axisym::element_count(s.state.X)),
@@ -123,19 +113,18 @@ NewtonState newton_state(const CompareInput& input) {
                                   .order_mean = d.order_mean,
                                   .order_max = d.order_max}};
   take_curve(found, curve, axisym::pole_curvatures(s.state.X, s.H));
-  return {s.state, found};
+  return {s, found};
 }
 
-WitnessState flow_state(const CompareInput& input) {
+WitnessState flow_state(const StationaryCase& of, const std::vector<double>& times) {
   constexpr double end_time = 200;
-  const axisym::Numerics& n = input.numerics;
-  const axisym::Nodes X = axisym::spheroid(
-      input.reduced_volume, input.branch == axisym::Branch::prolate, n.elements, n.grading);
+  const axisym::Numerics& n = of.numerics;
+  const axisym::Nodes X = axisym::spheroid(of.reduced_volume, of.branch == axisym::Branch::prolate,
+                                           n.elements, n.grading);
   WitnessState found{.witness = Witness::flow};
   const axisym::FlowResult run = axisym::run_flow(
-      input.material, input.model, {X, axisym::Field::Constant(X.cols(), model::full_order)},
-      axisym::target_of(input.reduced_volume), n,
-      {.end_time = end_time, .output_times = history_times(input)},
+      of.material, of.model, {X, axisym::Field::Constant(X.cols(), model::full_order)},
+      axisym::target_of(of.reduced_volume), n, {.end_time = end_time, .output_times = times},
       [&](const axisym::FlowRecord& record, const axisym::State&, bool exact) {
         if (exact) found.history.push_back({record.time, record.energy.total()});
         return interrupt_signal() == 0;
@@ -147,20 +136,20 @@ WitnessState flow_state(const CompareInput& input) {
     found.failure = found.remark;
     return found;
   }
-  const axisym::Diagnostics d = axisym::diagnose(input.material, run.state);
-  found.measures = measures_of_flow(input.material, d, run.last.lambda);
+  const axisym::Diagnostics d = axisym::diagnose(of.material, run.state);
+  found.measures = measures_of_flow(of.material, d, run.last.lambda);
   take_curve(found, Meridian(run.state),
              axisym::pole_curvatures(run.state.X, axisym::mean_curvature(run.state.X)));
   return found;
 }
 
-WitnessState shooting_state(const CompareInput& input) {
+WitnessState shooting_state(const StationaryCase& of) {
   try {
-    const std::array<double, 1> at{input.reduced_volume};
-    const ClassicalShape shape = axisym::shoot_branch(input.branch, at).front();
+    const std::array<double, 1> at{of.reduced_volume};
+    const ClassicalShape shape = axisym::shoot_branch(of.branch, at).front();
     // Equal steps of arc length from either pole to the equator.
     const int equator = int(shape.profile.cols() - 1) / 2;
-    return classical_state(input, Witness::shooting, shape,
+    return classical_state(of.material, Witness::shooting, shape,
                            Meridian(shape.profile, full_order_on(shape.profile), {equator}));
   } catch (const std::runtime_error& error) {
     return failed(Witness::shooting, error.what());
@@ -169,16 +158,16 @@ WitnessState shooting_state(const CompareInput& input) {
   }
 }
 
-WitnessState minimiser_state(const CompareInput& input) {
+WitnessState minimiser_state(const StationaryCase& of) {
   const std::string none = "there is no smooth minimum of this branch, or it is not resolved";
-  const axisym::Branch branch = input.branch;
-  if (input.model == Model::SSH) {
-    const auto shape = axisym::minimise_classical(branch, input.reduced_volume);
+  const axisym::Branch branch = of.branch;
+  if (of.model == Model::SSH) {
+    const auto shape = axisym::minimise_classical(branch, of.reduced_volume);
     if (!shape) return failed(Witness::minimiser, none);
-    return classical_state(input, Witness::minimiser, *shape,
+    return classical_state(of.material, Witness::minimiser, *shape,
                            Meridian(shape->profile, full_order_on(shape->profile)));
   }
-  const auto minimum = axisym::minimise_ordered(input.material, input.reduced_volume, branch);
+  const auto minimum = axisym::minimise_ordered(of.material, of.reduced_volume, branch);
   if (!minimum) return failed(Witness::minimiser, none);
   const Meridian curve(minimum->profile, minimum->order);
   WitnessState found{

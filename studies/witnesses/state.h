@@ -1,10 +1,12 @@
 // What one method of a comparison finds: a stationary state, measured in the terms of all of them.
 #pragma once
 
+#include "axisym/stationary/stationary.h"
+#include "axisym/stationary/stationary_case.h"
 #include "meshing/curved_mesh.h"
-#include "studies/compare/compare_input.h"
 #include "studies/io/errors.h"
 #include "studies/states/meridian.h"
+#include "studies/witnesses/witness.h"
 
 #include <filesystem>
 #include <limits>
@@ -57,25 +59,26 @@ struct WitnessState {
                                        ///< halfway between the poles; none of the 3D methods
 };
 
-/// Newton's method from the branch's entry on; the state, or the reason why there is none.
+/// Newton's method from the branch's entry on; the state with its multipliers, or the reason why there is none.
 struct NewtonState {
-  std::optional<axisym::State> state;
+  std::optional<axisym::StationaryState> state;
   WitnessState found;
 };
-NewtonState newton_state(const CompareInput& input);
+NewtonState newton_state(const axisym::StationaryCase& of);
 
 /// Boost.Odeint on the shape equations. SSH without spontaneous curvature.
-WitnessState shooting_state(const CompareInput& input);
+WitnessState shooting_state(const axisym::StationaryCase& of);
 
 /// Spectral minimisation; of SSH without spontaneous curvature.
-WitnessState minimiser_state(const CompareInput& input);
+WitnessState minimiser_state(const axisym::StationaryCase& of);
 
-/// The axisymmetric solver's flow from the ellipsoid of full order to rest. Throws Interrupted.
-WitnessState flow_state(const CompareInput& input);
+/// The axisymmetric solver's flow from the ellipsoid of full order to rest, with its energies at these times.
+/// Throws Interrupted.
+WitnessState flow_state(const axisym::StationaryCase& of, const std::vector<double>& times);
 
 /// When flow and surface3d tell their energies: nine times from 0.001 to 10, or those of the rows of the
 /// run whose frame is taken.
-std::vector<double> history_times(const CompareInput& input);
+std::vector<double> history_times(const SurfaceMethod& method);
 
 /// Of a state at rest in a flow, with its volume multiplier.
 template <class Diagnostics>
@@ -93,20 +96,21 @@ Measures measures_of_flow(const model::Material& material, const Diagnostics& d,
   return of;
 }
 
-/// The 3D solver's flow to rest, or the last frame of a run. `start` is revolved where the input asks
+/// The 3D solver's flow to rest, or the last frame of a run. `start` is revolved where the method asks
 /// for it. The surface is turned with its axis upright, its centre in the origin. `keep`, unless empty,
 /// is where the state goes as a frame. Throws InputError (a run that is none, or is one of another
 /// case), OutputError, and Interrupted.
-WitnessState surface_state(const CompareInput& input, const std::optional<axisym::State>& start,
+WitnessState surface_state(const axisym::StationaryCase& of, const SurfaceMethod& method,
+                           const std::optional<axisym::State>& start,
                            const std::filesystem::path& keep);
 
 /// A classical shape in the terms of U: full order, u(2/3) everywhere, and the Gaussian part; energy is
 /// F/(8πκ), pressure and tension are per κ. SSH without spontaneous curvature.
-Measures classical_measures(const CompareInput& input, double energy, double pressure,
+Measures classical_measures(const model::Material& material, double energy, double pressure,
                             double tension);
 
 /// Minimisation over spherical harmonics, from the 3D solver's surface or else a spheroid; turned like it.
-WitnessState harmonic_state(const CompareInput& input,
+WitnessState harmonic_state(const axisym::StationaryCase& of, const HarmonicMethod& method,
                             const std::optional<meshing::CurvedMesh>& start);
 
 }  // namespace sbeh::studies

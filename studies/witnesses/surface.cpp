@@ -27,6 +27,7 @@
 namespace sbeh::studies {
 
 namespace fs = std::filesystem;
+using axisym::StationaryCase;
 using surface3d::Triangulation;
 
 namespace {
@@ -65,35 +66,34 @@ class Watch {
   std::chrono::steady_clock::time_point last_{};
 };
 
-Rest start_of(const CompareInput& input, const std::optional<axisym::State>& profile) {
-  const meshing::Resolution resolution{.triangles = input.surface3d.triangles};
-  if (input.surface3d.revolved && profile) {
+Rest start_of(const StationaryCase& of, const SurfaceMethod& method,
+              const std::optional<axisym::State>& profile) {
+  const meshing::Resolution resolution{.triangles = method.triangles};
+  if (method.revolved && profile) {
     meshing::RevolvedMesh revolved = meshing::revolved({profile->X, profile->beta}, resolution);
     return {.mesh = std::move(revolved.mesh), .beta = std::move(revolved.beta)};
   }
-  Rest start{.mesh = meshing::ellipsoid(input.reduced_volume,
-                                        input.branch == axisym::Branch::prolate, resolution)};
+  Rest start{.mesh = meshing::ellipsoid(of.reduced_volume, of.branch == axisym::Branch::prolate,
+                                        resolution)};
   start.beta = surface3d::Field::Constant(start.mesh.node_count(), model::full_order);
   return start;
 }
 
-Rest flow_to_rest(const CompareInput& input, const std::optional<axisym::State>& profile,
-                  const fs::path& keep) {
-  Rest rest = start_of(input, profile);
+Rest flow_to_rest(const StationaryCase& of, const SurfaceMethod& method,
+                  const std::optional<axisym::State>& profile, const fs::path& keep) {
+  Rest rest = start_of(of, method, profile);
   const auto mesh = std::make_shared<const Triangulation>(rest.mesh);
   const double area = 4 * std::numbers::pi;
-  const surface3d::Target target{area, input.reduced_volume * area / 3};
-  Watch watch(input.surface3d.end_time);
+  const surface3d::Target target{area, of.reduced_volume * area / 3};
+  Watch watch(method.end_time);
   surface3d::StepFields fields;
   surface3d::FlowMemory memory;
   const surface3d::FlowResult run = surface3d::run_flow(
-      mesh, input.material, input.model, {.state = {rest.mesh.nodes, rest.beta}}, target,
-      input.surface3d.numerics,
-      {.end_time = input.surface3d.end_time, .output_times = history_times(input)},
+      mesh, of.material, of.model, {.state = {rest.mesh.nodes, rest.beta}}, target, method.numerics,
+      {.end_time = method.end_time, .output_times = history_times(method)},
       [&](const surface3d::FlowRecord& record, const surface3d::State&,
           const surface3d::StepView& view, bool exact) {
-        if (exact && !input.surface3d.revolved)
-          rest.history.push_back({record.time, record.energy.total()});
+        if (exact && !method.revolved) rest.history.push_back({record.time, record.energy.total()});
         watch.show(record);
         fields = view.fields;
         memory = view.memory;
@@ -124,14 +124,14 @@ Rest flow_to_rest(const CompareInput& input, const std::optional<axisym::State>&
 
 // ---- the run of a folder ------------------------------------------------------------------------
 
-void require_same_case(const fs::path& folder, const RunInput& run, const CompareInput& input) {
+void require_same_case(const fs::path& folder, const RunInput& run, const StationaryCase& of) {
   const auto fail = [&](const std::string& what) {
     throw InputError(fmt::format("{}: is a run of another case: {}", folder.string(), what));
   };
-  const model::Material &a = run.material, &b = input.material;
-  if (model::rest_model(run.model) != input.model)
+  const model::Material &a = run.material, &b = of.material;
+  if (model::rest_model(run.model) != of.model)
     fail(fmt::format("its model is {}, that of the comparison {}", model::name(run.model),
-                     model::name(input.model)));
+                     model::name(of.model)));
   if (a.L1 != b.L1 || a.L2 != b.L2 || a.L3 != b.L3)
     fail(fmt::format("its L1, L2, L3 are {}, {}, {}, those of the comparison {}, {}, {}", a.L1,
                      a.L2, a.L3, b.L1, b.L2, b.L3));
@@ -141,36 +141,35 @@ void require_same_case(const fs::path& folder, const RunInput& run, const Compar
 }
 
 // Whether the run is the evolution that `flow` follows too: from the same ellipsoid, with the same drag.
-bool is_evolution_of(const RunInput& run, const CompareInput& input) {
+bool is_evolution_of(const RunInput& run, const StationaryCase& of) {
   const auto* start = std::get_if<Ellipsoid>(&run.start);
-  const model::Material &a = run.material, &b = input.material;
-  return start && start->reduced_volume == input.reduced_volume
-      && start->prolate == (input.branch == axisym::Branch::prolate) && run.model == input.model
+  const model::Material &a = run.material, &b = of.material;
+  return start && start->reduced_volume == of.reduced_volume
+      && start->prolate == (of.branch == axisym::Branch::prolate) && run.model == of.model
       && run.initial_order == model::full_order && run.perturbation.empty()
       && a.viscosity == b.viscosity && a.immobility == b.immobility
       && a.friction_tangential == b.friction_tangential && a.friction_normal == b.friction_normal
       && a.order_viscosity == b.order_viscosity;
 }
 
-Rest last_frame(const CompareInput& input) {
-  const fs::path folder = input.surface3d.run;
+Rest last_frame(const StationaryCase& of, const fs::path& folder) {
   if (!fs::exists(folder / "run.toml") || !fs::exists(folder / "frames.csv"))
     throw InputError(fmt::format(
         "{}: is no folder of a 3D run: it lacks run.toml or frames.csv (run it by: sbeh run)",
         folder.string()));
   const RunInput run = read_run(folder / "run.toml");
-  require_same_case(folder, run, input);
+  require_same_case(folder, run, of);
   const CsvTable frames = read_csv(folder / "frames.csv"), series = read_csv(folder / "series.csv");
   if (frames.rows.empty())
     throw InputError(fmt::format("{}: has no frame yet", (folder / "frames.csv").string()));
   Frame frame = read_frame(folder / frames.text(frames.rows.size() - 1, "file"));
   Rest rest{.mesh = std::move(frame.mesh), .beta = std::move(frame.beta)};
   const double v = surface3d::reduced_volume(frame.target.area, frame.target.volume);
-  if (std::abs(v - input.reduced_volume) > 1e-6)
+  if (std::abs(v - of.reduced_volume) > 1e-6)
     throw InputError(
         fmt::format("{}: is a run of another case: its reduced volume is {:.8g}, that of the "
                     "comparison {}",
-                    folder.string(), v, input.reduced_volume));
+                    folder.string(), v, of.reduced_volume));
   rest.remark = fmt::format("{} triangles, last frame of {}, t = {:.4g}",
                             rest.mesh.triangle_count(), folder.string(), frame.record.time);
   for (std::size_t row = 0; row < series.rows.size(); ++row)
@@ -178,7 +177,7 @@ Rest last_frame(const CompareInput& input) {
       rest.lambda = series.number(row, "lambda");
       rest.remark += fmt::format(", |V| = {:.1e}", series.number(row, "speed_max"));
     }
-  if (is_evolution_of(run, input))
+  if (is_evolution_of(run, of))
     for (std::size_t row = 0; row < series.rows.size(); ++row)
       rest.history.push_back({series.number(row, "time"), series.number(row, "energy")});
   return rest;
@@ -228,20 +227,19 @@ std::array<double, 2> pole_curvatures(const Eigen::Matrix3Xd& X, const surface3d
 
 }  // namespace
 
-std::vector<double> history_times(const CompareInput& input) {
-  if (!input.has(Witness::surface3d) || input.surface3d.run.empty())
-    return evenly_spaced(1e-3, 10, 9, Spacing::logarithmic);
-  const CsvTable series = read_csv(fs::path(input.surface3d.run) / "series.csv");
+std::vector<double> history_times(const SurfaceMethod& method) {
+  if (method.run.empty()) return evenly_spaced(1e-3, 10, 9, Spacing::logarithmic);
+  const CsvTable series = read_csv(fs::path(method.run) / "series.csv");
   std::vector<double> times;
   for (std::size_t row = 0; row < series.rows.size(); ++row)
     times.push_back(series.number(row, "time"));
   return times;
 }
 
-WitnessState surface_state(const CompareInput& input, const std::optional<axisym::State>& start,
-                           const fs::path& keep) {
+WitnessState surface_state(const StationaryCase& of, const SurfaceMethod& method,
+                           const std::optional<axisym::State>& start, const fs::path& keep) {
   const Rest rest =
-      input.surface3d.run.empty() ? flow_to_rest(input, start, keep) : last_frame(input);
+      method.run.empty() ? flow_to_rest(of, method, start, keep) : last_frame(of, method.run);
   WitnessState found{.witness = Witness::surface3d, .failure = rest.failure, .remark = rest.remark};
   found.history = rest.history;
   if (!found.failure.empty()) return found;
@@ -252,8 +250,8 @@ WitnessState surface_state(const CompareInput& input, const std::optional<axisym
     found.failure = "the surface is degenerate";
     return found;
   }
-  found.measures = measures_of_flow(input.material,
-                                    surface3d::diagnose(mesh, input.material, state), rest.lambda);
+  found.measures =
+      measures_of_flow(of.material, surface3d::diagnose(mesh, of.material, state), rest.lambda);
   const Eigen::Matrix3Xd X = upright(mesh, state.X);
   const auto [above, below] = pole_curvatures(X, curvature->H);
   found.measures.H_pole = std::max(above, below);

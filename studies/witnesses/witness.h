@@ -1,0 +1,46 @@
+// The methods that find a stationary state independently of each other.
+#pragma once
+
+#include "surface3d/options.h"
+
+#include <array>
+#include <string>
+
+namespace sbeh::studies {
+
+/// A way to a stationary state.
+enum class Witness {
+  newton,     ///< Newton's method on finite elements of the generating curve
+  shooting,   ///< shape equations by Boost.Odeint; SSH without spontaneous curvature
+  minimiser,  ///< spectral curves, Ceres and Newton; SBEH, or SSH without spontaneous curvature
+  flow,       ///< the axisymmetric solver, in time from an ellipsoid to rest
+  surface3d,  ///< the 3D solver, in time, to rest
+  harmonics   ///< spherical harmonics without an axis, Ceres and Newton; SSH, V_r >= 0.65
+};
+constexpr auto values_of(Witness) {
+  return std::array{Witness::newton, Witness::shooting,  Witness::minimiser,
+                    Witness::flow,   Witness::surface3d, Witness::harmonics};
+}
+/// "newton", "shooting", "minimiser", "flow", "surface3d" or "harmonics".
+const char* name(Witness witness);
+
+/// How the 3D solver is used: table [surface3d].
+struct SurfaceMethod {
+  std::string run;        ///< folder of a run (sbeh run), whose last frame is taken; or empty
+  bool revolved = false;  ///< key `start`: "ellipsoid" of full order, or "revolved": Newton's state
+  int triangles = 320;    ///< about so many
+  double end_time = 20;   ///< key `end`, > 0: a flow that is not at rest ends here
+  surface3d::Numerics numerics;  ///< keys `tolerance` (1e-3) and `rest_speed` (1e-5)
+  SurfaceMethod();
+
+  bool operator==(const SurfaceMethod&) const = default;
+};
+
+/// How the harmonics are used: table [harmonics].
+struct HarmonicMethod {
+  int degree = 16;  ///< largest l, 8 <= degree <= 24
+
+  bool operator==(const HarmonicMethod&) const = default;
+};
+
+}  // namespace sbeh::studies
