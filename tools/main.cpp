@@ -4,7 +4,6 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
 #include "studies/io/spelling.h"
-#include "studies/witnesses/state.h"
 #include "tools/commands/commands.h"
 
 #include <CLI/CLI.hpp>
