@@ -1,5 +1,7 @@
 #include "axisym/shape_class.h"
 
+#include "model/numerics/polygon.h"
+
 #include <algorithm>
 #include <cmath>
 #include <vector>
@@ -33,19 +35,6 @@ Eigen::Matrix2Xd polygon(const Nodes& X) {
   return points;
 }
 
-double cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
-  return a[0] * b[1] - a[1] * b[0];
-}
-
-bool segments_cross(const Eigen::Vector2d& a, const Eigen::Vector2d& b, const Eigen::Vector2d& c,
-                    const Eigen::Vector2d& d) {
-  if (std::max(a[0], b[0]) < std::min(c[0], d[0]) || std::max(c[0], d[0]) < std::min(a[0], b[0])
-      || std::max(a[1], b[1]) < std::min(c[1], d[1]) || std::max(c[1], d[1]) < std::min(a[1], b[1]))
-    return false;
-  return cross(b - a, c - a) * cross(b - a, d - a) <= 0
-      && cross(d - c, a - c) * cross(d - c, b - c) <= 0;
-}
-
 }  // namespace
 
 double asymmetry(const Nodes& X) {
@@ -76,12 +65,7 @@ ShapeClass classify(const Nodes& X) {
 
 bool crosses_itself(const Nodes& X) {
   const Eigen::Matrix2Xd p = polygon(X);
-  const Eigen::Index last = p.cols() - 1;
-  if (p.row(0).segment(1, last - 1).minCoeff() <= 0) return true;
-  for (Eigen::Index i = 0; i < last; ++i)
-    for (Eigen::Index j = i + 2; j < last; ++j)
-      if (segments_cross(p.col(i), p.col(i + 1), p.col(j), p.col(j + 1))) return true;
-  return false;
+  return p.row(0).segment(1, p.cols() - 2).minCoeff() <= 0 || model::meets_itself(p);
 }
 
 }  // namespace sbeh::axisym

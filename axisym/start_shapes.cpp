@@ -2,9 +2,10 @@
 
 #include "axisym/curvature.h"
 #include "axisym/redistribute.h"
+#include "model/numerics/root.h"
+#include "model/numerics/spheroid.h"
 
 #include <boost/math/special_functions/legendre.hpp>
-#include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -39,31 +40,11 @@ Nodes spheroid(double equatorial, double polar, int elements, double grading) {
       elements, grading);
 }
 
-namespace {
-// Reduced volume of the spheroid with polar/equatorial = q, from its closed-form area.
-double spheroid_reduced_volume(double q) {
-  const double e = std::sqrt(std::abs(1 - q * q));
-  double area = 4 * pi;
-  if (e > 1e-6)
-    area =
-        q < 1 ? 2 * pi * (1 + q * q / e * std::atanh(e)) : 2 * pi * (1 + q * q / e * std::atan(e));
-  return 6 * std::sqrt(pi) * (4 * pi / 3 * q) / std::pow(area, 1.5);
-}
-}  // namespace
-
 Nodes spheroid(double v, bool prolate, int elements, double grading) {
   if (!(v > 0 && v <= 1))
     throw std::invalid_argument(
         fmt::format("spheroid: reduced volume {}: must be in 0 < V_r <= 1", v));
-  const auto miss = [v](double log_q) { return spheroid_reduced_volume(std::exp(log_q)) - v; };
-  double q = 1;
-  if (v < 1 - 1e-12) {
-    const double low = prolate ? 0 : -30, high = prolate ? 30 : 0;
-    std::uintmax_t iterations = 200;
-    const auto bracket = boost::math::tools::toms748_solve(
-        miss, low, high, boost::math::tools::eps_tolerance<double>(50), iterations);
-    q = std::exp(bracket.first);
-  }
+  const double q = model::spheroid_axis_ratio(v, prolate);
   Nodes X = spheroid(1, q, elements, grading);
   if (correct_area_volume(X, 4 * pi, 4 * pi / 3 * v)) return X;
   // Too sharp for a small displacement along the normal: the spheroid whose elements hold the volume.
@@ -77,10 +58,7 @@ Nodes spheroid(double v, bool prolate, int elements, double grading) {
         fmt::format("spheroid: reduced volume {}: {} elements cannot hold one so {}; give more "
                     "elements or a larger reduced volume",
                     v, elements, prolate ? "thin" : "flat"));
-  std::uintmax_t iterations = 60;
-  const auto bracket = boost::math::tools::toms748_solve(
-      held, low, high, boost::math::tools::eps_tolerance<double>(48), iterations);
-  return spheroid(1, std::exp(bracket.first), elements, grading);
+  return spheroid(1, std::exp(model::root_between(held, low, high, 48).low), elements, grading);
 }
 
 double zonal_sum(std::span<const Mode> modes, double theta) {

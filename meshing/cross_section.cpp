@@ -1,6 +1,7 @@
 #include "meshing/cross_section.h"
 
 #include "model/numerics/lagrange.h"
+#include "model/numerics/root.h"
 
 #include <algorithm>
 #include <cmath>
@@ -32,13 +33,10 @@ struct Triangle {
   double height_at(const Vector2d& at) const { return height.dot(element.values(at)); }
 
   // Between two places on different sides of the plane.
-  Crossing crossing(Vector2d above, Vector2d below) const {
-    constexpr int halvings = 52;
-    for (int i = 0; i < halvings; ++i) {
-      const Vector2d middle = (above + below) / 2;
-      (height_at(middle) >= 0 ? above : below) = middle;
-    }
-    const Eigen::VectorXd phi = element.values(above);
+  Crossing crossing(const Vector2d& above, const Vector2d& below) const {
+    const auto between = [&](double t) -> Vector2d { return above + t * (below - above); };
+    const auto height = [&](double t) { return height_at(between(t)); };
+    const Eigen::VectorXd phi = element.values(between(model::root_between(height, 0, 1).middle()));
     return {X * phi, field.dot(phi)};
   }
 

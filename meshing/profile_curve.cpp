@@ -1,11 +1,14 @@
 #include "meshing/profile_curve.h"
 
+#include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <cstdint>
 #include <stdexcept>
+#include <utility>
 
 namespace sbeh::meshing {
 
@@ -83,23 +86,17 @@ double ProfileCurve::beta_at(double t) const {
 double ProfileCurve::nearest_between(double low, double high, const Vector2d& x) const {
   const int e = std::min(int((low + high) / 2), profile_.element_count() - 1);
   const auto curve = element(profile_.X, e);
-  // Half the derivative of the squared distance; its root by Newton's method between low and high.
-  const auto slope = [&](double t) { return (curve.value(t - e) - x).dot(curve.slope(t - e)); };
-  if (slope(low) >= 0) return low;
-  if (slope(high) <= 0) return high;
-  double t = (low + high) / 2;
-  for (int i = 0; i < 60; ++i) {
-    const double f = slope(t);
-    (f < 0 ? low : high) = t;
-    const double df =
-        curve.slope(t - e).squaredNorm() + (curve.value(t - e) - x).dot(curve.bend(t - e));
-    double next = t - f / df;
-    if (!(next > low && next < high)) next = (low + high) / 2;
-    const double step = std::abs(next - t);
-    t = next;
-    if (step < 1e-15 * (1 + t)) break;
-  }
-  return t;
+  // Half the derivative of the squared distance, and its derivative.
+  const auto slope = [&](double t) {
+    const Vector2d off = curve.value(t - e) - x, along = curve.slope(t - e);
+    return std::pair(off.dot(along), along.squaredNorm() + off.dot(curve.bend(t - e)));
+  };
+  if (slope(low).first >= 0) return low;
+  if (slope(high).first <= 0) return high;
+  constexpr int bits = 50;
+  std::uintmax_t iterations = 60;
+  return boost::math::tools::newton_raphson_iterate(slope, (low + high) / 2, low, high, bits,
+                                                    iterations);
 }
 
 double ProfileCurve::nearest(const Vector2d& x) const {

@@ -2,8 +2,9 @@
 
 #include "meshing/even_mesh.h"
 #include "meshing/measures.h"
+#include "model/numerics/root.h"
+#include "model/numerics/spheroid.h"
 
-#include <boost/math/tools/roots.hpp>
 #include <fmt/format.h>
 
 #include <cmath>
@@ -14,27 +15,12 @@
 namespace sbeh::meshing {
 
 using Eigen::Vector3d;
+using model::root_between, model::spheroid_reduced_volume;
 using std::numbers::pi;
 
 namespace {
 
 constexpr double thinnest = 100;  // ratio of semi-axes
-
-// Reduced volume of the spheroid with polar/equatorial = q, from its closed-form area.
-double spheroid_reduced_volume(double q) {
-  const double e = std::sqrt(std::abs(1 - q * q));
-  double area = 4 * pi;
-  if (e > 1e-6) area = 2 * pi * (1 + q * q / e * (q < 1 ? std::atanh(e) : std::atan(e)));
-  return reduced_volume(area, 4 * pi / 3 * q);
-}
-
-template <class F>
-double root(const F& f, double low, double high) {
-  std::uintmax_t iterations = 200;
-  const auto bracket = boost::math::tools::toms748_solve(
-      f, low, high, boost::math::tools::eps_tolerance<double>(52), iterations);
-  return (bracket.first + bracket.second) / 2;
-}
 
 }  // namespace
 
@@ -80,8 +66,9 @@ CurvedMesh ellipsoid(double v, bool prolate, const Resolution& resolution) {
                     v, spheroid_reduced_volume(extreme), thinnest));
   double q = 1;
   if (v < 1)
-    q = root([&](double x) { return spheroid_reduced_volume(x) - v; }, std::min(extreme, 1.),
-             std::max(extreme, 1.));
+    q = root_between([&](double x) { return spheroid_reduced_volume(x) - v; },
+                     std::min(extreme, 1.), std::max(extreme, 1.))
+            .middle();
   CurvedMesh mesh = ellipsoid(Vector3d(1, 1, q), resolution);
   if (v < 1) {
     // Stretched along z it remains a spheroid, nodes included.
@@ -97,8 +84,9 @@ CurvedMesh ellipsoid(double v, bool prolate, const Resolution& resolution) {
                       "at most, as the sphere; take 1, or more triangles",
                       v, mesh.triangle_count(), mesh.order, highest));
     const double too_far = prolate ? 1.5 : 0.5;
-    mesh = stretched(root([&](double s) { return reduced_volume(stretched(s)) - v; },
-                          std::min(too_far, 1 / q), std::max(too_far, 1 / q)));
+    const auto miss = [&](double s) { return reduced_volume(stretched(s)) - v; };
+    mesh =
+        stretched(root_between(miss, std::min(too_far, 1 / q), std::max(too_far, 1 / q)).middle());
   }
   scale_to_area(mesh, 4 * pi);
   return mesh;
@@ -137,7 +125,7 @@ CurvedMesh harmonic_sphere(std::span<const Harmonic> modes, double v,
       throw std::invalid_argument(
           fmt::format("harmonics: reduced volume {}: r reaches 0 before, at {:.4g}", v,
                       v + miss(coarse)(high)));
-  const double guess = root(miss(coarse), 0, high);
+  const double guess = root_between(miss(coarse), 0, high).middle();
   std::vector<Harmonic> scaled(modes.begin(), modes.end());
   for (Harmonic& mode : scaled) mode.amplitude *= guess;
   const CurvedMesh mesh = harmonic_sphere(scaled, resolution);
@@ -147,7 +135,7 @@ CurvedMesh harmonic_sphere(std::span<const Harmonic> modes, double v,
     throw std::invalid_argument(
         fmt::format("harmonics: reduced volume {}: {} triangles of order {} are too few for it", v,
                     mesh.triangle_count(), mesh.order));
-  return with_factor(mesh, root(fine, guess / range, guess * range));
+  return with_factor(mesh, root_between(fine, guess / range, guess * range).middle());
 }
 
 }  // namespace sbeh::meshing

@@ -1,10 +1,7 @@
 #include "model/rest_order.h"
 
+#include "model/numerics/root.h"
 #include "model/terms.h"
-
-#include <boost/math/tools/roots.hpp>
-
-#include <cstdint>
 
 namespace sbeh::model {
 
@@ -13,11 +10,7 @@ std::optional<double> sphere_rest_order(const Material& material) {
   constexpr int samples = 4096;
   for (int k = samples; k > 1; --k) {
     const double high = double(k) / samples, low = double(k - 1) / samples;
-    if (!(force(high) >= 0 && force(low) < 0)) continue;
-    std::uintmax_t iterations = 100;
-    const auto bracket = boost::math::tools::toms748_solve(
-        force, low, high, boost::math::tools::eps_tolerance<double>(52), iterations);
-    return (bracket.first + bracket.second) / 2;
+    if (force(high) >= 0 && force(low) < 0) return root_between(force, low, high).middle();
   }
   return {};
 }

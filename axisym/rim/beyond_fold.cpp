@@ -2,6 +2,7 @@
 
 #include "axisym/rim/profile.h"
 #include "axisym/spectral/classical.h"
+#include "model/numerics/root.h"
 
 #include <algorithm>
 #include <cmath>
@@ -153,12 +154,11 @@ Leg smooth_leg(const RimProblem& problem) {
 // Two spherical caps of this reduced volume, joined at a kink where the order vanishes.
 VectorXd spherical_caps(const RimProblem& problem, double L) {
   // V_r = (2 + c)√(1 − c)/2 of caps with the angle arccos c at the rim; falling in c.
-  double low = 0, high = 1;
-  for (int k = 0; k < 60; ++k) {
-    const double c = (low + high) / 2;
-    ((2 + c) * std::sqrt(1 - c) / 2 > problem.reduced_volume ? low : high) = c;
-  }
-  const double alpha = std::acos(low), length = 2 * alpha / std::sqrt(1 - low);
+  const auto miss = [&](double c) {
+    return (2 + c) * std::sqrt(1 - c) / 2 - problem.reduced_volume;
+  };
+  const double c = model::root_between(miss, 0, 1).middle();
+  const double alpha = std::acos(c), length = 2 * alpha / std::sqrt(1 - c);
   const VectorXd sigma = rim_nodes(problem.mesh);
   const model::Material material = problem.material.with_L(L);
   const double gap = material.potential.value(0.) - material.potential.value(model::full_order);
@@ -234,24 +234,17 @@ class SharpStates {
   Leg leg_;
 };
 
-// Where the energies of two families are equal, between the two L, by regula falsi (Illinois).
+// Where the energies of two families are equal, between the two L.
 std::optional<double> equal_energy(const std::function<std::optional<double>(double)>& gap,
                                    double low, double high) {
-  auto at_low = gap(low), at_high = gap(high);
-  for (int iteration = 0; iteration < 40; ++iteration) {
-    if (!at_low || !at_high) return {};
-    const double L = (low * *at_high - high * *at_low) / (*at_high - *at_low);
+  bool known = true;
+  const auto f = [&](double L) {
     const auto here = gap(L);
-    if (!here) return {};
-    if (std::abs(*here) < 1e-11 || std::abs(high - low) < 1e-12) return L;
-    if (*here * *at_high < 0) {
-      low = high, at_low = at_high;
-    } else {
-      *at_low /= 2;
-    }
-    high = L, at_high = here;
-  }
-  return high;
+    known = known && here;
+    return here.value_or(0);  // ends the search
+  };
+  const double L = model::root_between(f, low, high, 40).middle();
+  return known ? std::optional(L) : std::nullopt;
 }
 
 // The sharp state of the smooth one's energy, at the largest L of those.

@@ -1,5 +1,7 @@
 #include "axisym/shooting/seifert_shooting.h"
 
+#include "model/numerics/polygon.h"
+
 #include <fmt/format.h>
 
 #include <cmath>
@@ -10,7 +12,7 @@ namespace sbeh::axisym {
 namespace {
 
 using namespace shooting;
-using Eigen::Index, Eigen::Matrix2Xd, Eigen::Vector2d, Eigen::VectorXd;
+using Eigen::Index, Eigen::Matrix2Xd, Eigen::VectorXd;
 using std::numbers::pi;
 
 // Where the branches start.
@@ -103,23 +105,6 @@ Matrix2Xd profile(const VectorXd& y, const Options& options) {
   return whole;
 }
 
-bool segments_meet(const Vector2d& a, const Vector2d& b, const Vector2d& c, const Vector2d& d) {
-  const auto side = [](const Vector2d& p, const Vector2d& q, const Vector2d& r) {
-    return (q[0] - p[0]) * (r[1] - p[1]) - (q[1] - p[1]) * (r[0] - p[0]);
-  };
-  const bool boxes_meet = (a.cwiseMin(b).array() <= c.cwiseMax(d).array()).all()
-                       && (c.cwiseMin(d).array() <= a.cwiseMax(b).array()).all();
-  return boxes_meet && side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0;
-}
-
-bool meets_itself(const Matrix2Xd& polygon) {
-  for (Index i = 0; i + 1 < polygon.cols(); ++i)
-    for (Index j = i + 2; j + 1 < polygon.cols(); ++j)
-      if (segments_meet(polygon.col(i), polygon.col(i + 1), polygon.col(j), polygon.col(j + 1)))
-        return true;
-  return false;
-}
-
 ClassicalShape shape_of(Branch branch, const VectorXd& y, double energy, const Options& options) {
   const Matrix2Xd curve = profile(y, options);
   return {.branch = branch,
@@ -128,7 +113,7 @@ ClassicalShape shape_of(Branch branch, const VectorXd& y, double energy, const O
           .H_pole = pole(y).H,  // the larger one: branch_off() makes it so
           .pressure = pole(y).pressure,
           .tension = pole(y).tension,
-          .self_contact = meets_itself(curve),
+          .self_contact = model::meets_itself(curve),
           .profile = curve};
 }
 

@@ -1,5 +1,7 @@
 #include "axisym/shooting/shooting_branch.h"
 
+#include "model/numerics/root.h"
+
 #include <Eigen/Dense>
 #include <fmt/format.h>
 
@@ -227,13 +229,8 @@ Point Walk::land(const Point& a, const Point& b, double volume) const {
     return q * q * (1 + 2 * t) * a.y + t * t * (1 + 2 * q) * b.y
          + t * q * chord * (q * a.tangent - t * b.tangent);
   };
-  double low = 0, high = 1;
-  while (high - low > 1e-15) {
-    const double middle = (low + high) / 2;
-    const bool before = (cubic(middle)[Unknown::volume] - volume) * (a.volume() - volume) > 0;
-    (before ? low : high) = middle;
-  }
-  VectorXd guess = cubic(high);
+  const auto miss = [&](double t) { return cubic(t)[Unknown::volume] - volume; };
+  VectorXd guess = cubic(model::root_between(miss, 0, 1).middle());
   guess[Unknown::volume] = volume;
   auto point = solve_at_volume(guess, options_);
   if (!point || (point->y - guess).norm() > 0.5 * chord + 1e-6) lost(a);

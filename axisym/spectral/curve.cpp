@@ -1,5 +1,8 @@
 #include "axisym/spectral/curve.h"
 
+#include "model/numerics/root.h"
+#include "model/numerics/spheroid.h"
+
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -66,23 +69,6 @@ Curve curve_of(const AngleSamples& samples, std::shared_ptr<const Basis> basis) 
   return {.basis = basis, .length = length, .b = project(*basis, psi)};
 }
 
-double bisect(double low, double high, auto&& f) {
-  const bool rising = f(high) > f(low);
-  for (int i = 0; i < 60; ++i) {
-    const double middle = 0.5 * (low + high);
-    ((f(middle) > 0) == rising ? high : low) = middle;
-  }
-  return 0.5 * (low + high);
-}
-
-// V_r of the spheroid with semi-axes 1, 1 and c.
-double spheroid_volume(double c) {
-  const double e = std::sqrt(std::abs(1 - c * c)) / std::max(1., c);
-  const double area =
-      c < 1 ? 2 * pi * (1 + (1 - e * e) / e * std::atanh(e)) : 2 * pi * (1 + c / e * std::asin(e));
-  return 6 * std::sqrt(pi) * (4 * pi / 3 * c) / std::pow(area, 1.5);
-}
-
 }  // namespace
 
 double Grading::sigma(double x) const {
@@ -94,8 +80,8 @@ double Grading::slope(double x) const {
   return (1 - a * std::cos(pi * (x - x0))) * (1 - a * std::cos(pi * (x + x0))) / scale;
 }
 double Grading::inverse(double at) const {
-  if (a == 0) return at;
-  return bisect(0, 1, [&](double x) { return sigma(x) - at; });
+  if (a == 0 || at <= 0 || at >= 1) return at;
+  return model::root_between([&](double x) { return sigma(x) - at; }, 0, 1).middle();
 }
 
 std::shared_ptr<const Basis> basis(Symmetry symmetry, int cutoff, const Grading& grading) {
@@ -223,26 +209,6 @@ double pole_distance(const Curve& curve) {
   return curve.length * curve.basis->odd.dot(angles(curve).psi.array().sin().matrix());
 }
 
-bool touches_itself(const Eigen::Matrix2Xd& p) {
-  const Eigen::Index last = p.cols() - 1;
-  // On which side of the line a–b is c?
-  const auto side = [](const auto& a, const auto& b, const auto& c) {
-    return (b[0] - a[0]) * (c[1] - a[1]) - (b[1] - a[1]) * (c[0] - a[0]);
-  };
-  for (Eigen::Index i = 0; i < last; ++i) {
-    const Eigen::Vector2d a = p.col(i), b = p.col(i + 1);
-    const Eigen::Vector2d low = a.cwiseMin(b), high = a.cwiseMax(b);
-    for (Eigen::Index j = i + 2; j < last; ++j) {
-      const Eigen::Vector2d c = p.col(j), d = p.col(j + 1);
-      if ((c.cwiseMin(d).array() > high.array()).any()
-          || (c.cwiseMax(d).array() < low.array()).any())
-        continue;
-      if (side(a, b, c) * side(a, b, d) <= 0 && side(c, d, a) * side(c, d, b) <= 0) return true;
-    }
-  }
-  return false;
-}
-
 Curve curve_through(const Eigen::Matrix2Xd& profile, std::shared_ptr<const Basis> basis) {
   if (profile.cols() < 4)
     throw std::invalid_argument("profile of " + std::to_string(profile.cols())
@@ -266,10 +232,7 @@ Curve curve_through(const Eigen::Matrix2Xd& profile, std::shared_ptr<const Basis
 
 Curve spheroid(double reduced_volume, bool prolate, std::shared_ptr<const Basis> basis) {
   assert(reduced_volume > 0 && reduced_volume < 1);
-  const double c =
-      prolate
-          ? bisect(1 + 1e-9, 1e3, [&](double t) { return spheroid_volume(t) - reduced_volume; })
-          : bisect(1e-3, 1 - 1e-9, [&](double t) { return spheroid_volume(t) - reduced_volume; });
+  const double c = model::spheroid_axis_ratio(reduced_volume, prolate);
   constexpr int samples = 400;
   Eigen::Matrix2Xd polygon(2, samples + 1);
   for (int j = 0; j <= samples; ++j) {
@@ -284,9 +247,10 @@ Curve spheroid(double reduced_volume, bool prolate, std::shared_ptr<const Basis>
 Curve invaginated_sphere(double reduced_volume, std::shared_ptr<const Basis> basis) {
   assert(reduced_volume > 0 && reduced_volume < 1);
   // Radii cos t, sin t of two spheres joined by a neck: area 4π, V_r = cos³t − sin³t.
-  const double t = bisect(0, pi / 4, [&](double a) {
+  const auto miss = [=](double a) {
     return std::pow(std::cos(a), 3) - std::pow(std::sin(a), 3) - reduced_volume;
-  });
+  };
+  const double t = model::root_between(miss, 0, pi / 4).middle();
   const double outer = std::cos(t), inner = std::sin(t), rim = 0.3 * (outer - inner);
   const double inner_end = 0.65 * pi, outer_start = 0.2 * pi;  // angles where the rim begins, ends
   AngleSamples samples;

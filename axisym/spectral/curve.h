@@ -76,8 +76,6 @@ Eigen::MatrixXd radius_jacobian(const Basis& basis, const Angles& at);
 
 /// Points r, z of the whole curve at equal x, poles included; z = 0 halfway between the poles.
 Eigen::Matrix2Xd profile(const Curve& curve, int intervals);
-/// Whether the polygon of these points meets itself.
-bool touches_itself(const Eigen::Matrix2Xd& profile);
 /// z of the first pole minus z of the last: 0 where the poles touch.
 double pole_distance(const Curve& curve);
 

@@ -1,9 +1,13 @@
 #include "axisym/spectral/minimiser.h"
 
 #include "axisym/spectral/classical.h"
+#include "model/numerics/polygon.h"
+
+#include <boost/math/tools/minima.hpp>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 #include <stdexcept>
 #include <string>
@@ -34,11 +38,11 @@ ClassicalShape shape_of(Branch branch, const ClassicalMinimum& minimum) {
                        .tension = minimum.tension(),
                        .self_contact = false,
                        .profile = profile(curve, profile_intervals)};
-  shape.self_contact = touches_itself(shape.profile);
+  shape.self_contact = model::meets_itself(shape.profile);
   return shape;
 }
 
-// Largest value of an even function Σ a_k cos(kπx), x ∈ [0, 1]: on a grid, then by golden sections.
+// Largest value of an even function Σ a_k cos(kπx), x ∈ [0, 1]: on a grid, then by Brent's method.
 double largest(const VectorXd& a, const std::vector<int>& k) {
   const auto value = [&](double x) {
     double sum = a[0];
@@ -51,13 +55,10 @@ double largest(const VectorXd& a, const std::vector<int>& k) {
   double top = value(0);
   for (int j = 1; j <= grid; ++j)
     if (const double v = value(double(j) / grid); v > top) best = j, top = v;
-  constexpr double golden = 0.6180339887498949;
-  double low = double(best - 1) / grid, high = double(best + 1) / grid;
-  for (int i = 0; i < 40; ++i) {
-    const double left = high - golden * (high - low), right = low + golden * (high - low);
-    (value(left) > value(right) ? high : low) = value(left) > value(right) ? right : left;
-  }
-  return std::max(top, value(0.5 * (low + high)));
+  const auto [at, least] = boost::math::tools::brent_find_minima(
+      [&](double x) { return -value(x); }, double(best - 1) / grid, double(best + 1) / grid,
+      std::numeric_limits<double>::digits / 2);
+  return std::max(top, -least);
 }
 
 // Coefficients of an even function by its values on the points.

@@ -1,6 +1,7 @@
 // The five special points of the classical diagram, on two resolutions.
 #include "axisym/spectral/classical.h"
 #include "axisym/spectral/minimiser.h"
+#include "model/numerics/root.h"
 
 #include <Eigen/LU>
 
@@ -20,6 +21,7 @@ using std::numbers::pi;
 
 // Bounds what rounding does to the five volumes: beyond 40 modes they change by at most 2e-13.
 constexpr double rounding = 5e-12;
+constexpr double last_change = 1e-14;  // of the secants
 
 [[noreturn]] void lost(const char* point) {
   throw std::runtime_error(std::string("special point not found: ") + point);
@@ -44,17 +46,6 @@ class Sweep {
   Branch branch_;
   Curve last_;
 };
-
-// Root of f next to a and b by secants; f is smooth and monotonic there.
-double root_near(double a, double b, auto&& f) {
-  double fa = f(a), fb = f(b);
-  for (int i = 0; i < 20 && std::abs(b - a) > 1e-14 && fb != fa; ++i) {
-    const double next = b - fb * (b - a) / (fb - fa);
-    a = b, fa = fb;
-    b = next, fb = f(b);
-  }
-  return b;
-}
 
 SpecialPoint equal_energies(Sweep& one, Sweep& other, double guess) {
   double v = guess, energy = 0;
@@ -125,10 +116,11 @@ SpecialPoint largest_volume(Sweep& stomatocyte) {
               .energy = 0,
               .slope = 0};
   const double t = direction.dot(at.y);
-  root_near(t + step, t + 2 * step, [&](double plane) {
+  const auto slope = [&](double plane) {
     cross(after.problem, direction, plane, at);
     return at.slope;
-  });
+  };
+  model::root_near(t + step, t + 2 * step, slope, last_change);
   return {at.volume / (4 * pi / 3), at.energy / (8 * pi), 0};
 }
 
@@ -142,17 +134,19 @@ SpecialPoints points_with(int symmetric_cutoff, int stomatocyte_cutoff) {
   points.stomatocyte_fold = largest_volume(stomatocyte);
 
   double energy = 0;
-  const double loss = root_near(0.52, 0.515, [&](double v) {
+  const auto softness = [&](double v) {
     const ClassicalMinimum shape = oblate.at(v);
     energy = shape.reduced_energy();
     return odd_stiffness(shape);
-  });
+  };
+  const double loss = model::root_near(0.52, 0.515, softness, last_change);
   points.oblate_symmetry_loss = {loss, energy, 0};
-  const double contact = root_near(0.52, 0.515, [&](double v) {
+  const auto thickness = [&](double v) {
     const ClassicalMinimum shape = oblate.at(v);
     energy = shape.reduced_energy();
     return pole_distance(shape.curve());
-  });
+  };
+  const double contact = model::root_near(0.52, 0.515, thickness, last_change);
   points.oblate_self_contact = {contact, energy, 0};
   return points;
 }

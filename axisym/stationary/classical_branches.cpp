@@ -5,6 +5,7 @@
 #include "axisym/shape_class.h"
 #include "axisym/stationary/branch_entry.h"
 #include "axisym/stationary/stability.h"
+#include "model/numerics/root.h"
 
 #include <fmt/format.h>
 
@@ -78,22 +79,13 @@ SpecialPoint equal_energy(BranchState a, BranchState b, double start, const Nume
 }
 
 SpecialPoint self_contact(BranchState oblate, const Numerics& numerics) {
-  const auto thickness = [](const BranchState& b) {
-    return b.solution.state.X(1, 0) - b.solution.state.X(1, b.solution.state.X.cols() - 1);
+  const auto thickness = [&](double v) {
+    oblate = moved(oblate, v, numerics);
+    const Nodes& X = oblate.solution.state.X;
+    return X(1, 0) - X(1, X.cols() - 1);
   };
-  double v0 = 0.52, v1 = 0.505;
-  oblate = moved(oblate, v0, numerics);
-  double d0 = thickness(oblate);
-  for (int iteration = 0; iteration < 10; ++iteration) {
-    oblate = moved(oblate, v1, numerics);
-    const double d1 = thickness(oblate);
-    if (std::abs(v1 - v0) < 1e-11 || d1 == d0) break;
-    const double next = v1 - d1 * (v1 - v0) / (d1 - d0);
-    v0 = v1;
-    d0 = d1;
-    v1 = next;
-  }
-  return {v1, reduced_energy(oblate), 0};
+  const double v = model::root_near(0.52, 0.505, thickness, 1e-11);
+  return {v, reduced_energy(oblate), 0};
 }
 
 SpecialPoint point_of(const BranchState& b) { return {b.at.reduced_volume, reduced_energy(b), 0}; }

@@ -2,11 +2,10 @@
 #include "studies/figures/tables.h"
 #include "studies/io/csv_table.h"
 #include "studies/io/output.h"
-#include "studies/states/surface_moments.h"
 #include "studies/witnesses/state.h"
 #include "surface3d/diagnostics.h"
+#include "surface3d/moments.h"
 
-#include <Eigen/Eigenvalues>
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
@@ -47,9 +46,7 @@ std::string evolution_row(const FoundRun& run, double time, const Oblates& oblat
   const Snapshot frame = read_snapshot(file);
   const surface3d::Triangulation mesh(frame.mesh);
   const auto d = surface3d::diagnose(mesh, run.input.material, {frame.mesh.nodes, frame.beta});
-  const Eigen::Vector3d moments =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(surface_moments(mesh, frame.mesh.nodes).second)
-          .eigenvalues();
+  const Eigen::Vector3d moments = moments_of(samples_of(mesh, frame.mesh.nodes)).principal;
   return fmt::format("{},{},{},{},{},{},{},{},{:.9g},{:.9g},{:.9g},{}\n", time, d.energy.total(),
                      oblates.same, oblates.plain, d.reduced_volume, d.order_min, d.order_max,
                      d.H_abs_max, moments[0], moments[1], moments[2],

@@ -1,9 +1,7 @@
 #include "studies/stability/mode_amplitude.h"
 
 #include "meshing/spherical_harmonics.h"
-#include "studies/states/surface_moments.h"
-
-#include <Eigen/Eigenvalues>
+#include "surface3d/moments.h"
 
 #include <cmath>
 
@@ -20,7 +18,7 @@ constexpr double equal_moments = 0.05;
 
 double mode_amplitude(const surface3d::Triangulation& mesh, const surface3d::Nodes& X, int l,
                       int m) {
-  const Vector3d centre = surface_moments(mesh, X).centre;
+  const Vector3d centre = moments_of(samples_of(mesh, X)).centre;
   double cosine = 0, sine = 0, total = 0;
   surface3d::for_each_point(mesh, X, surface3d::assembly_points(),
                             [&](int, const surface3d::ShapeValues&, const SurfacePoint& p) {
@@ -48,9 +46,8 @@ const char* name(Roundness roundness) {
 }
 
 Roundness roundness_of(const surface3d::Triangulation& mesh, const surface3d::Nodes& X) {
-  const Vector3d w =
-      Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(surface_moments(mesh, X).second).eigenvalues();
-  const double range = w[2] - w[0];  // ascending
+  const Vector3d w = moments_of(samples_of(mesh, X)).principal;
+  const double range = w[2] - w[0];
   if (w[1] - w[0] < equal_moments * range) return Roundness::prolate;
   if (w[2] - w[1] < equal_moments * range) return Roundness::oblate;
   return Roundness::triaxial;

@@ -8,11 +8,11 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/number_range.h"
 #include "studies/io/progress.h"
-#include "studies/states/surface_moments.h"
 #include "studies/witnesses/state.h"
 #include "surface3d/flow.h"
+#include "surface3d/moments.h"
 
-#include <Eigen/Eigenvalues>
+#include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <fmt/format.h>
 #include <unistd.h>
@@ -185,18 +185,14 @@ Rest last_frame(const StationaryCase& of, const fs::path& folder) {
 
 // ---- measures -----------------------------------------------------------------------------------
 
-// Turns the nodes so that the axis of the surface is z and its centre the origin: the axis is the
-// principal axis whose moment differs most from the two others.
+// Turns the nodes so that the axis of the surface is z and its centre the origin.
 Eigen::Matrix3Xd upright(const Triangulation& mesh, const surface3d::Nodes& X) {
-  const auto [centre, moments] = surface_moments(mesh, X);
-  const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(moments);
-  const Eigen::Vector3d w = eigen.eigenvalues();  // ascending
-  const int axis = w[2] - w[1] > w[1] - w[0] ? 2 : 0;
-  Eigen::Vector3d z = eigen.eigenvectors().col(axis);
+  const surface3d::Moments moments = moments_of(samples_of(mesh, X));
+  Eigen::Vector3d z = moments.distinct_axis();
   if (z[2] < 0) z = -z;
   const Eigen::Matrix3d turn =
       Eigen::Quaterniond::FromTwoVectors(z, Eigen::Vector3d::UnitZ()).toRotationMatrix();
-  return turn * (X.colwise() - centre);
+  return turn * (X.colwise() - moments.centre);
 }
 
 // H at either end of the axis, upper one first: a + b ρ² through the nodes nearest to it.

@@ -1,6 +1,8 @@
 #include "surface3d/harmonic/surface.h"
 
+#include "model/numerics/spheroid.h"
 #include "surface3d/harmonic/basis.h"
+#include "surface3d/moments.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -12,7 +14,6 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
-#include <vector>
 
 namespace sbeh::surface3d {
 
@@ -30,34 +31,12 @@ namespace {
 // and at V_r = 0.65 the ellipsoid of equal moments does not lead to the prolate.
 constexpr double roundness = 0.75;
 
-// First moment, and second about it, per weight.
-struct Moments {
-  Vector3d centre;
-  Matrix3d second;
-};
-Moments moments_of(const Matrix3Xd& points, const VectorXd& weights) {
-  const Vector3d centre = points * weights / weights.sum();
-  const Matrix3Xd off = points.colwise() - centre;
-  return {centre, off * weights.asDiagonal() * off.transpose() / weights.sum()};
-}
-
-// Area of the spheroid with semi-axes (1, 1, c).
-double spheroid_area(double c) {
-  const double e = std::sqrt(std::abs(1 - c * c)) / std::max(1., c);
-  if (e < 1e-6) return 4 * pi;
-  return 2 * pi * (c < 1 ? 1 + (1 - e * e) / e * std::atanh(e) : 1 + c / e * std::asin(e));
-}
-
-struct Samples {
-  Matrix3Xd points;
-  VectorXd areas;  ///< which each stands for
-};
-Samples samples_of(const HarmonicSurface& surface, const SphereRule& rule) {
+SurfaceSamples samples_of(const HarmonicSurface& surface, const SphereRule& rule) {
   const HarmonicBasis basis = harmonic_basis(surface.degree, rule.omega);
   const VectorXd u = basis.Y[0] * surface.coefficients, u_s = basis.Y[1] * surface.coefficients,
                  u_t = basis.Y[2] * surface.coefficients;
   const Matrix3d T = surface.direction();
-  Samples samples{Matrix3Xd(3, u.size()), rule.weights};
+  SurfaceSamples samples{Matrix3Xd(3, u.size()), rule.weights};
   for (Index p = 0; p < u.size(); ++p) {
     const Vector3d omega = rule.omega.col(p);
     const Matrix3d scale = surface.ellipsoid + u[p] * T, frame = frame_at(omega);
@@ -111,13 +90,8 @@ HarmonicSurface harmonic_spheroid(double reduced_volume, bool prolate, int degre
   if (!(reduced_volume > 0.1 && reduced_volume < 1))
     throw std::invalid_argument(
         fmt::format("reduced volume {}: must lie between 0.1 and 1", reduced_volume));
-  const auto v = [](double c) { return model::reduced_volume(spheroid_area(c), 4 * pi / 3 * c); };
-  double round = 0, thin = prolate ? 6 : -6;  // ln c; V_r < 0.1 at either end
-  for (int i = 0; i < 60; ++i) {
-    const double middle = (round + thin) / 2;
-    (v(std::exp(middle)) > reduced_volume ? round : thin) = middle;
-  }
-  const double c = std::exp(round), a = std::sqrt(4 * pi / spheroid_area(c));
+  const double c = model::spheroid_axis_ratio(reduced_volume, prolate);
+  const double a = std::sqrt(4 * pi / model::spheroid_area(c));
   return harmonic_ellipsoid({a, a, a * c}, degree);
 }
 
@@ -128,16 +102,15 @@ HarmonicSurface fit_harmonics(const Matrix3Xd& points, const VectorXd& weights, 
         fmt::format("spherical harmonics up to degree {}: {} points do not determine {} "
                     "coefficients; lower the degree or refine the mesh",
                     degree, points.cols(), count));
-  const Moments moments = moments_of(points, weights);
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(moments.second);
-  if (!(eigen.eigenvalues()[0] > 1e-12 * eigen.eigenvalues()[2]))
+  const Moments moments = moments_of({points, weights});
+  if (!(moments.principal[0] > 1e-12 * moments.principal[2]))
     throw std::invalid_argument("spherical harmonics: the points lie in a plane");
-  const Vector3d axes = eigen.eigenvalues().cwiseSqrt();
+  const Vector3d axes = moments.principal.cwiseSqrt();
   const Vector3d rounder = (axes / std::cbrt(axes.prod())).array().pow(roundness);
   HarmonicSurface surface{degree,
                           moments.centre,
-                          std::sqrt(3.) * std::cbrt(axes.prod()) * eigen.eigenvectors()
-                              * rounder.asDiagonal() * eigen.eigenvectors().transpose(),
+                          std::sqrt(3.) * std::cbrt(axes.prod()) * moments.axes
+                              * rounder.asDiagonal() * moments.axes.transpose(),
                           {}};
   MatrixXd A(points.cols(), count);
   VectorXd b(points.cols());
@@ -153,18 +126,12 @@ HarmonicSurface fit_harmonics(const Matrix3Xd& points, const VectorXd& weights, 
 }
 
 HarmonicSurface fit_harmonics(const Triangulation& mesh, const Nodes& X, int degree) {
-  std::vector<Vector3d> points;
-  std::vector<double> weights;
-  for_each_point(mesh, X, diagnostic_points(), [&](int, const ShapeValues&, const SurfacePoint& p) {
-    points.push_back(p.x);
-    weights.push_back(p.dS);
-  });
-  return fit_harmonics(Eigen::Map<const Matrix3Xd>(points.front().data(), 3, Index(points.size())),
-                       Eigen::Map<const VectorXd>(weights.data(), Index(weights.size())), degree);
+  const auto [points, areas] = samples_of(mesh, X);
+  return fit_harmonics(points, areas, degree);
 }
 
 HarmonicSurface refitted(const HarmonicSurface& surface) {
-  const Samples samples = samples_of(surface, sphere_rule(2 * (surface.degree + 1)));
+  const SurfaceSamples samples = samples_of(surface, sphere_rule(2 * (surface.degree + 1)));
   return fit_harmonics(samples.points, samples.areas, surface.degree);
 }
 
@@ -174,13 +141,9 @@ double tail(const HarmonicSurface& surface) {
 }
 
 Axis axis_of(const HarmonicSurface& surface) {
-  const Samples samples = samples_of(surface, sphere_rule(surface.degree + 1));
-  const Moments moments = moments_of(samples.points, samples.areas);
-  const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(moments.second);
-  const Vector3d w = eigen.eigenvalues();  // ascending
-  Axis axis{.direction = eigen.eigenvectors().col(w[2] - w[1] > w[1] - w[0] ? 2 : 0),
-            .centre = moments.centre,
-            .deviation = 0};
+  const SurfaceSamples samples = samples_of(surface, sphere_rule(surface.degree + 1));
+  const Moments moments = moments_of(samples);
+  Axis axis{.direction = moments.distinct_axis(), .centre = moments.centre, .deviation = 0};
   for (int k = 1; k <= 8; ++k) {
     const Matrix3d turn =
         Eigen::AngleAxisd(2 * pi * std::numbers::phi * k, axis.direction).toRotationMatrix();
