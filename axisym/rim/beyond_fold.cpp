@@ -57,14 +57,14 @@ struct Leg {
   const RimState& before_fold() const {
     constexpr double clear = 0.1;  // of the tangent's L
     for (auto state = states.rbegin(); state != states.rend(); ++state)
-      if (std::abs(state->slope()) > clear) return state->s;
-    return states.front().s;
+      if (std::abs(state->slope()) > clear) return *state;
+    return states.front();
   }
 
   // The two neighbours around an L; empty when it is not on the leg.
   std::optional<RimState> guess(double L) const {
     for (std::size_t k = 1; k < states.size(); ++k) {
-      const RimState &a = states[k - 1].s, &b = states[k].s;
+      const RimState &a = states[k - 1], &b = states[k];
       if ((a.L - L) * (b.L - L) > 0) continue;
       const double t = (L - a.L) / (b.L - a.L);
       return RimState{L, (1 - t) * a.y + t * b.y, (1 - t) * a.multipliers + t * b.multipliers};
@@ -84,12 +84,9 @@ Leg follow(const RimProblem& problem, RimPathState here,
   constexpr double longest = 0.03, shortest = 1e-7;
   Leg leg{{here}, {}, {}};
   double ds = 0.005;
-  for (int step = 0; step < most_steps && ds > shortest && !enough(here.s); ++step) {
-    const auto next = arc_step(problem, here, ds);
-    if (!next) {
-      ds /= 2;
-      continue;
-    }
+  for (int step = 0; step < most_steps && !enough(here); ++step) {
+    const auto next = advance(problem, here, ds, shortest);
+    if (!next) break;
     if (next->slope() * here.slope() < 0) {
       leg.fold = locate_fold(problem, here, *next, ds);
       leg.beyond = next;
@@ -191,7 +188,7 @@ class SharpStates {
   const std::optional<RimPathState>& fold() const { return leg_.fold; }
   const RimState& before_fold() const { return leg_.before_fold(); }
   /// Below this L there are none, or so near their fold that they are not followed.
-  double lowest() const { return leg_.fold ? leg_.states.back().s.L : 0; }
+  double lowest() const { return leg_.fold ? leg_.states.back().L : 0; }
 
   std::optional<RimRecord> at(double L, RimKind kind = RimKind::sharp) const {
     if (!exist_) return {};
@@ -224,8 +221,8 @@ class SharpStates {
     leg_ = axisym::follow(smooth_, *start, [this](const RimState& s) {
       return s.L < smallest_L || order_at_rim(smooth_, s) < smallest_order;
     });
-    top_of_kinks_ = leg_.states.back().s.L;
-    kinks_below_ = !leg_.fold && order_at_rim(smooth_, leg_.states.back().s) < smallest_order;
+    top_of_kinks_ = leg_.states.back().L;
+    kinks_below_ = !leg_.fold && order_at_rim(smooth_, leg_.states.back()) < smallest_order;
   }
 
   RimProblem smooth_, kinks_;
@@ -257,7 +254,7 @@ std::optional<RimRecord> meeting(const RimProblem& problem, const Leg& smooth,
     return expand(problem.at(L), a->y)->energy - b->energy;
   };
   constexpr int samples = 12;
-  const double top = smooth.states.back().s.L;
+  const double top = smooth.states.back().L;
   std::optional<double> above = gap(top);
   double high = top;
   for (int k = 1; k < samples && above && high > sharp.lowest(); ++k) {
@@ -283,7 +280,7 @@ std::vector<RimRecord> beyond_fold(const model::Material& material, double reduc
   const RimProblem problem(material, reduced_volume, Rim::smooth, {});
   const Leg smooth = smooth_leg(problem);
   if (!smooth.fold) return {};
-  std::vector<RimRecord> rows{record(RimKind::fold, problem, smooth.fold->s)};
+  std::vector<RimRecord> rows{record(RimKind::fold, problem, *smooth.fold)};
   rows[0].negative_directions = negative_directions(problem, smooth.before_fold());
 
   const Leg saddle = follow(problem, *smooth.beyond, [&](const RimState& s) {
@@ -292,10 +289,10 @@ std::vector<RimRecord> beyond_fold(const model::Material& material, double reduc
   for (const double L : asked)
     if (const auto s = saddle.at(problem, L)) rows.push_back(record(RimKind::saddle, problem, *s));
 
-  const double L_fold = smooth.fold->s.L;
+  const double L_fold = smooth.fold->L;
   const SharpStates sharp(problem, std::max(2 * L_fold, asked.empty() ? 0 : asked.back()), L_fold);
   if (sharp.fold()) {
-    rows.push_back(record(RimKind::second_fold, problem, sharp.fold()->s));
+    rows.push_back(record(RimKind::second_fold, problem, *sharp.fold()));
     rows.back().negative_directions = negative_directions(problem, sharp.before_fold());
   }
   for (const double L : asked)

@@ -15,11 +15,6 @@ using std::numbers::pi;
 
 namespace {
 
-constexpr int most_iterations = 12;
-constexpr double converged = 1e-9;    // largest change; the error left is about its square
-constexpr double far = 0.5;           // a larger change leaves the neighbourhood
-constexpr double least_cosine = 0.6;  // between tangents of a step: more turning means a jump
-
 // ∂(gradient)/∂L: the energy is linear in L.
 VectorXd gradient_rate(const RimProblem& problem, const VectorXd& y) {
   return expand(problem.at(1), y)->gradient - expand(problem.at(0), y)->gradient;
@@ -49,24 +44,19 @@ std::optional<Linearised> linearise(const RimProblem& problem, const RimState& s
   return out;
 }
 
-// Newton with the last equation row·(y, L) = value.
-std::optional<RimState> newton(const RimProblem& problem, RimState s, const VectorXd& row,
-                               double value) {
+// With the last equation row·(y, L) = value.
+std::optional<double> newton_step(const RimProblem& problem, RimState& s, const VectorXd& row,
+                                  double value) {
   const Index n = s.y.size(), m = s.multipliers.size();
-  for (int iteration = 0; iteration < most_iterations; ++iteration) {
-    const auto system = linearise(problem, s, row);
-    if (!system) return {};
-    VectorXd miss(n + m + 1);
-    miss << system->residual, row.head(n).dot(s.y) + row[n] * s.L - value;
-    const VectorXd step = -system->matrix.partialPivLu().solve(miss);
-    const double change = step.head(n).cwiseAbs().maxCoeff();
-    if (!(change < far)) return {};
-    s.y += step.head(n);
-    s.multipliers += step.segment(n, m);
-    s.L += step[n + m];
-    if (change < converged) return s;
-  }
-  return {};
+  const auto system = linearise(problem, s, row);
+  if (!system) return {};
+  VectorXd miss(n + m + 1);
+  miss << system->residual, row.head(n).dot(s.y) + row[n] * s.L - value;
+  const VectorXd step = -system->matrix.partialPivLu().solve(miss);
+  s.y += step.head(n);
+  s.multipliers += step.segment(n, m);
+  s.L += step[n + m];
+  return step.head(n).cwiseAbs().maxCoeff();
 }
 
 VectorXd along_L(Index n) { return VectorXd::Unit(n + 1, n); }
@@ -101,8 +91,9 @@ VectorXd RimProblem::unknowns(double length, const VectorXd& psi, const VectorXd
 
 std::optional<RimState> solve(const RimProblem& problem, RimState guess) {
   const double L = guess.L;
-  const Index n = guess.y.size();
-  return newton(problem, std::move(guess), along_L(n), L);
+  const VectorXd row = along_L(guess.y.size());
+  const auto step = [&](RimState& s) { return newton_step(problem, s, row, L); };
+  return model::converges(guess, RimProblem::limits, step) ? std::optional(guess) : std::nullopt;
 }
 
 std::optional<RimState> minimise(const RimProblem& problem, double L, const VectorXd& y) {
@@ -123,40 +114,26 @@ std::optional<RimPathState> with_tangent(const RimProblem& problem, const RimSta
   return RimPathState{s, tangent / std::sqrt(tangent.dot(weighted(tangent)))};
 }
 
-std::optional<RimPathState> arc_step(const RimProblem& problem, const RimPathState& from,
-                                     double ds) {
-  const Index n = from.s.y.size();
-  const VectorXd row = weighted(from.tangent);
-  RimState guess = from.s;
-  guess.y += ds * from.tangent.head(n);
+std::optional<RimState> predicted(const RimProblem& problem, const RimPathState& from, double ds) {
+  RimState guess = from;
+  guess.y += ds * from.tangent.head(guess.y.size());
   guess.L += ds * from.slope();
   if (!(guess.L > 0)) return {};
   const auto e = expand(problem.at(guess.L), guess.y);
   if (!e) return {};
   guess.multipliers = estimate_multipliers(*e);
-  const double value = row.head(n).dot(from.s.y) + row[n] * from.s.L + ds;
-  const auto s = newton(problem, std::move(guess), row, value);
-  if (!s) return {};
-  auto next = with_tangent(problem, *s, &from.tangent);
-  return next && row.dot(next->tangent) > least_cosine ? next : std::nullopt;
+  return guess;
 }
 
-RimPathState locate_fold(const RimProblem& problem, const RimPathState& before,
-                         const RimPathState& beyond, double ds) {
-  double low = 0, high = ds, at_low = before.slope(), at_high = beyond.slope();
-  RimPathState best = beyond;
-  for (int iteration = 0; iteration < 60 && std::abs(best.slope()) > 1e-9; ++iteration) {
-    // Regula falsi, kept off the ends.
-    const double zero = (low * at_high - high * at_low) / (at_high - at_low);
-    const double h = std::clamp(zero, low + 0.02 * (high - low), high - 0.02 * (high - low));
-    const auto next = arc_step(problem, before, h);
-    if (!next) break;
-    if (std::abs(next->slope()) < std::abs(best.slope())) best = *next;
-    const bool not_there = next->slope() * at_low > 0;
-    (not_there ? low : high) = h;
-    (not_there ? at_low : at_high) = next->slope();
-  }
-  return best;
+std::optional<double> newton_step(const RimProblem& problem, RimState& s, const RimPathState& from,
+                                  double ds) {
+  const Index n = s.y.size();
+  const VectorXd row = weighted(from.tangent);
+  return newton_step(problem, s, row, row.head(n).dot(from.y) + row[n] * from.L + ds);
+}
+
+double cosine(const RimPathState& a, const RimPathState& b) {
+  return weighted(b.tangent).dot(a.tangent);
 }
 
 namespace {

@@ -6,11 +6,31 @@
 
 #include "axisym/rim/basis.h"
 #include "axisym/spectral/newton.h"
+#include "model/numerics/continuation.h"
 
 namespace sbeh::axisym::spectral {
 
+/// A critical point, or a guess of one.
+struct RimState {
+  double L;
+  Eigen::VectorXd y;  // unknowns
+  Multipliers multipliers;
+};
+
+/// A critical point with the direction of its branch: (y, L), of unit length (root mean square over y,
+/// and L).
+struct RimPathState : RimState {
+  Eigen::VectorXd tangent;                                      // unknowns + 1
+  double slope() const { return tangent[tangent.size() - 1]; }  ///< the tangent's L
+};
+
 /// Whose critical points: a material but for L, a reduced volume, and which rims are admitted.
 struct RimProblem {
+  using Solution = RimState;
+  using Point = RimPathState;
+  static constexpr model::ContinuationLimits limits{
+      .most_iterations = 12, .tolerance = 1e-9, .far = 0.5, .fold = 1e-9};
+
   model::Material material;  ///< with_L(L) of it
   double reduced_volume;
   Rim rim;
@@ -31,21 +51,6 @@ struct RimProblem {
   Eigen::VectorXd target() const { return target_of(at(1), reduced_volume); }
 };
 
-/// A critical point, or a guess of one.
-struct RimState {
-  double L;
-  Eigen::VectorXd y;  // unknowns
-  Multipliers multipliers;
-};
-
-/// A critical point with the direction of its branch: (y, L), of unit length (root mean square over y,
-/// and L).
-struct RimPathState {
-  RimState s;
-  Eigen::VectorXd tangent;                                      // unknowns + 1
-  double slope() const { return tangent[tangent.size() - 1]; }  ///< the tangent's L
-};
-
 /// Newton's method at the L of the guess. Empty when it does not converge in a few steps, or goes far.
 std::optional<RimState> solve(const RimProblem& problem, RimState guess);
 
@@ -56,14 +61,12 @@ std::optional<RimState> minimise(const RimProblem& problem, double L, const Eige
 std::optional<RimPathState> with_tangent(const RimProblem& problem, const RimState& s,
                                          const Eigen::VectorXd* forward = nullptr);
 
-/// Newton on the hyperplane at distance ds along the tangent. Empty when it does not converge, or
-/// arrives with a tangent so different that it must have jumped.
-std::optional<RimPathState> arc_step(const RimProblem& problem, const RimPathState& from,
-                                     double ds);
-
-/// The fold between a state and the one ds further, where the tangent's L changes sign.
-RimPathState locate_fold(const RimProblem& problem, const RimPathState& before,
-                         const RimPathState& beyond, double ds);
+// What model::ContinuationSystem asks for.
+std::optional<RimState> predicted(const RimProblem& problem, const RimPathState& from, double ds);
+std::optional<double> newton_step(const RimProblem& problem, RimState& s, const RimPathState& from,
+                                  double ds);
+double cosine(const RimPathState& a, const RimPathState& b);
+using model::advance, model::arc_step, model::locate_fold;
 
 /// Number of axisymmetric directions, symmetric top to bottom or not, in which U falls to second order,
 /// area and volume kept; a kink stays one. At a fold, where one eigenvalue is zero, it is left to

@@ -8,19 +8,10 @@
 namespace sbeh::axisym {
 
 namespace {
-constexpr double least_cosine = 0.6;  // between tangents of a step: more turning means a jump
-constexpr int quick_iterations = 9;   // more than these: the prediction was not on the branch
-constexpr double tolerance =
-    1e-6;  // on the last change on the way; the error left is about its square
-
 // Length of a direction: root mean square of motion and order, and the parameter.
 double length_of(const Increment& t) {
   return std::sqrt((t.d.squaredNorm() + t.beta.squaredNorm()) / double(t.d.size())
                    + t.parameter * t.parameter);
-}
-
-double cosine(const Increment& a, const Increment& b) {
-  return (a.d.dot(b.d) + a.beta.dot(b.beta)) / double(a.d.size()) + a.parameter * b.parameter;
 }
 
 }  // namespace
@@ -51,88 +42,67 @@ Eigen::VectorXd Line::gradient_rate(double mu, const StationaryState& s) const {
 namespace {
 
 // The equation of the hyperplane across `direction`, in the length of length_of.
-Parameter across(const Line& line, double mu, const StationaryState& s,
-                 const Increment& direction) {
+Parameter across(const Line& line, const LineState& at, const Increment& direction) {
   Increment row = scaled(direction, 1. / double(direction.d.size()));
   row.parameter = direction.parameter;
-  return {line.gradient_rate(mu, s), line.volume_rate(), row};
+  return {line.gradient_rate(at.mu, at.s), line.volume_rate(), row};
+}
+
+NewtonSystem system_at(const Line& line, const LineState& at) {
+  return {line.material(at.mu), line.model(), int(at.s.state.beta.size())};
 }
 
 }  // namespace
 
-std::optional<PathState> with_tangent(const Line& line, double mu, const StationaryState& s,
+double cosine(const PathState& p, const PathState& q) {
+  const Increment &a = p.tangent, &b = q.tangent;
+  return (a.d.dot(b.d) + a.beta.dot(b.beta)) / double(a.d.size()) + a.parameter * b.parameter;
+}
+
+std::optional<PathState> with_tangent(const Line& line, const LineState& at,
                                       const Increment* forward) {
-  NewtonSystem system(line.material(mu), line.model(), int(s.state.beta.size()));
-  if (!system.linearise(s)) return {};
+  NewtonSystem system = system_at(line, at);
+  if (!system.linearise(at.s)) return {};
   Increment t, ahead;
   // Along μ for the sign of the determinant, and for the direction where there is no other.
-  const bool regular = system.tangent(line.gradient_rate(mu, s), line.volume_rate(), ahead);
+  const bool regular = system.tangent(line.gradient_rate(at.mu, at.s), line.volume_rate(), ahead);
   const int sign = regular ? system.determinant_sign() : 0;
   if (forward) {
-    if (!system.tangent(across(line, mu, s, *forward), t)) return {};
+    if (!system.tangent(across(line, at, *forward), t)) return {};
   } else if (regular) {
     t = ahead;
   } else {
     return {};
   }
-  return PathState{mu, s, scaled(t, 1 / length_of(t)), sign};
+  return PathState{at, scaled(t, 1 / length_of(t)), sign};
 }
 
-std::optional<PathState> arc_step(const Line& line, const PathState& from, double ds) {
-  double mu = from.mu + ds * from.tangent.parameter;
-  if (!line.contains(mu)) return {};
-  StationaryState s = from.s;
-  displace(from.tangent, ds, s);
-  for (int iteration = 0; iteration < quick_iterations; ++iteration) {
-    NewtonSystem system(line.material(mu), line.model(), int(s.state.beta.size()));
-    const Parameter parameter = across(line, mu, s, from.tangent);
-    Increment step;
-    if (!system.linearise(s) || !system.newton_step(line.target(mu), parameter, 0, step)) return {};
-    const double change = largest_change(step);
-    if (!(change < 0.3)) return {};
-    system.apply(step, 1, s);
-    mu += step.parameter;
-    if (change < tolerance) {
-      auto arrived = with_tangent(line, mu, s, &from.tangent);
-      return arrived && cosine(arrived->tangent, from.tangent) > least_cosine ? arrived
-                                                                              : std::nullopt;
-    }
-  }
-  return {};
+std::optional<LineState> predicted(const Line& line, const PathState& from, double ds) {
+  LineState x{from.mu + ds * from.tangent.parameter, from.s};
+  if (!line.contains(x.mu)) return {};
+  displace(from.tangent, ds, x.s);
+  return x;
 }
 
-PathState locate_fold(const Line& line, const PathState& start, const PathState& beyond,
-                      double ds) {
-  PathState before = start, best = beyond;
-  const double sign = start.tangent.parameter < 0 ? -1 : 1;  // before the fold
-  const auto slope = [sign](const PathState& p) { return sign * p.tangent.parameter; };
-  double h = ds * slope(before) / (slope(before) - slope(beyond));
-  for (int iteration = 0; iteration < 40 && std::abs(slope(best)) > 1e-8 && h > 1e-12;
-       ++iteration) {
-    const auto next = arc_step(line, before, h);
-    if (!next) {
-      h /= 2;
-      continue;
-    }
-    if (std::abs(slope(*next)) < std::abs(slope(best))) best = *next;
-    const double zero = h * slope(before) / (slope(before) - slope(*next));
-    if (slope(*next) > 0) {  // not there yet: go on from the nearer state
-      before = *next;
-      h = std::max(zero - h, 1e-12);
-    } else {
-      h = zero;
-    }
-  }
-  return best;
+std::optional<double> newton_step(const Line& line, LineState& at, const PathState& from,
+                                  double /*ds*/) {
+  NewtonSystem system = system_at(line, at);
+  const Parameter parameter = across(line, at, from.tangent);
+  Increment step;
+  if (!system.linearise(at.s) || !system.newton_step(line.target(at.mu), parameter, 0, step))
+    return {};
+  system.apply(step, 1, at.s);
+  at.mu += step.parameter;
+  return largest_change(step);
 }
 
 PathState with_fresh_nodes(const Line& line, const PathState& state, double grading) {
-  const NewtonResult r = solve_stationary(line.material(state.mu), line.model(),
-                                          line.target(state.mu), redistribute(state.s, grading),
-                                          {.iterations = quick_iterations, .tolerance = tolerance});
+  const NewtonResult r = solve_stationary(
+      line.material(state.mu), line.model(), line.target(state.mu), redistribute(state.s, grading),
+      {.iterations = Line::limits.most_iterations, .tolerance = Line::limits.tolerance});
   if (r.status != NewtonStatus::converged) return state;
   // The tangent as a field over the old nodes still tells which way is forward.
-  const auto fresh = with_tangent(line, state.mu, r.solution, &state.tangent);
+  const auto fresh = with_tangent(line, {state.mu, r.solution}, &state.tangent);
   return fresh ? *fresh : state;
 }
 

@@ -4,14 +4,34 @@
 
 #include "axisym/stationary/continuation.h"
 #include "axisym/stationary/newton_system.h"
+#include "model/numerics/continuation.h"
 
 #include <optional>
 
 namespace sbeh::axisym {
 
+/// A state on a line.
+struct LineState {
+  double mu;
+  StationaryState s;
+};
+
+/// With its tangent of unit length (root mean square of displacement and order, and μ).
+struct PathState : LineState {
+  Increment tangent;
+  int determinant_sign;
+
+  double slope() const { return tangent.parameter; }
+};
+
 /// A straight line through the (V_r, L) plane, μ = 0 at `from`, 1 at `to`, and beyond both.
 class Line {
  public:
+  using Solution = LineState;
+  using Point = PathState;
+  static constexpr model::ContinuationLimits limits{
+      .most_iterations = 9, .tolerance = 1e-6, .far = 0.3, .fold = 1e-8};
+
   Line(const model::Material& material, model::Model model, PlanePoint from, PlanePoint to)
       : material_(material), model_(model), from_(from), to_(to) {}
 
@@ -31,15 +51,6 @@ class Line {
   PlanePoint from_, to_;
 };
 
-/// A state on the line with its tangent of unit length (root mean square of displacement and order,
-/// and μ).
-struct PathState {
-  double mu;
-  StationaryState s;
-  Increment tangent;
-  int determinant_sign;
-};
-
 Increment scaled(Increment t, double factor);
 
 /// Largest displacement or change of order in a step.
@@ -47,17 +58,15 @@ double largest_change(const Increment& step);
 
 /// The state with its tangent, pointing the way of `forward`, or of growing μ without it. Empty where
 /// the matrix is singular.
-std::optional<PathState> with_tangent(const Line& line, double mu, const StationaryState& s,
-                                      const Increment* forward);
+std::optional<PathState> with_tangent(const Line& line, const LineState& at,
+                                      const Increment* forward = nullptr);
 
-/// Newton on the hyperplane at distance ds along the tangent. Empty when it does not converge within
-/// a few iterations, or arrives with a tangent so different that it must have jumped to another part.
-std::optional<PathState> arc_step(const Line& line, const PathState& from, double ds);
-
-/// The fold between a state and the one ds further, where the tangent's μ changes sign: its zero, by
-/// secants that move on from the nearest state before the fold.
-PathState locate_fold(const Line& line, const PathState& before, const PathState& beyond,
-                      double ds);
+// What model::ContinuationSystem asks for.
+std::optional<LineState> predicted(const Line& line, const PathState& from, double ds);
+std::optional<double> newton_step(const Line& line, LineState& at, const PathState& from,
+                                  double ds);
+double cosine(const PathState& a, const PathState& b);
+using model::advance, model::arc_step, model::locate_fold;
 
 /// Redistributes the nodes of a state on the path and solves again; the state itself where that
 /// fails. Keeps the direction of the tangent.

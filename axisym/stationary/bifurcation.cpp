@@ -104,7 +104,7 @@ std::optional<Pitchfork> find_pitchfork(const model::Material& material, model::
     along.parameter = 0;
     const double rms =
         std::sqrt((along.d.squaredNorm() + along.beta.squaredNorm()) / double(along.d.size()));
-    return Pitchfork{{zero(), b->s, scaled(along, 1 / rms), 0}};
+    return Pitchfork{{{zero(), b->s}, scaled(along, 1 / rms), 0}};
   }
   return {};
 }

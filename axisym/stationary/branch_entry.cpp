@@ -38,23 +38,17 @@ std::optional<PathState> lifted(const Line& line, const PathState& coarse,
       solve_stationary(line.material(coarse.mu), line.model(), line.target(coarse.mu),
                        redistribute(coarse.s, numerics.grading, numerics.elements));
   if (r.status != NewtonStatus::converged) return {};
-  auto fine = with_tangent(line, coarse.mu, r.solution, nullptr);
-  if (fine && fine->tangent.parameter * coarse.tangent.parameter < 0)
-    fine->tangent = scaled(fine->tangent, -1);
+  auto fine = with_tangent(line, {coarse.mu, r.solution});
+  if (fine && fine->slope() * coarse.slope() < 0) fine->tangent = scaled(fine->tangent, -1);
   return fine;
 }
 
 // The last state before the fold on the way up from a pitchfork: μ falls while V_r rises.
 std::optional<PathState> climb(const Line& line, PathState here, double grading, double& ds) {
   bool left = false;  // the oblates, where the path is tangent to nothing
-  while (ds > 1e-5) {
-    const auto next = arc_step(line, here, ds);
-    if (!next) {
-      ds /= 2;
-      continue;
-    }
-    if (left && next->tangent.parameter >= 0) return here;
-    left = left || next->tangent.parameter < -0.3;
+  while (const auto next = advance(line, here, ds, 1e-5)) {
+    if (left && next->slope() >= 0) return here;
+    left = left || next->slope() < -0.3;
     here = with_fresh_nodes(line, *next, grading);
     ds = std::min(1.5 * ds, 0.5);
     if (line.at(here.mu).reduced_volume > 0.95) return {};
@@ -82,20 +76,18 @@ std::optional<BranchEntry> enter_stomatocytes(const BranchState& oblate,
   double ds = 0.1;
   const auto near = rough ? climb(line, rough->state, coarse.grading, ds) : std::nullopt;
   auto here = near ? lifted(line, *near, numerics) : std::nullopt;
-  for (int step = 0; here && step < 60 && ds > 1e-6; ++step) {
-    const auto next = arc_step(line, *here, ds);
-    if (!next) {
-      ds /= 2;
-    } else if (next->tangent.parameter < 0) {
+  for (int step = 0; here && step < 60; ++step) {
+    const auto next = advance(line, *here, ds, 1e-6);
+    if (!next || next->slope() < 0) {
       here = next;
-    } else {
-      entry.fold = state_of(line, locate_fold(line, *here, *next, ds));
-      PathState beyond = *next;
-      for (int k = 0; k < 20 && beyond.tangent.parameter < 0.5; ++k)
-        if (const auto further = arc_step(line, beyond, ds)) beyond = *further;
-      entry.state = state_of(line, with_fresh_nodes(line, beyond, numerics.grading));
-      return entry;
+      continue;
     }
+    entry.fold = state_of(line, locate_fold(line, *here, *next, ds));
+    PathState beyond = *next;
+    for (int k = 0; k < 20 && beyond.slope() < 0.5; ++k)
+      if (const auto further = arc_step(line, beyond, ds)) beyond = *further;
+    entry.state = state_of(line, with_fresh_nodes(line, beyond, numerics.grading));
+    return entry;
   }
   return {};
 }

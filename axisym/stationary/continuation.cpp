@@ -43,11 +43,11 @@ BranchState arrived(const Line& line, double mu, const StationaryState& s, int d
 FollowResult follow(const model::Material& material, model::Model model, const BranchState& from,
                     PlanePoint to, const Numerics& numerics) {
   const Line line(material, model, from.at, to);
-  auto here = with_tangent(line, 0, from.solution, nullptr);
+  auto here = with_tangent(line, {0, from.solution});
   if (!here) return {Arrival::lost, from};
   const int sign = here->determinant_sign;
 
-  const double whole = 1 / here->tangent.parameter;  // arc length to μ = 1 along the tangent
+  const double whole = 1 / here->slope();  // arc length to μ = 1 along the tangent
   if (whole * largest_change(here->tangent) < 0.3) {
     StationaryState guess = from.solution;
     displace(here->tangent, whole, guess);
@@ -64,12 +64,12 @@ FollowResult follow(const model::Material& material, model::Model model, const B
       ds /= 2;
       continue;
     }
-    if (next->tangent.parameter <= 0 && moved > 0) {  // the fold is worth fresh nodes
+    if (next->slope() <= 0 && moved > 0) {  // the fold is worth fresh nodes
       here = with_fresh_nodes(line, *here, numerics.grading);
       moved = 0;
       continue;
     }
-    if (next->tangent.parameter <= 0) {
+    if (next->slope() <= 0) {
       const PathState fold = locate_fold(line, *here, *next, ds);
       return {Arrival::fold,
               {.at = line.at(fold.mu),

@@ -1,0 +1,101 @@
+// Pseudo-arclength continuation: a branch of solutions of a problem with one parameter is followed by its
+// own length, so that folds, where the parameter turns back, are no obstacle.
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <optional>
+
+namespace sbeh::model {
+
+struct ContinuationLimits {
+  int most_iterations;  ///< of Newton's method: more mean that the prediction was not on the branch
+  double tolerance;     ///< on the last change; the error left is about its square
+  double far;           ///< a larger change leaves the neighbourhood
+  double fold;          ///< a smaller |slope| is that of a fold
+  double least_cosine = 0.6;  ///< between the tangents of a step: more turning means a jump
+};
+
+/// A problem whose solutions form branches. `System::Solution` holds the parameter too; `System::Point` is
+/// a Solution with the unit tangent of its branch, and slope() the parameter's part of it, 0 at a fold.
+///   predicted     at distance ds along the tangent of p; empty where there is nothing to look for
+///   newton_step   moves x on the hyperplane there, across the tangent: the largest change, empty where it fails
+///   with_tangent  pointing forward as that of p
+///   cosine        of the tangents; both of unit length
+template <class System>
+concept ContinuationSystem = requires(const System& system, const typename System::Point& p,
+                                      typename System::Solution& x, double ds) {
+  { predicted(system, p, ds) } -> std::same_as<std::optional<typename System::Solution>>;
+  { newton_step(system, x, p, ds) } -> std::same_as<std::optional<double>>;
+  { with_tangent(system, x, &p.tangent) } -> std::same_as<std::optional<typename System::Point>>;
+  { cosine(p, p) } -> std::same_as<double>;
+  { p.slope() } -> std::same_as<double>;
+};
+
+/// Repeats steps that return their largest change. False unless they converge.
+template <class Solution, class Step>
+bool converges(Solution& x, const ContinuationLimits& limits, Step&& step) {
+  for (int iteration = 0; iteration < limits.most_iterations; ++iteration) {
+    const std::optional<double> change = step(x);
+    if (!change || !(*change < limits.far)) return false;
+    if (*change < limits.tolerance) return true;
+  }
+  return false;
+}
+
+/// The point ds further. Empty when Newton's method does not converge in a few iterations, or arrives with
+/// a tangent so different that it must have jumped to another part.
+template <ContinuationSystem System>
+std::optional<typename System::Point> arc_step(const System& system,
+                                               const typename System::Point& from, double ds) {
+  auto x = predicted(system, from, ds);
+  if (!x
+      || !converges(*x, System::limits, [&](auto& s) { return newton_step(system, s, from, ds); }))
+    return {};
+  auto next = with_tangent(system, *x, &from.tangent);
+  return next && cosine(*next, from) > System::limits.least_cosine ? next : std::nullopt;
+}
+
+/// The point at the longest of ds, ds/2, … > shortest that leads to one; ds becomes that length.
+template <ContinuationSystem System>
+std::optional<typename System::Point> advance(const System& system,
+                                              const typename System::Point& from, double& ds,
+                                              double shortest) {
+  for (; ds > shortest; ds /= 2)
+    if (auto next = arc_step(system, from, ds)) return next;
+  return {};
+}
+
+/// The fold between a point and the one ds further, where the slope changes sign: its zero, by secants that
+/// move on from the nearest point before the fold.
+template <ContinuationSystem System>
+typename System::Point locate_fold(const System& system, const typename System::Point& start,
+                                   const typename System::Point& beyond, double ds) {
+  using Point = typename System::Point;
+  constexpr int most_iterations = 40;
+  constexpr double shortest = 1e-12;
+  Point before = start, best = beyond;
+  const double sign = start.slope() < 0 ? -1 : 1;  // before the fold
+  const auto slope = [sign](const Point& p) { return sign * p.slope(); };
+  double h = ds * slope(before) / (slope(before) - slope(beyond));
+  for (int i = 0;
+       i < most_iterations && std::abs(slope(best)) > System::limits.fold && h > shortest; ++i) {
+    const auto next = arc_step(system, before, h);
+    if (!next) {
+      h /= 2;
+      continue;
+    }
+    if (std::abs(slope(*next)) < std::abs(slope(best))) best = *next;
+    const double zero = h * slope(before) / (slope(before) - slope(*next));
+    if (slope(*next) > 0) {  // not there yet: go on from the nearer point
+      before = *next;
+      h = std::max(zero - h, shortest);
+    } else {
+      h = zero;
+    }
+  }
+  return best;
+}
+
+}  // namespace sbeh::model
