@@ -1,5 +1,7 @@
 #include "axisym/rim/path.h"
 
+#include "model/numerics/constrained_newton.h"
+
 #include <Eigen/Dense>
 
 #include <algorithm>
@@ -144,13 +146,8 @@ int negative_among(MatrixXd H, MatrixXd rows) {
   const VectorXd scale = H.diagonal().cwiseAbs().cwiseSqrt().cwiseInverse();
   H = scale.asDiagonal() * H * scale.asDiagonal();
   rows = rows * scale.asDiagonal();
-  const Eigen::HouseholderQR<MatrixXd> qr(rows.transpose());
-  H.applyOnTheLeft(qr.householderQ().adjoint());
-  H.applyOnTheRight(qr.householderQ());
-  const Index tangential = H.rows() - rows.rows();
-  const Eigen::SelfAdjointEigenSolver<MatrixXd> eigen(H.bottomRightCorner(tangential, tangential),
-                                                      Eigen::EigenvaluesOnly);
-  return int((eigen.eigenvalues().array() < 0).count());
+  const model::TangentSplit split(rows.transpose());
+  return int((split.tangential_eigenvalues(split.rotated(H)).array() < 0).count());
 }
 
 }  // namespace

@@ -1,6 +1,6 @@
 #include "axisym/spectral/classical.h"
 
-#include <ceres/ceres.h>
+#include "model/numerics/constrained_squares.h"
 
 #include <algorithm>
 #include <cmath>
@@ -12,58 +12,6 @@ using Eigen::Index;
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
-
-namespace {
-
-// Residuals f with ½ Σ f² = F/κ + ½μ Σ (measure − target + λ/μ)².
-class SquaredCurvature : public ceres::CostFunction {
- public:
-  SquaredCurvature(const Problem& problem, const VectorXd& target, double penalty)
-      : problem_(problem), target_(target), root_(std::sqrt(penalty)) {
-    set_num_residuals(problem.basis->points() + problem.constraints());
-    mutable_parameter_block_sizes()->push_back(problem.unknowns());
-  }
-
-  // Shift λ/μ of the targets.
-  VectorXd shift;
-
-  bool Evaluate(double const* const* parameters, double* residuals,
-                double** jacobians) const override {
-    using RowMajor = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor>;
-    const Basis& B = *problem_.basis;
-    const Index N = B.points(), n = B.modes(), m = target_.size();
-    const VectorXd y = Eigen::Map<const VectorXd>(parameters[0], problem_.unknowns());
-    const std::optional<Expansion> at = expand(problem_, y);
-    if (!at) return false;
-
-    // f = √(2πr) (ψ' + sin ψ/r)
-    const Angles x = angles(curve_of(problem_, y));
-    const VectorXd root = (2 * pi * B.odd.array() * x.r.array()).sqrt();
-    const VectorXd turn = x.psi.array().sin() / x.r.array();
-    Eigen::Map<VectorXd> f(residuals, N + m);
-    f.head(N) = root.array() * (x.dpsi + turn).array();
-    f.tail(m) = root_ * (at->measures - target_ + shift);
-
-    if (jacobians && jacobians[0]) {
-      Eigen::Map<RowMajor> J(jacobians[0], N + m, 1 + n);
-      const VectorXd by_psi = root.array() * x.psi.array().cos() / x.r.array();
-      const VectorXd by_r = (f.head(N).array() / 2 - root.array() * turn.array()) / x.r.array();
-      J.setZero();
-      J.block(0, 1, N, n) = by_psi.asDiagonal() * B.S;
-      J.block(0, 1, N, n) += root.asDiagonal() * B.dS;
-      J.block(0, 1, N, n) += by_r.asDiagonal() * radius_jacobian(B, x);
-      J.bottomRows(m) = root_ * at->jacobian;
-    }
-    return true;
-  }
-
- private:
-  const Problem& problem_;
-  const VectorXd& target_;
-  double root_;
-};
-
-}  // namespace
 
 double ClassicalMinimum::reduced_energy() const { return state.energy / (8 * pi); }
 
@@ -78,33 +26,51 @@ std::shared_ptr<const Basis> basis_for(Branch branch, double reduced_volume, int
 
 int usual_cutoff(Branch branch) { return branch == Branch::stomatocyte ? 72 : 36; }
 
+namespace {
+
+// f = √(2πr) (ψ' + sin ψ/r), so that ½ Σ f² = F/κ; and its Jacobian by length and angle.
+VectorXd root_curvature(const Basis& B, const Angles& x, MatrixXd* by_y) {
+  const Index N = B.points(), n = B.modes();
+  const VectorXd root = (2 * pi * B.odd.array() * x.r.array()).sqrt();
+  const VectorXd turn = x.psi.array().sin() / x.r.array();
+  const VectorXd f = root.array() * (x.dpsi + turn).array();
+  if (by_y) {
+    const VectorXd by_psi = root.array() * x.psi.array().cos() / x.r.array();
+    const VectorXd by_r = (f.array() / 2 - root.array() * turn.array()) / x.r.array();
+    *by_y = MatrixXd::Zero(N, 1 + n);
+    by_y->rightCols(n) = by_psi.asDiagonal() * B.S;
+    by_y->rightCols(n) += root.asDiagonal() * B.dS;
+    by_y->rightCols(n) += by_r.asDiagonal() * radius_jacobian(B, x);
+  }
+  return f;
+}
+
+}  // namespace
+
 std::optional<VectorXd> minimise_squares(const Problem& classical, const VectorXd& target,
                                          VectorXd y) {
-  constexpr double penalty = 1e4, tolerance = 1e-5;
-  constexpr int most_shifts = 10;
-  SquaredCurvature cost(classical, target, penalty);
   const std::optional<Expansion> first = expand(classical, y);
   if (!first) return {};
-  cost.shift = estimate_multipliers(*first) / penalty;
-
-  ceres::Problem::Options ownership;
-  ownership.cost_function_ownership = ceres::DO_NOT_TAKE_OWNERSHIP;
-  ceres::Problem problem(ownership);
-  problem.AddResidualBlock(&cost, nullptr, y.data());
-  ceres::Solver::Options options;
-  options.linear_solver_type = ceres::DENSE_QR;
-  options.logging_type = ceres::SILENT;
-  options.max_num_iterations = 200;
-  options.function_tolerance = 1e-8;
-
-  for (int i = 0; i < most_shifts; ++i) {
-    ceres::Solver::Summary summary;
-    ceres::Solve(options, &problem, &summary);
-    if (summary.termination_type == ceres::FAILURE) return {};
-    const VectorXd miss = expand(classical, y)->measures - target;
-    if (miss.cwiseAbs().maxCoeff() < tolerance) break;
-    cost.shift += miss;
-  }
+  const model::ConstrainedSquares squares{
+      .residuals = classical.basis->points(),
+      .unknowns = classical.unknowns(),
+      .target = target,
+      .evaluate =
+          [&](const VectorXd& at, auto& values, auto* wanted) {
+            const std::optional<Expansion> e = expand(classical, at);
+            if (!e) return false;
+            values = {root_curvature(*classical.basis, angles(curve_of(classical, at)),
+                                     wanted ? &wanted->residuals : nullptr),
+                      e->measures};
+            if (wanted) wanted->measures = e->jacobian;
+            return true;
+          },
+      .penalty = 1e4,
+      .function_tolerance = 1e-8,
+      .most_iterations = 1000,
+      .normal_equations = false};
+  int iterations = 0;
+  if (!model::minimise_squares(squares, estimate_multipliers(*first), y, iterations)) return {};
   return y;
 }
 

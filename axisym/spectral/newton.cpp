@@ -1,8 +1,9 @@
 #include "axisym/spectral/newton.h"
 
+#include "model/numerics/constrained_newton.h"
+
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -22,34 +23,6 @@ constexpr double rounding = 1e-14;  // a residual that no step improves
 constexpr double penalty = 1e3;     // on the constraints, in the merit of a step
 constexpr double shortest = 1e-4;   // part of a step
 constexpr double softest = 1e-3;    // eigenvalue by which an uphill direction is turned round
-
-// Orthonormal coordinates (normal, tangential) to the constraints.
-class Split {
- public:
-  explicit Split(const MatrixXd& jacobian) : m_(jacobian.rows()), qr_(jacobian.transpose()) {}
-
-  MatrixXd rotated(MatrixXd H) const {
-    H.applyOnTheLeft(qr_.householderQ().adjoint());
-    H.applyOnTheRight(qr_.householderQ());
-    return H;
-  }
-  VectorXd rotated(const VectorXd& v) const { return qr_.householderQ().adjoint() * v; }
-  VectorXd back(const VectorXd& v) const { return qr_.householderQ() * v; }
-  // The normal step that changes the measures by this much, to first order.
-  VectorXd normal_step(const VectorXd& change) const {
-    return qr_.matrixQR().topLeftCorner(m_, m_).triangularView<Eigen::Upper>().transpose().solve(
-        change);
-  }
-
- private:
-  Index m_;
-  Eigen::HouseholderQR<MatrixXd> qr_;
-};
-
-double smallest_eigenvalue(const MatrixXd& symmetric) {
-  return Eigen::SelfAdjointEigenSolver<MatrixXd>(symmetric, Eigen::EigenvaluesOnly)
-      .eigenvalues()[0];
-}
 
 // H⁻¹ force, or downhill all the same where H is not positive.
 VectorXd descend(const MatrixXd& H, const VectorXd& force) {
@@ -82,11 +55,10 @@ std::optional<Critical> minimise(const Problem& problem, const VectorXd& target,
     const VectorXd miss = at->measures - target;
     const double residual = std::max(largest_force(problem, gradient), miss.cwiseAbs().maxCoeff());
 
-    const Split split(at->jacobian);
+    const model::TangentSplit split(at->jacobian.transpose());
     const MatrixXd H = split.rotated(hessian(problem, y, lambda));
-    const Index m = miss.size(), tangential = y.size() - m;
     if (residual < rounding || (residual < tolerance && residual > 0.1 * before)) {
-      const double lowest = smallest_eigenvalue(H.bottomRightCorner(tangential, tangential));
+      const double lowest = split.tangential_eigenvalues(H)[0];
       if (!(lowest > 0)) return {};
       return Critical{.y = y,
                       .multipliers = lambda,
@@ -97,13 +69,7 @@ std::optional<Critical> minimise(const Problem& problem, const VectorXd& target,
     }
     before = residual;
 
-    VectorXd step(y.size());
-    step.head(m) = split.normal_step(-miss);
-    step.tail(tangential) = descend(H.bottomRightCorner(tangential, tangential),
-                                    -split.rotated(gradient).tail(tangential)
-                                        - H.bottomLeftCorner(tangential, m) * step.head(m));
-    step = split.back(step);
-
+    const VectorXd step = split.newton_step(H, gradient, miss, descend);
     const auto merit = [&](const Expansion& e) {
       const VectorXd off = e.measures - target;
       return e.energy + lambda.dot(off) + penalty / 2 * off.squaredNorm();
@@ -118,12 +84,6 @@ std::optional<Critical> minimise(const Problem& problem, const VectorXd& target,
     y += part * step;
   }
   return {};
-}
-
-double stiffness(const MatrixXd& hessian, const MatrixXd& constraint_jacobian) {
-  const Index tangential = hessian.rows() - constraint_jacobian.rows();
-  return smallest_eigenvalue(
-      Split(constraint_jacobian).rotated(hessian).bottomRightCorner(tangential, tangential));
 }
 
 }  // namespace sbeh::axisym::spectral

@@ -20,7 +20,4 @@ struct Critical {
 std::optional<Critical> minimise(const Problem& problem, const Eigen::VectorXd& target,
                                  Eigen::VectorXd y);
 
-/// Smallest eigenvalue of a second variation among the variations that the constraints admit.
-double stiffness(const Eigen::MatrixXd& hessian, const Eigen::MatrixXd& constraint_jacobian);
-
 }  // namespace sbeh::axisym::spectral

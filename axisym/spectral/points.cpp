@@ -1,6 +1,7 @@
 // The five special points of the classical diagram, on two resolutions.
 #include "axisym/spectral/classical.h"
 #include "axisym/spectral/minimiser.h"
+#include "model/numerics/constrained_newton.h"
 #include "model/numerics/root.h"
 
 #include <Eigen/LU>
@@ -70,7 +71,8 @@ double odd_stiffness(const ClassicalMinimum& symmetric) {
   const auto odd = Eigen::seq(1, Eigen::last, 2);  // y[k] is b_k
   const VectorXd closure = expand(whole, y)->jacobian.row(2);
   const VectorXd odd_closure = closure(odd);
-  return stiffness(hessian(whole, y, multipliers)(odd, odd), odd_closure.transpose());
+  const model::TangentSplit split(odd_closure);
+  return split.tangential_eigenvalues(split.rotated(hessian(whole, y, multipliers)(odd, odd)))[0];
 }
 
 // A critical point of the Lagrangian where it crosses the plane direction·y = t: volume is an unknown
