@@ -10,18 +10,10 @@
 // normals turn with the curve, which the derivatives leave out.
 #pragma once
 
+#include "axisym/stationary_state.h"
 #include "axisym/time_step.h"
 
 namespace sbeh::axisym {
-
-/// A critical point of the Lagrangian (or a guess of one).
-struct StationaryState {
-  State state;
-  Field H;       // nodes, mean curvature
-  Field Lambda;  // nodes, multiplier of the curvature equation, about −(κ(H − H₀) + κ_G B_φφ)
-  double tension;   ///< Σ = −∂U/∂A
-  double pressure;  ///< P = ∂U/∂V
-};
 
 enum class NewtonStatus { converged, diverged, singular };
 

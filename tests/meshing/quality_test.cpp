@@ -26,15 +26,22 @@ CurvedMesh modes(std::initializer_list<Harmonic> list, const Resolution& r) {
   return harmonic_sphere(std::span(list.begin(), list.size()), r);
 }
 
+// Where CGAL's remeshing has a part, triangles differ from version to version. At 30° the constant of the
+// interpolation error, 1/sin, is √3 times that of equilateral triangles.
+constexpr double remeshed = 30;
+
 const std::array<Family, 12> families{{
     {"sphere", sphere, 52, 80},
     {"oblate, V_r = 0.9", [](const Resolution& r) { return ellipsoid(0.9, false, r); }, 45, 80},
     {"oblate, V_r = 0.6", [](const Resolution& r) { return ellipsoid(0.6, false, r); }, 45, 80},
     {"oblate, V_r = 0.3", [](const Resolution& r) { return ellipsoid(0.3, false, r); }, 30, 20480},
     {"prolate, V_r = 0.9", [](const Resolution& r) { return ellipsoid(0.9, true, r); }, 40, 80},
-    {"prolate, V_r = 0.8", [](const Resolution& r) { return ellipsoid(0.8, true, r); }, 35, 80},
-    {"prolate, V_r = 0.6", [](const Resolution& r) { return ellipsoid(0.6, true, r); }, 35, 1280},
-    {"prolate, V_r = 0.5", [](const Resolution& r) { return ellipsoid(0.5, true, r); }, 30, 5120},
+    {"prolate, V_r = 0.8", [](const Resolution& r) { return ellipsoid(0.8, true, r); }, remeshed,
+     80},
+    {"prolate, V_r = 0.6", [](const Resolution& r) { return ellipsoid(0.6, true, r); }, remeshed,
+     1280},
+    {"prolate, V_r = 0.5", [](const Resolution& r) { return ellipsoid(0.5, true, r); }, remeshed,
+     5120},
     {"ellipsoid 1:2:3",
      [](const Resolution& r) {
        return ellipsoid({1, 2, 3}, r);

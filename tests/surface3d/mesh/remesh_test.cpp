@@ -107,11 +107,12 @@ void expect_transfer_orders(double shear) {
     U.add(h, fresh.report.energy_change);
   }
   // Interpolation in P3; the energy sees the square of the error of H, which is of second order. The
-  // meshes are no refinements of each other: orders scatter, their mean does less.
+  // meshes are no refinements of each other: with edges that are up to √2 longer than the count tells, an
+  // error changes by up to 4, and the mean order over 4 : 1 in h by up to 1.
   for (OrderTable* table : {&distance, &X, &beta, &order, &U}) {
     table->print();
     const auto orders = table->orders();
-    EXPECT_GT((orders.front() + orders.back()) / 2, 3.2);
+    EXPECT_GT((orders.front() + orders.back()) / 2, 4 - 1);
   }
 }
 
