@@ -19,10 +19,9 @@ int divisions(int triangles) { return std::max(1, int(std::lround(std::sqrt(tria
 }  // namespace
 
 void Resolution::validate() const {
-  constexpr int most = 200'000;
-  if (triangles < 20 || triangles > most)
-    throw std::invalid_argument(
-        fmt::format("triangles = {}: must be in 20 ... {}", triangles, most));
+  if (triangles < fewest_triangles || triangles > most_triangles)
+    throw std::invalid_argument(fmt::format("triangles = {}: must be in {} ... {}", triangles,
+                                            fewest_triangles, most_triangles));
   if (order < 1 || order > 3)
     throw std::invalid_argument(fmt::format("order = {}: must be 1, 2 or 3", order));
   if (!(grading >= 0 && grading <= 10))

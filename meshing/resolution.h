@@ -3,6 +3,9 @@
 
 namespace sbeh::meshing {
 
+/// Of a closed surface.
+inline constexpr int fewest_triangles = 20, most_triangles = 200'000;
+
 struct Resolution {
   int triangles = 1280;  ///< about so many; 20 n² where the sphere's mesh fits, see triangle_count
   int order = 3;         ///< 1, 2 or 3

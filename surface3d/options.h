@@ -1,6 +1,7 @@
 // What a user may choose of the numerics of the 3D solver.
 #pragma once
 
+#include "meshing/resolution.h"
 #include "model/time/flow.h"
 #include "surface3d/time_step.h"
 
@@ -49,7 +50,8 @@ void for_each_parameter(N& numerics, auto&& visit) {
         numerics.solver_tolerance);
   visit(P{"remesh", {}, "make new triangles where they do not resolve the surface"},
         numerics.remesh);
-  visit(P{"most_triangles", model::between(20, 200'000), "never more than so many"},
+  visit(P{"most_triangles", model::between(meshing::fewest_triangles, meshing::most_triangles),
+          "never more than so many"},
         numerics.most_triangles);
 }
 

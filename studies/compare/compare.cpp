@@ -4,11 +4,11 @@
 #include "studies/io/csv_line.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
+#include "studies/io/stopwatch.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <numeric>
 
@@ -56,10 +56,9 @@ std::vector<WitnessState> states_of(const CompareInput& input, const fs::path& f
   std::vector<WitnessState> states;
   std::optional<axisym::State> newton;
   for (const Witness witness : input.methods) {
-    const auto start = std::chrono::steady_clock::now();
+    const Stopwatch watch;
     states.push_back(state_of(witness, input, states, newton, frame));
-    states.back().seconds =
-        std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+    states.back().seconds = watch.seconds();
     if (interrupt_signal()) throw Interrupted("interrupted");
   }
   return states;

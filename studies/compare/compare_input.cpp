@@ -1,5 +1,6 @@
 #include "studies/compare/compare_input.h"
 
+#include "meshing/resolution.h"
 #include "studies/io/spelling.h"
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"
@@ -17,7 +18,6 @@ namespace {
 
 const ParameterNames flow_keys{"tolerance", "rest_speed"};
 constexpr double least_harmonic_volume = 0.65;
-constexpr int fewest_triangles = 20, most_triangles = 200'000;
 
 // The surface must be near enough to an ellipsoid.
 void require_harmonic_shape(const TomlTable& table, const CompareInput& input) {
@@ -75,7 +75,8 @@ SurfaceMethod read_surface_method(const TomlTable& table, const CompareInput& in
     table.fail("start",
                "must be \"revolved\" for branch = \"stomatocyte\": an ellipsoid does not go "
                "there");
-  method.triangles = table.integer("triangles", fewest_triangles, most_triangles, method.triangles);
+  method.triangles = table.integer("triangles", meshing::fewest_triangles, meshing::most_triangles,
+                                   method.triangles);
   method.end_time = table.number("end", above(0), method.end_time);
   read_some(table, method.numerics, flow_keys);
   check(table, method.numerics);

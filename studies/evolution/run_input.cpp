@@ -1,12 +1,11 @@
 #include "studies/evolution/run_input.h"
 
+#include "meshing/resolution.h"
 #include "studies/parameters/material_input.h"
 
 namespace sbeh::studies {
 
 namespace {
-
-constexpr int fewest_triangles = 20, most_triangles = 200'000;
 
 void read_ellipsoid(const TomlTable& surface, RunInput& input) {
   input.start = read_ellipsoid(surface, 3, "three numbers, the semi-axes along x, y, z");
@@ -53,7 +52,8 @@ void read_surface(const TomlTable& surface, RunInput& input) {
   const auto& shape = chosen_shape(surface, shapes());
   refuse_order(surface, input.model, {"order"});
   shape.read(surface, input);
-  input.triangles = surface.integer("triangles", fewest_triangles, most_triangles, input.triangles);
+  input.triangles = surface.integer("triangles", meshing::fewest_triangles, meshing::most_triangles,
+                                    input.triangles);
   input.initial_order = surface.number("order", orders, input.initial_order);
   if (surface.has("perturbation"))
     input.perturbation = surface.harmonics("perturbation", largest_degree);

@@ -6,11 +6,11 @@
 #include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
+#include "studies/io/stopwatch.h"
 #include "studies/mesh_files/mesh_file.h"
+#include "studies/parameters/parameters.h"
 
 #include <fmt/format.h>
-
-#include <chrono>
 
 namespace sbeh::studies::figures {
 
@@ -40,7 +40,6 @@ std::string difference(const RunInput& run, const RunInput& plan, std::optional<
   const auto differ = [](const char* what, const auto& a, const auto& b) {
     return fmt::format("its {} is {}, that of the figure is {}", what, a, b);
   };
-  const model::Material &a = run.material, &b = plan.material;
   if (run.model != plan.model)
     return differ("model", model::name(run.model), model::name(plan.model));
   if (start_text(run) != start_text(plan))
@@ -48,20 +47,8 @@ std::string difference(const RunInput& run, const RunInput& plan, std::optional<
   if (run.perturbation != plan.perturbation) return "its perturbation is not that of the figure";
   if (run.initial_order != plan.initial_order)
     return differ("order", run.initial_order, plan.initial_order);
-  const auto moduli = [](const model::Material& m) {
-    return fmt::format("{}, {}, {}", m.L1, m.L2, m.L3);
-  };
-  if (moduli(a) != moduli(b)) return differ("(L1, L2, L3)", moduli(a), moduli(b));
-  for (const auto& [what, value] :
-       {std::pair("residual_stiffness", &model::Material::residual_stiffness),
-        std::pair("spontaneous_curvature", &model::Material::spontaneous_curvature),
-        std::pair("viscosity", &model::Material::viscosity),
-        std::pair("immobility", &model::Material::immobility),
-        std::pair("friction_tangential", &model::Material::friction_tangential),
-        std::pair("friction_normal", &model::Material::friction_normal),
-        std::pair("order_viscosity", &model::Material::order_viscosity)})
-    if (a.*value != b.*value) return differ(what, a.*value, b.*value);
-  if (!(a.potential == b.potential)) return "its potential is not that of the figure";
+  if (const auto of = studies::difference(run.material, plan.material))
+    return differ(of->name.c_str(), of->first, of->second);
   if (triangles && run.triangles != *triangles)
     return differ("number of triangles", run.triangles, *triangles);
   return "";
@@ -119,11 +106,10 @@ RunSummary complete_run(const fs::path& folder, const PlannedRun& plan,
   const bool first = !fs::exists(folder / times_name);
   AppendFile times(folder / times_name);
   if (first) times.append("run,seconds");
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   RunSummary summary =
       run_surface(found ? found->input : plan.input, place, version, found.has_value());
-  const std::chrono::duration<double> seconds = std::chrono::steady_clock::now() - start;
-  times.append(fmt::format("{},{:.1f}", plan.folder, seconds.count()));
+  times.append(fmt::format("{},{:.1f}", plan.folder, watch.seconds()));
   return summary;
 }
 

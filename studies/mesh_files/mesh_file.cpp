@@ -1,6 +1,7 @@
 #include "studies/mesh_files/mesh_file.h"
 
 #include "meshing/curving.h"
+#include "meshing/resolution.h"
 #include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/mesh_files/formats.h"
@@ -75,11 +76,11 @@ MeshFile read_mesh(const fs::path& path) {
         file, suffix));
   }
   if (triangle_count(mesh) == 0) throw InputError(fmt::format("{}: has no triangles", file));
-  if (triangle_count(mesh) > most_triangles)
+  if (triangle_count(mesh) > meshing::most_triangles)
     throw InputError(
         fmt::format("{}: has {} triangles, more than {}: make it coarser with the program it comes "
                     "from",
-                    file, triangle_count(mesh), most_triangles));
+                    file, triangle_count(mesh), meshing::most_triangles));
   return mesh;
 }
 

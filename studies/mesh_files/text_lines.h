@@ -9,9 +9,6 @@
 
 namespace sbeh::studies {
 
-/// More triangles than a curved surface can have here.
-constexpr int most_triangles = 200'000;
-
 class TextLines {
  public:
   TextLines(std::string_view text, std::string file) : text_(text), file_(std::move(file)) {}

@@ -27,6 +27,10 @@ void read_value(const TomlTable& table, const char* key, model::Potential& poten
 void write_material(TomlText& toml, const model::Material& material, model::Model model);
 void write_material_without_L(TomlText& toml, const model::Material& material);
 
+/// The parameters that matter only while something moves: states of rest do not depend on them.
+inline const ParameterNames parameters_of_motion{"viscosity", "immobility", "friction_tangential",
+                                                 "friction_normal", "order_viscosity"};
+
 /// The models that have states of rest of their own: those of a scan.
 inline constexpr std::array rest_models{model::Model::SBEH, model::Model::SSH};
 

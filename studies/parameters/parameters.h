@@ -7,7 +7,9 @@
 
 #include <algorithm>
 #include <limits>
+#include <optional>
 #include <stdexcept>
+#include <string>
 #include <string_view>
 #include <type_traits>
 #include <vector>
@@ -76,6 +78,26 @@ void write_some(TomlText& toml, const Struct& from, const ParameterNames& these)
     for_each_parameter(from, [&](const model::Parameter& parameter, const auto& value) {
       if (key == parameter.name) toml.value(key, value);
     });
+}
+
+/// The first parameter in which two structs differ, with its values as they stand in files.
+struct Difference {
+  std::string name, first, second;
+};
+/// Empty where they agree but for `without`.
+template <class Struct>
+std::optional<Difference> difference(const Struct& a, const Struct& b,
+                                     const ParameterNames& without = {}) {
+  std::vector<std::string> values;
+  for_each_parameter(a, [&](const auto&, const auto& value) { values.push_back(as_toml(value)); });
+  std::optional<Difference> found;
+  std::size_t k = 0;
+  for_each_parameter(b, [&](const model::Parameter& parameter, const auto& value) {
+    const std::string &first = values[k++], second = as_toml(value);
+    if (!found && first != second && !contains(without, parameter.name))
+      found = Difference{parameter.name, first, second};
+  });
+  return found;
 }
 
 /// The whole table [numerics] of either solver.

@@ -6,10 +6,10 @@
 #include "axisym/stationary/stationary.h"
 #include "model/rest_order.h"
 #include "studies/io/interrupt.h"
+#include "studies/io/stopwatch.h"
 
 #include <fmt/format.h>
 
-#include <chrono>
 #include <cmath>
 #include <numbers>
 
@@ -23,16 +23,6 @@ using axisym::StationaryCase;
 using model::Model;
 
 namespace {
-
-class Clock {
- public:
-  double seconds() const {
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - start_).count();
-  }
-
- private:
-  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
-};
 
 // What a state is, apart from the branch that led to it.
 PointOutcome stationary(const StationaryCase& of, const State& state) {
@@ -121,12 +111,12 @@ axisym::FollowResult follow_up(const StationaryCase& of, BranchState from, doubl
 }
 
 // The point of the case, along the branch from a settled state.
-PointOutcome followed(const StationaryCase& of, const BranchState& start, const Clock& clock) {
+PointOutcome followed(const StationaryCase& of, const BranchState& start, const Stopwatch& watch) {
   PointOutcome point = outcome_of(
       of, start,
       axisym::follow(of.material, of.model, start, {of.reduced_volume, of.L()}, of.numerics));
   point.row.steps += start.iterations;
-  point.row.wall_seconds = clock.seconds();
+  point.row.wall_seconds = watch.seconds();
   return point;
 }
 
@@ -176,23 +166,23 @@ std::optional<BranchState> fold_above(const StationaryCase& of, const State& sta
 }
 
 PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
-  const Clock clock;
+  const Stopwatch watch;
   const auto start = settled(of.material.with_L(from.at.L), of.model, from);
   if (!start) return failed_point(of, "Newton's method failed at the neighbouring point");
-  return followed(of, *start, clock);
+  return followed(of, *start, watch);
 }
 
 PointOutcome rescale_to(const StationaryCase& of, const Neighbour& from) {
-  const Clock clock;
+  const Stopwatch watch;
   const auto state = settled(of.material, of.model, {{of.reduced_volume, of.L()}, from.state});
   if (!state) return follow_to(of, from);
   PointOutcome point = outcome_of(of, *state, {axisym::Arrival::reached, *state});
-  point.row.wall_seconds = clock.seconds();
+  point.row.wall_seconds = watch.seconds();
   return point;
 }
 
 PointOutcome order_from(const StationaryCase& of, const Neighbour& ssh) {
-  const Clock clock;
+  const Stopwatch watch;
   // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly. It must be
   // well below any fold: beyond one, Newton may find a state of another branch.
   const double first_L = std::min(of.L(), small_L);
@@ -201,7 +191,7 @@ PointOutcome order_from(const StationaryCase& of, const Neighbour& ssh) {
         settled(of.material.with_L(L), of.model, {{of.reduced_volume, L}, ssh.state});
     if (!first) continue;
     PointOutcome point = outcome_of(of, *first, follow_up(of, *first, of.L()));
-    point.row.wall_seconds = clock.seconds();
+    point.row.wall_seconds = watch.seconds();
     return point;
   }
   return failed_point(of,
@@ -217,7 +207,7 @@ PointOutcome beyond_fold(const PointKey& key, const PointOutcome& fold) {
 }
 
 PointOutcome sphere_point(const StationaryCase& of) {
-  const Clock clock;
+  const Stopwatch watch;
   const std::optional<double> order =
       has_free_order(of.model) ? model::sphere_rest_order(of.material) : model::full_order;
   if (!order) return failed_point(of, "no ordered state at rest on the sphere at this L");
@@ -230,13 +220,13 @@ PointOutcome sphere_point(const StationaryCase& of) {
                       .shape = "sphere",
                       .stop_reason = "the sphere"},
                      state};
-  point.row.wall_seconds = clock.seconds();
+  point.row.wall_seconds = watch.seconds();
   return point;
 }
 
 std::optional<PointOutcome> flow_to_rest(const StationaryCase& of, double end_time,
                                          std::vector<SeriesRow>& history) {
-  const Clock clock;
+  const Stopwatch watch;
   const axisym::Numerics& n = of.numerics;
   const State start{
       axisym::spheroid(of.reduced_volume, of.branch == Branch::prolate, n.elements, n.grading),
@@ -267,7 +257,7 @@ std::optional<PointOutcome> flow_to_rest(const StationaryCase& of, double end_ti
         fmt::format("{} at t = {:.4g}", axisym::describe(run.stop), run.last.time);
   }
   point.row.steps = run.steps;
-  point.row.wall_seconds = clock.seconds();
+  point.row.wall_seconds = watch.seconds();
   return point;
 }
 

@@ -4,6 +4,7 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
+#include "studies/io/stopwatch.h"
 #include "studies/scan/beyond_fold_table.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/branch_points.h"
@@ -14,7 +15,6 @@
 #include <tbb/task_group.h>
 
 #include <algorithm>
-#include <chrono>
 #include <mutex>
 
 namespace sbeh::studies {
@@ -279,7 +279,7 @@ void write_lines(const ScanInput& input, ScanFolder& folder) {
 
 ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& path,
                      std::string_view version) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   ScanFolder folder(input, path, version);
   ScanSummary summary;
   if (input.method == Method::flow)
@@ -298,7 +298,7 @@ ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& path,
   }
   summary.computed = folder.computed();
   summary.interrupted = interrupt_signal() != 0;
-  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  summary.seconds = watch.seconds();
   return summary;
 }
 

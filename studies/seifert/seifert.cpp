@@ -4,12 +4,12 @@
 #include "axisym/spectral/minimiser.h"
 #include "axisym/stationary/classical_branches.h"
 #include "studies/io/output.h"
+#include "studies/io/stopwatch.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace sbeh::studies {
@@ -48,7 +48,7 @@ std::vector<double> volumes_of(Branch branch) {
 
 template <class Shapes, class Points>
 WitnessReport report(std::string name, Shapes&& shapes_of, Points&& points) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   WitnessReport r{std::move(name), {}, {}, 0};
   for (const Branch branch : all_branches) {
     const auto volumes = volumes_of(branch);
@@ -56,7 +56,7 @@ WitnessReport report(std::string name, Shapes&& shapes_of, Points&& points) {
     r.shapes.insert(r.shapes.end(), shapes.begin(), shapes.end());
   }
   r.points = points();
-  r.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  r.seconds = watch.seconds();
   return r;
 }
 

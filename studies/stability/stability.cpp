@@ -2,12 +2,12 @@
 
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
+#include "studies/io/stopwatch.h"
 #include "studies/stability/stability_table.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 
 namespace sbeh::studies {
@@ -94,7 +94,7 @@ std::string rate_text(const StabilityResult& row) {
 
 StabilitySummary run_stability(const StabilityInput& input, const fs::path& path,
                                std::string_view version) {
-  const auto start = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   StabilityFolder folder(input, path, version);
   // One after the other, each on all cores: MUMPS is not made for several threads of one process.
   for (const StabilityKey& key : folder.left()) {
@@ -112,7 +112,7 @@ StabilitySummary run_stability(const StabilityInput& input, const fs::path& path
   }
   summary.computed = folder.computed();
   summary.interrupted = interrupt_signal() != 0;
-  summary.seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  summary.seconds = watch.seconds();
   return summary;
 }
 

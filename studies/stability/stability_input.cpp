@@ -1,5 +1,6 @@
 #include "studies/stability/stability_input.h"
 
+#include "meshing/resolution.h"
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"
 #include "studies/parameters/material_input.h"
@@ -15,7 +16,6 @@ using axisym::Branch;
 namespace {
 
 const ParameterNames flow_keys{"largest_step", "tolerance"};
-constexpr int fewest_triangles = 20, most_triangles = 200'000;
 constexpr int largest_perturbation_degree = 8;
 
 // All that can be perturbed and still be called a small displacement of a surface with radius 1.
@@ -56,7 +56,8 @@ void read_states(const TomlTable& table, StabilityInput& input) {
 }
 
 void read_surface(const TomlTable& table, StabilityInput& input) {
-  input.triangles = table.integer("triangles", fewest_triangles, most_triangles, input.triangles);
+  input.triangles = table.integer("triangles", meshing::fewest_triangles, meshing::most_triangles,
+                                  input.triangles);
   input.end_time = table.number("end", above(0), input.end_time);
   read_some(table, input.numerics_3d, flow_keys);
   check(table, input.numerics_3d);

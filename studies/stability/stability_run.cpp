@@ -4,6 +4,7 @@
 #include "meshing/revolution.h"
 #include "studies/evolution/run_start.h"
 #include "studies/io/interrupt.h"
+#include "studies/io/stopwatch.h"
 #include "studies/stability/classical_saddle.h"
 #include "studies/witnesses/state.h"
 #include "surface3d/flow.h"
@@ -11,7 +12,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -155,7 +155,7 @@ StabilityResult::StabilityResult()
 
 std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
                                               const StabilityKey& key) {
-  const auto begin = std::chrono::steady_clock::now();
+  const Stopwatch watch;
   StabilityOutcome outcome;
   StabilityResult& result = outcome.result;
   result.key = key;
@@ -207,8 +207,7 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   result.stop_reason = reason_of(seen, run);
   if (seen.steadily || seen.settled) result.end_state = class_of(*mesh, run.state.X, result, kappa);
   outcome.history = std::move(seen.history);
-  result.wall_seconds =
-      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  result.wall_seconds = watch.seconds();
   return outcome;
 }
 

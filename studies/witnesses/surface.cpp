@@ -8,6 +8,7 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/number_range.h"
 #include "studies/io/progress.h"
+#include "studies/parameters/material_input.h"
 #include "studies/witnesses/state.h"
 #include "surface3d/flow.h"
 #include "surface3d/moments.h"
@@ -128,28 +129,21 @@ void require_same_case(const fs::path& folder, const RunInput& run, const Statio
   const auto fail = [&](const std::string& what) {
     throw InputError(fmt::format("{}: is a run of another case: {}", folder.string(), what));
   };
-  const model::Material &a = run.material, &b = of.material;
   if (model::rest_model(run.model) != of.model)
     fail(fmt::format("its model is {}, that of the comparison {}", model::name(run.model),
                      model::name(of.model)));
-  if (a.L1 != b.L1 || a.L2 != b.L2 || a.L3 != b.L3)
-    fail(fmt::format("its L1, L2, L3 are {}, {}, {}, those of the comparison {}, {}, {}", a.L1,
-                     a.L2, a.L3, b.L1, b.L2, b.L3));
-  if (!(a.potential == b.potential) || a.residual_stiffness != b.residual_stiffness
-      || a.spontaneous_curvature != b.spontaneous_curvature)
-    fail("potential, residual_stiffness or spontaneous_curvature differ (compare its run.toml)");
+  if (const auto other = difference(run.material, of.material, parameters_of_motion))
+    fail(fmt::format("its {} is {}, that of the comparison {}", other->name, other->first,
+                     other->second));
 }
 
 // Whether the run is the evolution that `flow` follows too: from the same ellipsoid, with the same drag.
 bool is_evolution_of(const RunInput& run, const StationaryCase& of) {
   const auto* start = std::get_if<Ellipsoid>(&run.start);
-  const model::Material &a = run.material, &b = of.material;
   return start && start->reduced_volume == of.reduced_volume
       && start->prolate == (of.branch == axisym::Branch::prolate) && run.model == of.model
       && run.initial_order == model::full_order && run.perturbation.empty()
-      && a.viscosity == b.viscosity && a.immobility == b.immobility
-      && a.friction_tangential == b.friction_tangential && a.friction_normal == b.friction_normal
-      && a.order_viscosity == b.order_viscosity;
+      && run.material == of.material;
 }
 
 Rest last_frame(const StationaryCase& of, const fs::path& folder) {

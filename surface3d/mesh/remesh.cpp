@@ -6,6 +6,7 @@
 #include "meshing/intersections.h"
 #include "meshing/quality.h"
 #include "meshing/remeshing.h"
+#include "meshing/resolution.h"
 #include "surface3d/diagnostics.h"
 
 #include <fmt/format.h>
@@ -22,10 +23,10 @@ namespace sbeh::surface3d {
 using Eigen::Vector3d;
 
 void RemeshOptions::validate() const {
-  constexpr int fewest = 20, most = 200'000;
-  if (triangles != 0 && (triangles < fewest || triangles > most))
-    throw std::invalid_argument(
-        fmt::format("remesh: triangles = {}: must be 0 or in {} ... {}", triangles, fewest, most));
+  using meshing::fewest_triangles, meshing::most_triangles;
+  if (triangles != 0 && (triangles < fewest_triangles || triangles > most_triangles))
+    throw std::invalid_argument(fmt::format("remesh: triangles = {}: must be 0 or in {} ... {}",
+                                            triangles, fewest_triangles, most_triangles));
   if (!(grading >= 0 && grading <= 10))
     throw std::invalid_argument(fmt::format("remesh: grading = {}: must be in 0 ... 10", grading));
   if (!(largest_energy_change >= 0 && largest_energy_change <= 1))

@@ -184,7 +184,7 @@ TEST_F(Compare, takes_the_last_frame_of_a_3D_run_of_the_same_case_only) {
   const std::string other = "run: is a run of another case: ";
   refused("SBEH", "0.8", "0.05", other + "its model is SSH");
   refused("SSH", "0.7", "0.05", other + "its reduced volume is 0.8");
-  refused("SSH", "0.8", "0.06", other + "its L1, L2, L3 are 0.05");
+  refused("SSH", "0.8", "0.06", other + "its L1 is 0.05, that of the comparison 0.06");
   fs::rename(path("run"), path("moved"));
   refused("SSH", "0.8", "0.05", "run: is no folder of a 3D run");
 }

@@ -1,6 +1,7 @@
 // `sbeh figures`: the paper's figures, with the runs they need.
 #include "studies/figures/figures.h"
 
+#include "meshing/resolution.h"
 #include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "tools/commands/commands.h"
@@ -112,7 +113,7 @@ Command add_figures(CLI::App& program) {
   app->add_option("--inputs", w.inputs, "folder of their inputs (studies/inputs)");
   app->add_option("--triangles", w.triangles,
                   "of the 3D runs, instead of those of the inputs (1280)")
-      ->check(CLI::Range(20, 200'000));
+      ->check(CLI::Range(meshing::fewest_triangles, meshing::most_triangles));
   app->add_flag("--draw-only", w.draw_only, "run nothing, draw from what is there");
   app->add_flag("--no-pictures", w.no_pictures, "tables only");
   return {app, [words] {
