@@ -1,6 +1,7 @@
 #include "surface3d/curvature.h"
 
 #include "model/numerics/area_volume.h"
+#include "surface3d/mesh_equation.h"
 #include "surface3d/parallel.h"
 
 #include <Eigen/IterativeLinearSolvers>
@@ -22,44 +23,7 @@ constexpr double mass_accepted = 1e-11;  // rounding may keep the residual above
 
 constexpr double failed = std::numeric_limits<double>::quiet_NaN();
 
-using Local = Eigen::Matrix<double, 10, 10>;
-template <std::size_t N>
-using Positions = std::array<const Nodes*, N>;
-
-// The equation (H1) on one triangle, tested with Z = φ_a n_a: its matrix, and a right-hand side for each
-// of some positions.
-template <std::size_t N>
-class CurvatureEquation {
- public:
-  using Vectors = Eigen::Matrix<double, 10, int(N)>;
-  CurvatureEquation(const Triangulation& mesh, int e, const Nodes& normals,
-                    const Positions<N>& positions)
-      : normals_(on_element(mesh, e, normals)) {
-    for (std::size_t k = 0; k < N; ++k) positions_[k] = on_element(mesh, e, *positions[k]);
-    forces_.fill(ElementNodes::Zero());
-  }
-  void add(const SurfacePoint& p, const Shapes& phi) {
-    const ElementField test = phi.cwiseProduct(normals_.transpose() * (p.dS * p.nu()));
-    matrix_.noalias() += test * phi.transpose();
-    for (std::size_t k = 0; k < N; ++k) {
-      const Eigen::Matrix<double, 3, 2> slope = p.dS * gradient_at(positions_[k], p);
-      for (int i = 0; i < 2; ++i)
-        forces_[k].noalias() -= slope.col(i) * Shapes(p.grad[std::size_t(i)].data()).transpose();
-    }
-  }
-  const Local& matrix() const { return matrix_; }
-  Vectors rhs() const {
-    Vectors vectors;
-    for (std::size_t k = 0; k < N; ++k)
-      vectors.col(Eigen::Index(k)) = normals_.cwiseProduct(forces_[k]).colwise().sum().transpose();
-    return vectors;
-  }
-
- private:
-  ElementNodes normals_;
-  std::array<ElementNodes, N> positions_, forces_;  // −(∇_C position, ∇φ_a)
-  Local matrix_ = Local::Zero();
-};
+using Local = MeshEquation::Scalar;
 
 // NaN where it fails.
 Field solve_curvature(const SparseMatrix& matrix, const Field& rhs) {

@@ -35,13 +35,6 @@ Dissipation dissipation_of(const Triangulation& mesh, const model::Material& m, 
   return {.friction = sum[0], .order = sum[1], .viscous = sum[2]};
 }
 
-// Without viscosity, which damps tangential flow at the scale of the mesh, the split scheme was seen to be
-// unstable; see README.md.
-Scheme stable_scheme(const model::Material& m, model::AreaConstraint area, Scheme wanted) {
-  const bool damped = m.viscosity > 0 || area == model::AreaConstraint::global;
-  return damped ? wanted : Scheme::monolithic;
-}
-
 CoupledSystem system_of(const Triangulation& mesh, const model::Material& material,
                         model::Model model, Scheme scheme) {
   const model::Material m = effective(material, model);
@@ -122,7 +115,7 @@ bool TimeStepper::Workspace::factor(const State& at, double tau) {
   memory.solves = memory.iterations = memory.last_iterations = 0;
   ++counts.factorisations;
   return flow.factor(system.flow().matrix)
-      && (system.scheme() == Scheme::monolithic || motion.factor(system.motion().matrix));
+      && (system.motion().matrix.rows() == 0 || motion.factor(system.motion().matrix));
 }
 
 // The last two solutions, extrapolated; of a step that is corrected, the first one.
@@ -145,7 +138,7 @@ Solution TimeStepper::Workspace::guess(double tau, Pass pass) const {
 // The number of times the factors of the flow were applied; 0 when that failed.
 int TimeStepper::Workspace::solve_with_factors(Solution& x) {
   const int iterations = flow.solve(system.flow().matrix, system.flow().rhs, x.flow);
-  if (iterations == 0 || system.scheme() == Scheme::monolithic) return iterations;
+  if (iterations == 0 || system.motion().matrix.rows() == 0) return iterations;
   const Eigen::VectorXd rhs = system.motion_rhs(x.flow);
   return motion.solve(system.motion().matrix, rhs, x.motion) == 0 ? 0 : iterations;
 }
