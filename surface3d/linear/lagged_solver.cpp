@@ -1,78 +1,116 @@
 #include "surface3d/linear/lagged_solver.h"
 
-#include "surface3d/parallel.h"
-
-#include <Eigen/Jacobi>
+#include "surface3d/coupled_system.h"
 
 #include <algorithm>
-#include <cmath>
-#include <vector>
+#include <utility>
 
 namespace sbeh::surface3d {
 
 namespace {
 
-// A x on all threads.
-Eigen::VectorXd product(const SparseMatrix& A, const Eigen::VectorXd& x) {
-  constexpr Eigen::Index rows = 256;
-  Eigen::VectorXd y(A.rows());
-  in_parallel(int((A.rows() + rows - 1) / rows), [&](int block) {
-    const Eigen::Index first = block * rows, count = std::min(rows, A.rows() - first);
-    y.segment(first, count).noalias() = A.middleRows(first, count) * x;
-  });
-  return y;
+// Solutions with fresh factors are exact to rounding.
+double allowed(Factorisation factorisation, double tolerance) {
+  return factorisation == Factorisation::every_step ? Gmres::exact : tolerance;
 }
+
+// Of the tangential motion of the mesh, which is no part of the shape.
+double allowed_in_motion(Factorisation factorisation, double tolerance) {
+  constexpr double laxer = 100, most = 1e-2;
+  return allowed(factorisation, std::max(tolerance, std::min(laxer * tolerance, most)));
+}
+
+bool is_empty(const LinearSystem& system) { return system.matrix.rows() == 0; }
 
 }  // namespace
 
-// GMRES without restart: Saad and Schultz 1986, modified Gram–Schmidt and Givens rotations.
-int LaggedSolver::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-  const auto preconditioned = [this](Eigen::VectorXd v) {
-    direct_.solve(v);
-    return v;
-  };
-  std::vector<Eigen::VectorXd> basis{preconditioned(b - product(A, x))};
-  const double start = basis[0].norm(), size = x.norm() > 0 ? x.norm() : start;
-  const double enough =
-      std::min(tolerance_ * size, std::max(reduction * tolerance_ * start, floor * size));
-  if (!std::isfinite(start)) return 0;
-  if (start <= enough) return x += basis[0], 1;
-  basis[0] /= start;
-  Eigen::MatrixXd R = Eigen::MatrixXd::Zero(most_iterations + 1, most_iterations);
-  Eigen::VectorXd residual = Eigen::VectorXd::Zero(most_iterations + 1);
-  residual[0] = start;
-  std::vector<Eigen::JacobiRotation<double>> rotations;
-  for (int k = 0; k < most_iterations; ++k) {
-    Eigen::VectorXd next = preconditioned(product(A, basis[std::size_t(k)]));
-    for (int i = 0; i <= k; ++i) {
-      R(i, k) = basis[std::size_t(i)].dot(next);
-      next -= R(i, k) * basis[std::size_t(i)];
-    }
-    R(k + 1, k) = next.norm();
-    if (!std::isfinite(R(k + 1, k))) return 0;
-    const double length = R(k + 1, k);
-    for (int i = 0; i < k; ++i)
-      R.col(k).applyOnTheLeft(i, i + 1, rotations[std::size_t(i)].adjoint());
-    rotations.emplace_back();
-    rotations.back().makeGivens(R(k, k), R(k + 1, k));
-    R.col(k).applyOnTheLeft(k, k + 1, rotations.back().adjoint());
-    residual.applyOnTheLeft(k, k + 1, rotations.back().adjoint());
-    if (std::abs(residual[k + 1]) <= enough || length == 0) {
-      const Eigen::VectorXd y =
-          R.topLeftCorner(k + 1, k + 1).triangularView<Eigen::Upper>().solve(residual.head(k + 1));
-      for (int i = 0; i <= k; ++i) x += y[i] * basis[std::size_t(i)];
-      return k + 2;
-    }
-    basis.emplace_back(next / length);
-  }
-  return 0;
+const char* name(Factorisation factorisation) {
+  return factorisation == Factorisation::lagged ? "lagged" : "every-step";
 }
 
-double LaggedSolver::cost_of_factoring() const {
-  // Measured: dense kernels of the factorisation run eight times as fast as the solve, which waits for
-  // memory; a multiplication by the matrix comes on top of each.
-  constexpr double speed_ratio = 8;
-  return direct_.flops() / (2 * direct_.entries()) / speed_ratio;
+LaggedSolver::LaggedSolver(Factorisation factorisation, double tolerance)
+    : factorisation_(factorisation),
+      tolerance_(allowed(factorisation, tolerance)),
+      flow_(Symmetry::general, tolerance_),
+      motion_(Symmetry::symmetric, allowed_in_motion(factorisation, tolerance)) {}
+
+// When the next solve is likely to cost more than the mean of all since the last factorisation,
+// which it was part of.
+bool LaggedSolver::worth_factoring() const {
+  if (memory_.solves == 0 || factorisation_ == Factorisation::every_step) return true;
+  const double all = flow_.cost_of_factoring() + memory_.iterations;
+  return memory_.last_iterations > all / memory_.solves;
+}
+
+bool LaggedSolver::factor(const CoupledSystem& system, const State& at, double tau) {
+  memory_.factored_at = at;
+  memory_.factored_tau = tau;
+  memory_.solves = memory_.iterations = memory_.last_iterations = 0;
+  ++counts_.factorisations;
+  return flow_.factor(system.flow().matrix)
+      && (is_empty(system.motion()) || motion_.factor(system.motion().matrix));
+}
+
+// The last two solutions, extrapolated; of a step that is corrected, the first one.
+Solution LaggedSolver::guess(const CoupledSystem& system, double tau, Pass pass) const {
+  const Solution &last = memory_.last, &before = memory_.before;
+  Solution x = last;
+  x.tau = tau;
+  if (x.flow.size() == 0 || factorisation_ == Factorisation::every_step)
+    x = {.flow = Eigen::VectorXd::Zero(system.flow().rhs.size()),
+         .motion = Eigen::VectorXd::Zero(system.motion().rhs.size()),
+         .tau = tau};
+  else if (pass == Pass::first && before.flow.size() > 0) {
+    const double r = tau / last.tau;
+    x.flow += r * (last.flow - before.flow);
+    x.motion += r * (last.motion - before.motion);
+  }
+  system.scale_displacements(tau, x.flow, x.motion);
+  return x;
+}
+
+// The number of times the factors of the flow were applied; 0 when that failed.
+int LaggedSolver::solve_with_factors(const CoupledSystem& system, Solution& x) const {
+  const int iterations = flow_.solve(system.flow().matrix, system.flow().rhs, x.flow);
+  if (iterations == 0 || is_empty(system.motion())) return iterations;
+  const Eigen::VectorXd rhs = system.motion_rhs(x.flow);
+  return motion_.solve(system.motion().matrix, rhs, x.motion) == 0 ? 0 : iterations;
+}
+
+std::optional<Solution> LaggedSolver::solve(const CoupledSystem& system, const State& at,
+                                            double tau, Pass pass) {
+  const bool fresh = worth_factoring();
+  if (fresh && !factor(system, at, tau)) return memory_ = {}, std::nullopt;
+  Solution x = guess(system, tau, pass);
+  int iterations = solve_with_factors(system, x);
+  if (iterations == 0 && !fresh && factor(system, at, tau)) {
+    x = guess(system, tau, pass);
+    iterations = solve_with_factors(system, x);
+  }
+  if (iterations == 0) return memory_ = {}, std::nullopt;
+  remember(system, x, pass, iterations);
+  return x;
+}
+
+void LaggedSolver::remember(const CoupledSystem& system, Solution x, Pass pass, int iterations) {
+  system.scale_displacements(1 / x.tau, x.flow, x.motion);
+  if (pass == Pass::first) memory_.before = std::move(memory_.last);
+  memory_.last = std::move(x);
+  ++memory_.solves;
+  memory_.iterations += iterations;
+  memory_.last_iterations = iterations;
+  ++counts_.steps;
+  counts_.iterations += iterations;
+}
+
+bool LaggedSolver::recall(const CoupledSystem& system, const StepperMemory& memory) {
+  if (memory.solves > 0 && !factor(system, memory.factored_at, memory.factored_tau)) return false;
+  memory_ = memory;
+  for (Solution* x : {&memory_.last, &memory_.before})
+    if (x->flow.size() != system.flow().rhs.size()
+        || x->motion.size() != system.motion().rhs.size())
+      *x = {};  // of another version
+  return true;
 }
 
 }  // namespace sbeh::surface3d

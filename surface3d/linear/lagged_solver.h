@@ -1,38 +1,85 @@
-// Linear systems that change little from one to the next: old factors and a few iterations.
+// The linear systems of a run, which change little from one step to the next: old factors, renewed when
+// that is cheaper, and a few iterations from a guess that earlier solutions give.
 #pragma once
 
-#include "surface3d/linear/direct_solver.h"
+#include "surface3d/linear/gmres.h"
+#include "surface3d/surface.h"
+
+#include <array>
+#include <optional>
 
 namespace sbeh::surface3d {
 
-/// Solves A x = b by GMRES with the factors of an earlier matrix as left preconditioner, so that the
-/// residual measures the error of the solution. The factors are in single precision unless the tolerance
-/// is below `coarse`.
+class CoupledSystem;
+
+/// How a step solves its linear systems.
+enum class Factorisation {
+  lagged,     ///< factors of an earlier step, refactored when that is cheaper
+  every_step  ///< the reference: exact solutions
+};
+constexpr auto values_of(Factorisation) {
+  return std::array{Factorisation::lagged, Factorisation::every_step};
+}
+/// "lagged" or "every-step".
+const char* name(Factorisation factorisation);
+
+inline constexpr double default_solver_tolerance = 1e-5;
+
+/// Solutions of the linear systems of a step, in their numbering.
+struct Solution {
+  Eigen::VectorXd flow, motion;  ///< empty before the first step
+  double tau = 0;
+};
+
+/// What a solver remembers of the past: where its factors come from, and what its iterations begin with.
+/// With it a resumed run repeats the bits of one that was not interrupted.
+struct StepperMemory {
+  State factored_at;  ///< empty when there are no factors
+  double factored_tau = 0;
+  int solves = 0;      ///< since then
+  int iterations = 0;  ///< in all of them
+  int last_iterations = 0;
+  Solution last, before;  ///< displacements by τ
+};
+
+/// What solving has cost so far.
+struct SolverCounts {
+  int steps = 0, factorisations = 0, iterations = 0;
+};
+
+/// A step is solved for the first time, or once more with corrected coefficients.
+enum class Pass { first, corrected };
+
+/// Solves the two systems of a CoupledSystem, one after the other; the second may be empty.
 class LaggedSolver {
  public:
-  LaggedSolver(Symmetry symmetry, double tolerance)
-      : direct_(symmetry, tolerance < coarse ? Precision::full : Precision::single),
-        tolerance_(tolerance) {}
+  LaggedSolver(Factorisation factorisation, double tolerance);
 
-  [[nodiscard]] bool factor(const SparseMatrix& A) { return direct_.factor(A); }
+  /// Of the system as it was assembled at a state, with τ. Empty when a matrix is singular; the past is
+  /// forgotten then.
+  std::optional<Solution> solve(const CoupledSystem& system, const State& at, double tau,
+                                Pass pass);
 
-  /// Improves the guess x, which may be 0, until the preconditioned residual is `tolerance` of x; and
-  /// where the guess is good, `reduction` times the tolerance of that of the guess, but no less than
-  /// `floor` of x. Returns the number of times the factors were applied; 0 when `most_iterations` did not
-  /// suffice, and then x is as it was.
-  int solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
-
-  /// What a factorisation costs, in applications of its factors.
-  double cost_of_factoring() const;
-
-  /// The smallest tolerance for factors in single precision, and what fresh ones in double reach at once.
-  static constexpr double coarse = 1e-6, exact = 1e-8;
-  static constexpr double reduction = 1e3, floor = 1e-11;
-  static constexpr int most_iterations = 30;
+  /// Of the solutions.
+  double tolerance() const { return tolerance_; }
+  const StepperMemory& memory() const { return memory_; }
+  SolverCounts counts() const { return counts_; }
+  /// Factors anew what another solver had factored: the system is assembled as it was there, if the memory
+  /// has factors. False where that is singular.
+  [[nodiscard]] bool recall(const CoupledSystem& system, const StepperMemory& memory);
 
  private:
-  DirectSolver direct_;
+  bool worth_factoring() const;
+  bool factor(const CoupledSystem& system, const State& at, double tau);
+  Solution guess(const CoupledSystem& system, double tau, Pass pass) const;
+  int solve_with_factors(const CoupledSystem& system, Solution& x) const;
+  void remember(const CoupledSystem& system, Solution x, Pass pass, int iterations);
+
+  Factorisation factorisation_;
   double tolerance_;
+  Gmres flow_, motion_;
+  StepperMemory memory_;
+  SolverCounts counts_;
 };
 
 }  // namespace sbeh::surface3d

@@ -1,0 +1,38 @@
+// GMRES with the factors of an earlier matrix.
+#pragma once
+
+#include "surface3d/linear/direct_solver.h"
+
+namespace sbeh::surface3d {
+
+/// Solves A x = b by GMRES with the factors of an earlier matrix as left preconditioner, so that the
+/// residual measures the error of the solution. The factors are in single precision unless the tolerance
+/// is below `coarse`.
+class Gmres {
+ public:
+  Gmres(Symmetry symmetry, double tolerance)
+      : direct_(symmetry, tolerance < coarse ? Precision::full : Precision::single),
+        tolerance_(tolerance) {}
+
+  [[nodiscard]] bool factor(const SparseMatrix& A) { return direct_.factor(A); }
+
+  /// Improves the guess x, which may be 0, until the preconditioned residual is `tolerance` of x; and
+  /// where the guess is good, `reduction` times the tolerance of that of the guess, but no less than
+  /// `floor` of x. Returns the number of times the factors were applied; 0 when `most_iterations` did not
+  /// suffice, and then x is as it was.
+  int solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+
+  /// What a factorisation costs, in applications of its factors.
+  double cost_of_factoring() const;
+
+  /// The smallest tolerance for factors in single precision, and what fresh ones in double reach at once.
+  static constexpr double coarse = 1e-6, exact = 1e-8;
+  static constexpr double reduction = 1e3, floor = 1e-11;
+  static constexpr int most_iterations = 30;
+
+ private:
+  DirectSolver direct_;
+  double tolerance_;
+};
+
+}  // namespace sbeh::surface3d
