@@ -113,7 +113,7 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
 void CoupledSystem::set_multipliers(const Constraints& constraints) {
   const int lambda = layout_.lambda;
   if (along_normals()) flow_.rhs[lambda + 1] = total_area_rate_.sum();
-  flow_.rhs[lambda] = constraints.keep_volume ? constraints.volume_rate : 0;
+  flow_.rhs[lambda] = constraints.keep_volume ? constraints.volume_rate : 0;  // (P2)
   if (!constraints.keep_volume) flow_.matrix.coeffRef(lambda, lambda) = 1;
 }
 

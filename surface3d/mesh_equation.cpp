@@ -28,12 +28,25 @@ ElementNodes MeshEquation::mesh_force(const ElementField& H, const ElementNodes&
   return force;
 }
 
-ElementNodes MeshEquation::rhs(double tau, const ElementNodes& X, const ElementField& H_X) const {
-  const double theta = tau / (tau + mesh_relaxation_time);
-  ElementNodes force = -theta * X * stiffness;
+ElementNodes MeshEquation::mesh_drive(const MovingTriangle& t) const {
+  const double theta = t.tau / (t.tau + mesh_relaxation_time);
+  ElementNodes force = -theta * t.from * stiffness;
   for (int k = 0; k < 3; ++k)
-    force.row(k) += (1 - theta) * (normal_mass[std::size_t(k)] * H_X).transpose();
+    force.row(k) += (1 - theta) * (normal_mass[std::size_t(k)] * t.H_from).transpose();
   return force;
+}
+
+void MeshEquation::set_rows(const MovingTriangle& t, FlowPiece& piece) const {
+  constexpr int G = FlowPiece::G, H = FlowPiece::H;
+  const ElementNodes drive = mesh_drive(t);
+  for (int k = 0; k < 3; ++k) {
+    const int V = FlowPiece::V + 10 * k, Y = FlowPiece::Y + 10 * k, Z = FlowPiece::Z + 10 * k;
+    piece.block(G, Y) = normal_mass[std::size_t(k)];           // (Y1)
+    piece.block(G, V) = -t.tau * normal_mass[std::size_t(k)];  // (Y1)
+    piece.block(Z, H) = normal_mass[std::size_t(k)];           // (H1)
+    piece.block(Z, Y) = stiffness;                             // (H1)
+    piece.rhs.segment<10>(Z) = drive.row(k).transpose();       // (H1)
+  }
 }
 
 MeshEquation::Scalar MeshEquation::normal_mass_along(const ElementNodes& t) const {

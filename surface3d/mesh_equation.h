@@ -11,7 +11,7 @@
 // Without Y, tested along the node normals, (H1) is the curvature of given positions: CurvatureEquation.
 #pragma once
 
-#include "surface3d/surface.h"
+#include "surface3d/system_layout.h"
 
 #include <array>
 
@@ -20,6 +20,15 @@ namespace sbeh::surface3d {
 /// Not much below the time steps: where the mesh settles within one step, two-step methods, which
 /// extrapolate it, do not.
 inline constexpr double mesh_relaxation_time = 0.02;
+
+/// What the mesh equations read of a triangle besides its forms.
+struct MovingTriangle {
+  int e;
+  double tau;
+  ElementNodes X, normals;  ///< of the old surface
+  ElementNodes from;        ///< the positions from which Y counts
+  ElementField H_from;      ///< their curvature
+};
 
 /// The forms that (Y1) and (H1) are made of. Fields are given by their nodes, results by the nodes of the
 /// test functions.
@@ -36,21 +45,14 @@ struct MeshEquation {
   /// ( H ν, Z ) + ( ∇_C Y, ∇_C Z ): the left-hand side of (H1).
   ElementNodes mesh_force(const ElementField& H, const ElementNodes& Y) const;
   /// The right-hand side of (H1).
-  ElementNodes rhs(double tau, const ElementNodes& X, const ElementField& H_X) const;
+  ElementNodes mesh_drive(const MovingTriangle& t) const;
+  /// Both as they stand, in the rows G and Z of the flow.
+  void set_rows(const MovingTriangle& t, FlowPiece& piece) const;
 
   // (H1) tested with Z = φ_a t_a, t unit vectors at the nodes:
   Scalar normal_mass_along(const ElementNodes& t) const;  ///< (φ_b ν, φ_a t_a)
   /// (∇(φ_b u_b), ∇(φ_a t_a))
   Scalar stiffness_between(const ElementNodes& t, const ElementNodes& u) const;
-};
-
-/// What of a triangle the mesh equations read besides its forms.
-struct MovingTriangle {
-  int e;
-  double tau;
-  ElementNodes X, normals;  ///< of the old surface
-  ElementNodes from;        ///< the positions from which Y counts
-  ElementField H_from;      ///< their curvature
 };
 
 template <std::size_t N>

@@ -2,7 +2,6 @@
 #pragma once
 
 #include "surface3d/mesh_equation.h"
-#include "surface3d/system_layout.h"
 
 namespace sbeh::surface3d {
 
@@ -12,7 +11,9 @@ class Monolithic {
   static constexpr bool has_displacement = true;
   void begin(const Triangulation&, const Nodes&, double) {}
   void add(const Triangulation&, const MovingTriangle& t, const MeshEquation& equation,
-           FlowPiece& piece) const;
+           FlowPiece& piece) const {
+    equation.set_rows(t, piece);
+  }
   const LinearSystem& motion() const { return none_; }
   Eigen::VectorXd motion_rhs(const Nodes&, const Field&) const { return {}; }
   Nodes displacement(const Nodes&, const Eigen::VectorXd& Y, const Eigen::VectorXd&) const {

@@ -63,7 +63,7 @@ void Split::add_to_flow(const MovingTriangle& t, const MeshEquation& equation,
 // (H1) with Z = φ_a t_a, t the tangents, and unknowns w: Y = Σ w_b φ_b t_b and what the flow gives.
 void Split::add_to_motion(const Triangulation& mesh, const MovingTriangle& t,
                           const MeshEquation& equation) {
-  const ElementNodes force = equation.rhs(t.tau, t.from, t.H_from);
+  const ElementNodes force = equation.mesh_drive(t);
   const std::array tangents{on_element(mesh, t.e, tangents_[0]),
                             on_element(mesh, t.e, tangents_[1])};
   Eigen::Matrix<double, 20, 20> matrix;

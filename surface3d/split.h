@@ -6,7 +6,6 @@
 #pragma once
 
 #include "surface3d/mesh_equation.h"
-#include "surface3d/system_layout.h"
 
 #include <array>
 #include <vector>

@@ -1,7 +1,7 @@
 // The weak form of one time step at a point of the surface, in the labels of model/equations.md.
 //
 // The unknowns of the flow are linear in it, so the same function gives residual (numbers) and matrix
-// (automatic differentiation). (V4) and (P2) are in element_system.h, (Y1) and (H1) in mesh_equation.h,
+// (automatic differentiation). (V4) and (P2) are in coupled_system.cpp, (Y1) and (H1) in mesh_equation.h,
 // the order equation in model/order_step.h.
 #pragma once
 
