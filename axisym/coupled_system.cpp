@@ -49,19 +49,10 @@ std::array<model::DataRow<4>, unknowns_size> unknown_rows(const ShapeValues& s) 
            {4 * Y_z, d}}};
 }
 
-// In the order of Tested: W stands at V, q at p, G at H and Z at Y.
+// In the order of Tested: W stands at V, q at p, G at H and Z at Y; H' has no counterpart.
 std::array<model::DataRow<4>, tested_size> test_rows(const ShapeValues& s) {
-  const double *v = s.phi.data(), *d = s.dphi.data();
-  return {{{4 * V_r, v},
-           {4 * V_z, v},
-           {4 * V_r, d},
-           {4 * V_z, d},
-           {first_pressure, s.phi2.data()},
-           {4 * H_, v},
-           {4 * Y_r, v},
-           {4 * Y_z, v},
-           {4 * Y_r, d},
-           {4 * Y_z, d}}};
+  const auto [V, V2, dV, dV2, p, H, dH, Y, Y2, dY, dY2] = unknown_rows(s);
+  return {V, V2, dV, dV2, p, H, Y, Y2, dY, dY2};
 }
 
 template <class T>

@@ -29,7 +29,7 @@ const char* name(Scheme scheme);
 Scheme stable_scheme(const model::Material& material, model::AreaConstraint area, Scheme wanted);
 
 /// The positions from which the displacement Y counts, 3 x nodes, and their curvature on the surface of
-/// the step, see mean_curvature.
+/// the step, see curvature_of.
 struct Origin {
   const Nodes& X;
   const Field& H;

@@ -93,21 +93,6 @@ Curvatures<N> curvatures(const Triangulation& mesh, const Nodes& X, const Positi
 
 }  // namespace
 
-Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& node_normals) {
-  const ScalarSystem system(mesh, [&](int e, ScalarSystem::Matrix& matrix, ElementField& vector) {
-    const ElementNodes local = on_element(mesh, e, X);
-    CurvatureEquation<1> equation(mesh, e, node_normals, {&X});
-    for (const ShapeValues& s : assembly_points())
-      equation.add(surface_point(local, s), Shapes(s.phi.data()));
-    matrix = equation.matrix();
-    vector = equation.rhs();
-  });
-  if (!system.rhs.allFinite()) return {};
-  Field H = solve_curvature(system.matrix, system.rhs);
-  if (!H.allFinite()) return {};
-  return H;
-}
-
 std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X) {
   Curvatures<1> c = curvatures<1>(mesh, X, {&X});
   if (!c.ok()) return {};
@@ -131,8 +116,8 @@ model::ShapeOperator<double> shape_operator(const SurfacePoint& p, const Element
 }
 
 bool correct_area_volume(const Triangulation& mesh, Nodes& X, double area, double volume) {
-  const Field H = mean_curvature(mesh, X, node_normals(mesh, X));
-  return H.size() > 0 && correct_area_volume(mesh, X, H, area, volume);
+  const auto curvature = curvature_of(mesh, X);
+  return curvature && correct_area_volume(mesh, X, curvature->H, area, volume);
 }
 
 bool correct_area_volume(const Triangulation& mesh, Nodes& X, const Field& H, double area_asked,

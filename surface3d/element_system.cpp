@@ -14,26 +14,20 @@ namespace {
 // Three derivatives more than there are numbers: a multiple of eight, for whole vector registers.
 using Jet = ceres::Jet<double, int(unknowns_size) + 3>;
 
-using Row = model::DataRow<10>;
-
-// In the order of Tested: W, its gradient, q.
-std::array<Row, tested_size> test_rows(const ShapeValues& s, const SurfacePoint& x) {
-  std::array<Row, tested_size> rows{};
+// In the order of Unknowns; the first ones are in that of Tested.
+std::array<model::DataRow<10>, unknowns_size> data_rows(const ShapeValues& s,
+                                                        const SurfacePoint& x) {
+  std::array<model::DataRow<10>, unknowns_size> rows{};
   auto* row = rows.data();
-  for (int k = 0; k < 3; ++k) *row++ = {local::V + 10 * k, s.phi.data()};
-  for (int k = 0; k < 3; ++k)
-    for (const auto& grad : x.grad) *row++ = {local::V + 10 * k, grad.data()};
+  const auto values = [&](int first) { *row++ = {first, s.phi.data()}; };
+  const auto gradients = [&](int first) {
+    for (const auto& grad : x.grad) *row++ = {first, grad.data()};
+  };
+  for (int k = 0; k < 3; ++k) values(local::V + 10 * k);
+  for (int k = 0; k < 3; ++k) gradients(local::V + 10 * k);
   *row++ = {local::p, s.quadratic.data()};
-  return rows;
-}
-
-// In the order of Unknowns: V, its gradient and p as the tests, then H and its gradient.
-std::array<Row, unknowns_size> unknown_rows(const std::array<Row, tested_size>& tests,
-                                            const ShapeValues& s, const SurfacePoint& x) {
-  std::array<Row, unknowns_size> rows{};
-  auto* row = std::ranges::copy(tests, rows.begin()).out;
-  *row++ = {local::H, s.phi.data()};
-  for (const auto& grad : x.grad) *row++ = {local::H, grad.data()};
+  values(local::H);
+  gradients(local::H);
   return rows;
 }
 
@@ -96,8 +90,10 @@ void assemble_element(const model::Material& material, const ElementState& old,
       D.row(i) = factor.v.transpose();
       constant[i++] = -factor.a;
     });
-    const auto tests = test_rows(s, x);
-    model::add_matrix(tests, unknown_rows(tests, s, x), D, x.dS, flow);
+    const auto rows = data_rows(s, x);
+    std::array<model::DataRow<10>, tested_size> tests{};
+    std::copy_n(rows.begin(), tested_size, tests.begin());
+    model::add_matrix(tests, rows, D, x.dS, flow);
     model::add_vector(tests, constant, x.dS, out.rhs);
     const Shapes phi(s.phi.data());
     add_constraints(x, phi, out);
