@@ -4,7 +4,7 @@
 #include "model/material.h"
 #include "model/time/flow.h"
 #include "surface3d/coupled_system.h"
-#include "surface3d/linear/lagged_solver.h"
+#include "surface3d/lagged_solver.h"
 
 #include <memory>
 

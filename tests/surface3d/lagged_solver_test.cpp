@@ -1,5 +1,5 @@
 // What old factors do to the history of a run.
-#include "surface3d/linear/lagged_solver.h"
+#include "surface3d/lagged_solver.h"
 
 #include "meshing/shapes.h"
 #include "meshing/spherical_harmonics.h"

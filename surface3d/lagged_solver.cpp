@@ -1,4 +1,4 @@
-#include "surface3d/linear/lagged_solver.h"
+#include "surface3d/lagged_solver.h"
 
 #include "surface3d/coupled_system.h"
 
