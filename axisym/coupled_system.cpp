@@ -33,8 +33,8 @@ std::array<int, element_unknowns> unknowns_of(int e) {
   return index;
 }
 
-// The rows of B, in the order of CoupledData: V_r V_z V_r' V_z' p H H' Y_r Y_z Y_r' Y_z'.
-std::array<model::DataRow<4>, coupled_data_size> data_rows(const ShapeValues& s) {
+// In the order of Unknowns: V_r V_z V_r' V_z' p H H' Y_r Y_z Y_r' Y_z'.
+std::array<model::DataRow<4>, unknowns_size> unknown_rows(const ShapeValues& s) {
   const double *v = s.phi.data(), *d = s.dphi.data();
   return {{{4 * V_r, v},
            {4 * V_z, v},
@@ -49,19 +49,25 @@ std::array<model::DataRow<4>, coupled_data_size> data_rows(const ShapeValues& s)
            {4 * Y_z, d}}};
 }
 
-template <class Array, class T>
-void to_rows(const CoupledData<T>& d, Array& rows) {
-  rows = {d.V[0], d.V[1], d.dV[0], d.dV[1], d.p, d.H, d.dH, d.Y[0], d.Y[1], d.dY[0], d.dY[1]};
+// In the order of Tested: W stands at V, q at p, G at H and Z at Y; H' has no counterpart.
+std::array<model::DataRow<4>, tested_size> test_rows(const ShapeValues& s) {
+  const auto [V, V2, dV, dV2, p, H, dH, Y, Y2, dY, dY2] = unknown_rows(s);
+  return {V, V2, dV, dV2, p, H, Y, Y2, dY, dY2};
 }
 
-using Jet = ceres::Jet<double, int(coupled_data_size)>;
+template <class T>
+std::array<T, tested_size> in_order(const Tested<T>& t) {
+  return {t.W[0], t.W[1], t.dW[0], t.dW[1], t.q, t.G, t.Z[0], t.Z[1], t.dZ[0], t.dZ[1]};
+}
 
-// The data as independent variables at zero: the step is linear, so that the value of the pointwise
+using Jet = ceres::Jet<double, int(unknowns_size)>;
+
+// The unknowns as independent variables at zero: the step is linear, so that the value of the pointwise
 // function there is its constant part and the derivative its matrix.
-CoupledData<Jet> independent_data() {
+Unknowns<Jet> independent_unknowns() {
   int k = 0;
   const auto next = [&k] { return Jet(0., k++); };
-  CoupledData<Jet> d;
+  Unknowns<Jet> d;
   d.V = {next(), next()};
   d.dV = {next(), next()};
   d.p = next();
@@ -80,7 +86,7 @@ struct Element {
 
 Element assemble_element(const model::Material& m, const State& old, const Field& H,
                          const StepParameters& step, int e) {
-  static const CoupledData<Jet> independent = independent_data();
+  static const Unknowns<Jet> independent = independent_unknowns();
   Element out;
   out.matrix.setZero();
   out.rhs.setZero();
@@ -91,16 +97,16 @@ Element assemble_element(const model::Material& m, const State& old, const Field
                    .beta_s = 0,
                    .H = value_at(H, e, s)};
     point.beta_s = slope_at(old.beta, e, s) / point.geometry.stretch;
-    std::array<Jet, coupled_data_size> g;
-    to_rows(coupled_step_point(m, point, step, independent), g);
-    const auto rows = data_rows(s);
+    const auto factors = in_order(coupled_step_point(m, point, step, independent));
+    const auto tests = test_rows(s);
     const double dS = point.geometry.dS;
     model::add_matrix(
-        rows, [&g](Eigen::Index i, Eigen::Index j) { return g[std::size_t(i)].v[j]; }, dS,
+        tests, unknown_rows(s),
+        [&factors](Eigen::Index i, Eigen::Index j) { return factors[std::size_t(i)].v[j]; }, dS,
         out.matrix);
-    Eigen::Matrix<double, int(coupled_data_size), 1> constant;
-    for (std::size_t i = 0; i < coupled_data_size; ++i) constant[Eigen::Index(i)] = -g[i].a;
-    model::add_vector(rows, constant, dS, out.rhs);
+    Eigen::Matrix<double, int(tested_size), 1> constant;
+    for (std::size_t i = 0; i < tested_size; ++i) constant[Eigen::Index(i)] = -factors[i].a;
+    model::add_vector(tests, constant, dS, out.rhs);
     for (int a = 0; a < 4; ++a)
       for (int k = 0; k < 2; ++k)
         out.normal_flux[4 * k + a] += dS * s.phi[a] * point.geometry.nu[k];
@@ -174,10 +180,10 @@ void CoupledSystem::assemble(const State& old, const Field& H, const StepParamet
         matrix_(index[i], index[j]) += element.matrix(i, j);
     for (int i = 0; i < element_unknowns; ++i) {
       rhs_[index[i]] += element.rhs[i];
-      lambda_.row[index[i]] += element.normal_flux[i];
+      lambda_.row[index[i]] += element.normal_flux[i];  // (P2)
     }
   }
-  lambda_.column = lambda_.row;
+  lambda_.column = lambda_.row;  // (V4)
 }
 
 // The unknown is 0.

@@ -11,17 +11,27 @@
 
 namespace sbeh::axisym {
 
-/// Fields of the coupled step at a point: (r, z) components, ' = derivative by the element's
-/// coordinate. For the unknowns these are values; for the result of `coupled_step_point` they are
-/// the factors of the test functions W (for V), q (p), G (H) and Z (Y).
+/// The unknowns of the coupled step at a point: (r, z) components, d = derivative by the element's
+/// coordinate.
 template <class T>
-struct CoupledData {
+struct Unknowns {
   Eigen::Matrix<T, 2, 1> V, dV;  // velocity
   T p;                           // surface pressure
   T H, dH;                       // mean curvature of the next surface
   Eigen::Matrix<T, 2, 1> Y, dY;  // displacement of the mesh
 };
-inline constexpr std::size_t coupled_data_size = 11;
+inline constexpr std::size_t unknowns_size = 11;
+
+/// The factors of the test functions and of their derivatives: the equations are
+/// ∫ W·test.W + dW·test.dW + q test.q + … dS = 0.
+template <class T>
+struct Tested {
+  Eigen::Matrix<T, 2, 1> W, dW;  // momentum
+  T q;                           // area
+  T G;                           // normal motion of the mesh
+  Eigen::Matrix<T, 2, 1> Z, dZ;  // curvature
+};
+inline constexpr std::size_t tested_size = 10;
 
 /// What the coupled step reads of the old state at a point.
 struct OldPoint {
@@ -65,8 +75,8 @@ inline model::ShapeOperator<double> shape_operator(double H, double B_phi) {
 
 /// Momentum (V1)–(V11) without (V4), incompressibility (P1), normal motion (Y1) and curvature (H1).
 template <class T>
-CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
-                                  const StepParameters& step, const CoupledData<T>& u) {
+Tested<T> coupled_step_point(const model::Material& m, const OldPoint& old,
+                             const StepParameters& step, const Unknowns<T>& u) {
   using Vector2 = Eigen::Matrix<T, 2, 1>;
   const CurvePoint& x = old.geometry;
   const auto dot = [](const Vector2& a, const Eigen::Vector2d& b) -> T {
@@ -94,23 +104,21 @@ CoupledData<T> coupled_step_point(const model::Material& m, const OldPoint& old,
   const T V_n = dot(u.V, x.nu);
   const T friction_n = V_n * m.friction_normal;
 
-  CoupledData<T> g;
+  Tested<T> test;
   for (int k = 0; k < 2; ++k) {
-    g.V[k] = V_t * x.t[k] + friction_n * x.nu[k];
-    g.dV[k] = T(0);
+    test.W[k] = V_t * x.t[k] + friction_n * x.nu[k];
+    test.dW[k] = T(0);
   }
-  test_with_gradient(x, stress, g.V, g.dV);
+  test_with_gradient(x, stress, test.W, test.dW);
 
-  g.p = model::divergence(grad_V) - step.area_rate;  // (P1)
-  g.H = dot(u.Y, x.nu) - step.tau * V_n;             // (Y1)
-  g.dH = T(0);
-
-  for (int k = 0; k < 2; ++k) {  // (H1)
-    g.Y[k] = u.H * x.nu[k];
-    g.dY[k] = (u.dY[k] + x.dx[k]) / (x.stretch * x.stretch);
+  test.q = model::divergence(grad_V) - step.area_rate;  // (P1)
+  test.G = dot(u.Y, x.nu) - step.tau * V_n;             // (Y1)
+  for (int k = 0; k < 2; ++k) {                         // (H1)
+    test.Z[k] = u.H * x.nu[k];
+    test.dZ[k] = (u.dY[k] + x.dx[k]) / (x.stretch * x.stretch);
   }
-  g.Y[0] += (u.Y[0] + x.x[0]) / (x.x[0] * x.x[0]);
-  return g;
+  test.Z[0] += (u.Y[0] + x.x[0]) / (x.x[0] * x.x[0]);
+  return test;
 }
 
 }  // namespace sbeh::axisym

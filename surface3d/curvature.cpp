@@ -1,6 +1,7 @@
 #include "surface3d/curvature.h"
 
 #include "model/numerics/area_volume.h"
+#include "surface3d/mesh_equation.h"
 #include "surface3d/parallel.h"
 
 #include <Eigen/IterativeLinearSolvers>
@@ -22,44 +23,7 @@ constexpr double mass_accepted = 1e-11;  // rounding may keep the residual above
 
 constexpr double failed = std::numeric_limits<double>::quiet_NaN();
 
-using Local = Eigen::Matrix<double, 10, 10>;
-template <std::size_t N>
-using Positions = std::array<const Nodes*, N>;
-
-// The equation (H1) on one triangle, tested with Z = φ_a n_a: its matrix, and a right-hand side for each
-// of some positions.
-template <std::size_t N>
-class CurvatureEquation {
- public:
-  using Vectors = Eigen::Matrix<double, 10, int(N)>;
-  CurvatureEquation(const Triangulation& mesh, int e, const Nodes& normals,
-                    const Positions<N>& positions)
-      : normals_(on_element(mesh, e, normals)) {
-    for (std::size_t k = 0; k < N; ++k) positions_[k] = on_element(mesh, e, *positions[k]);
-    forces_.fill(ElementNodes::Zero());
-  }
-  void add(const SurfacePoint& p, const Shapes& phi) {
-    const ElementField test = phi.cwiseProduct(normals_.transpose() * (p.dS * p.nu()));
-    matrix_.noalias() += test * phi.transpose();
-    for (std::size_t k = 0; k < N; ++k) {
-      const Eigen::Matrix<double, 3, 2> slope = p.dS * gradient_at(positions_[k], p);
-      for (int i = 0; i < 2; ++i)
-        forces_[k].noalias() -= slope.col(i) * Shapes(p.grad[std::size_t(i)].data()).transpose();
-    }
-  }
-  const Local& matrix() const { return matrix_; }
-  Vectors rhs() const {
-    Vectors vectors;
-    for (std::size_t k = 0; k < N; ++k)
-      vectors.col(Eigen::Index(k)) = normals_.cwiseProduct(forces_[k]).colwise().sum().transpose();
-    return vectors;
-  }
-
- private:
-  ElementNodes normals_;
-  std::array<ElementNodes, N> positions_, forces_;  // −(∇_C position, ∇φ_a)
-  Local matrix_ = Local::Zero();
-};
+using Local = MeshEquation::Scalar;
 
 // NaN where it fails.
 Field solve_curvature(const SparseMatrix& matrix, const Field& rhs) {
@@ -129,21 +93,6 @@ Curvatures<N> curvatures(const Triangulation& mesh, const Nodes& X, const Positi
 
 }  // namespace
 
-Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& node_normals) {
-  const ScalarSystem system(mesh, [&](int e, ScalarSystem::Matrix& matrix, ElementField& vector) {
-    const ElementNodes local = on_element(mesh, e, X);
-    CurvatureEquation<1> equation(mesh, e, node_normals, {&X});
-    for (const ShapeValues& s : assembly_points())
-      equation.add(surface_point(local, s), Shapes(s.phi.data()));
-    matrix = equation.matrix();
-    vector = equation.rhs();
-  });
-  if (!system.rhs.allFinite()) return {};
-  Field H = solve_curvature(system.matrix, system.rhs);
-  if (!H.allFinite()) return {};
-  return H;
-}
-
 std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X) {
   Curvatures<1> c = curvatures<1>(mesh, X, {&X});
   if (!c.ok()) return {};
@@ -167,8 +116,8 @@ model::ShapeOperator<double> shape_operator(const SurfacePoint& p, const Element
 }
 
 bool correct_area_volume(const Triangulation& mesh, Nodes& X, double area, double volume) {
-  const Field H = mean_curvature(mesh, X, node_normals(mesh, X));
-  return H.size() > 0 && correct_area_volume(mesh, X, H, area, volume);
+  const auto curvature = curvature_of(mesh, X);
+  return curvature && correct_area_volume(mesh, X, curvature->H, area, volume);
 }
 
 bool correct_area_volume(const Triangulation& mesh, Nodes& X, const Field& H, double area_asked,

@@ -7,21 +7,16 @@
 
 namespace sbeh::surface3d {
 
-/// H in P3 (nodes; H = tr B, −2 on the unit sphere) with (H ν, Z) = −(1, Div_C Z) for the test fields
-/// Z = φ_i n_i, n_i the normal at node i: the curvature equation (H1) of the scheme, tested in the
-/// normal direction. Empty when the surface is degenerate.
-Field mean_curvature(const Triangulation& mesh, const Nodes& X, const Nodes& node_normals);
-
-/// What the scheme knows of the curvature of a surface.
+/// What the scheme knows of the curvature of a surface; H = tr B in P3, −2 on the unit sphere.
 struct Curvature {
   Nodes node_normals;  ///< 3 x nodes, unit, see node_normals()
-  Nodes normals;       ///< 3 x nodes, L2 projection of the normals into (P3)³, unit at the nodes
-  Field H;             ///< nodes, see mean_curvature()
+  Nodes normals;       ///< 3 x nodes, L2 projection of the normals into P3, unit at the nodes
+  Field H;             ///< nodes, by (H1): CurvatureEquation (mesh_equation.h)
 };
 /// Empty when the surface is degenerate.
 std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X);
 
-/// The same, and the H of (H1) for other positions on it: (H ν, Z) = −(∇_C position, ∇_C Z).
+/// The same, and the H of other positions on it.
 struct CurvatureFrom : Curvature {
   Field H_from;  ///< nodes
 };

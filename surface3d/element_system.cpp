@@ -1,30 +1,23 @@
 #include "surface3d/element_system.h"
 
 #include "model/numerics/contraction.h"
+#include "surface3d/curvature.h"
 
 #include <ceres/jet.h>
+
+#include <algorithm>
 
 namespace sbeh::surface3d {
 
 namespace {
 
 // Three derivatives more than there are numbers: a multiple of eight, for whole vector registers.
-using Jet = ceres::Jet<double, int(flow_data_size) + 3>;
+using Jet = ceres::Jet<double, int(unknowns_size) + 3>;
 
-// The numbers of the data in the order of data_rows.
-template <class T, class Visit>
-void for_each_number(FlowData<T>& d, Visit&& visit) {
-  for (int k = 0; k < 3; ++k) visit(d.V[k]);
-  for (int k = 0; k < 3; ++k)
-    for (int i = 0; i < 2; ++i) visit(d.dV(k, i));
-  visit(d.p);
-  visit(d.H);
-  for (int i = 0; i < 2; ++i) visit(d.dH[i]);
-}
-
-std::array<model::DataRow<10>, flow_data_size> data_rows(const ShapeValues& s,
-                                                         const SurfacePoint& x) {
-  std::array<model::DataRow<10>, flow_data_size> rows{};
+// In the order of Unknowns; the first ones are in that of Tested.
+std::array<model::DataRow<10>, unknowns_size> data_rows(const ShapeValues& s,
+                                                        const SurfacePoint& x) {
+  std::array<model::DataRow<10>, unknowns_size> rows{};
   auto* row = rows.data();
   const auto values = [&](int first) { *row++ = {first, s.phi.data()}; };
   const auto gradients = [&](int first) {
@@ -38,13 +31,25 @@ std::array<model::DataRow<10>, flow_data_size> data_rows(const ShapeValues& s,
   return rows;
 }
 
-// The data as independent variables at zero: the flow is linear, so that the value of the pointwise
+// The numbers of V or W with its gradient, and of p or q, in the order of the rows.
+template <class Vector, class Gradient, class T, class Visit>
+void for_each_number(Vector& V, Gradient& dV, T& p, Visit&& visit) {
+  for (int k = 0; k < 3; ++k) visit(V[k]);
+  for (int k = 0; k < 3; ++k)
+    for (int i = 0; i < 2; ++i) visit(dV(k, i));
+  visit(p);
+}
+
+// The unknowns as independent variables at zero: the flow is linear, so that the value of the pointwise
 // function there is its constant part and the derivative its matrix.
-FlowData<Jet> independent_data() {
-  FlowData<Jet> d;
+Unknowns<Jet> independent_unknowns() {
+  Unknowns<Jet> u;
   int k = 0;
-  for_each_number(d, [&k](Jet& number) { number = Jet(0., k++); });
-  return d;
+  const auto set = [&k](Jet& number) { number = Jet(0., k++); };
+  for_each_number(u.V, u.dV, u.p, set);
+  set(u.H);
+  for (int i = 0; i < 2; ++i) set(u.dH[i]);
+  return u;
 }
 
 // C with C y = x × y.
@@ -61,46 +66,38 @@ void add_constraints(const SurfacePoint& x, const Shapes& phi, ElementSystem& ou
     out.constraints.middleRows<10>(10 * k) += phi * (x.dS * directions.row(k));
 }
 
-void add_mesh(const SurfacePoint& x, const Shapes& phi, ElementSystem& out) {
-  for (int k = 0; k < 3; ++k)
-    out.normal_mass[std::size_t(k)].noalias() += phi * (x.dS * x.nu()[k] * phi).transpose();
-  for (const auto& slope : x.grad) {
-    const Shapes along(slope.data());
-    out.stiffness.noalias() += along * (x.dS * along).transpose();
-  }
-}
-
 }  // namespace
 
 void assemble_element(const model::Material& material, const ElementState& old,
                       const StepParameters& step, ElementSystem& out) {
-  static const FlowData<Jet> independent = independent_data();
-  static thread_local model::BlockMatrix<10, local::size / 10> flow;
+  static const Unknowns<Jet> independent = independent_unknowns();
+  static thread_local model::BlockMatrix<10, local::tests / 10, local::size / 10> flow;
   flow.set_zero();
   out.rhs.setZero();
   out.constraints.setZero();
-  out.normal_mass.fill(ElementSystem::Scalar::Zero());
-  out.stiffness.setZero();
+  out.mesh.set_zero();
   for (const ShapeValues& s : assembly_points()) {
     const SurfacePoint x = surface_point(old.X, s);
     const OldPoint point{.geometry = x,
                          .beta = value_at(old.beta, s),
                          .grad_beta = gradient_at(old.beta, x),
                          .B = shape_operator(x, old.normals, value_at(old.H, s))};
-    FlowData<Jet> g = flow_point(material, point, step, independent);
-    Eigen::Matrix<double, int(flow_data_size), Jet::DIMENSION, Eigen::RowMajor> D;
-    Eigen::Matrix<double, int(flow_data_size), 1> constant;
+    const Tested<Jet> test = flow_point(material, point, step, independent);
+    Eigen::Matrix<double, int(tested_size), Jet::DIMENSION, Eigen::RowMajor> D;
+    Eigen::Matrix<double, int(tested_size), 1> constant;
     int i = 0;
-    for_each_number(g, [&](const Jet& number) {
-      D.row(i) = number.v.transpose();
-      constant[i++] = -number.a;
+    for_each_number(test.W, test.dW, test.q, [&](const Jet& factor) {
+      D.row(i) = factor.v.transpose();
+      constant[i++] = -factor.a;
     });
     const auto rows = data_rows(s, x);
-    model::add_matrix(rows, D, x.dS, flow);
-    model::add_vector(rows, constant, x.dS, out.rhs);
+    std::array<model::DataRow<10>, tested_size> tests{};
+    std::copy_n(rows.begin(), tested_size, tests.begin());
+    model::add_matrix(tests, rows, D, x.dS, flow);
+    model::add_vector(tests, constant, x.dS, out.rhs);
     const Shapes phi(s.phi.data());
     add_constraints(x, phi, out);
-    add_mesh(x, phi, out);
+    out.mesh.add(x, phi);
   }
   out.flow = flow.dense();
 }

@@ -5,19 +5,15 @@
 
 namespace sbeh::surface3d {
 
-const char* name(Scheme scheme) { return scheme == Scheme::split ? "split" : "monolithic"; }
-
 namespace {
 
 enum class Kind { vector, tangent, quadratic, scalar, multiplier };
 
-// A kind of unknown and its test function.
+// A kind of unknown and its test function; none where the size is 0.
 struct Block {
   Kind kind;
   int size;  // in a triangle
 };
-constexpr Block V_block{Kind::vector, 30}, p_block{Kind::quadratic, 6}, H_block{Kind::scalar, 10},
-    Y_block{Kind::vector, 30}, tangential_block{Kind::tangent, 20};
 
 // Which entries of a block (test, unknown) there are; of two vectors, `same` those of equal component.
 enum class Coupling { none, same, all };
@@ -32,37 +28,6 @@ struct Layout {
     return sum;
   }
 };
-
-Layout flow_layout(Scheme scheme, int multipliers) {
-  const Block lambda{Kind::multiplier, multipliers};
-  if (scheme == Scheme::split)
-    return {{V_block, p_block, H_block, lambda},
-            {{yes, yes, yes, yes},  // W
-             {yes, no, no, no},     // q
-             {yes, no, yes, no},    // G: (H1) along the normals, Y = τV
-             {yes, no, no, yes}}};  // (P2)
-  return {{V_block, p_block, H_block, Y_block, lambda},
-          {{yes, yes, yes, no, yes},  // W
-           {yes, no, no, no, no},     // q
-           {yes, no, no, yes, no},    // G: (Y1)
-           {no, no, yes, same, no},   // Z: (H1)
-           {yes, no, no, no, yes}}};  // (P2)
-}
-
-// The speeds v along the node normals in the place of V and p; p is the last of the multipliers.
-Layout normal_flow_layout(Scheme scheme) {
-  const Block v{Kind::scalar, 10}, numbers{Kind::multiplier, 2};
-  if (scheme == Scheme::split)
-    return {{v, H_block, numbers},
-            {{yes, yes, yes},   // W
-             {yes, yes, no},    // G: (H1) along the normals, Y = τV
-             {yes, no, yes}}};  // (P2), (P1)
-  return {{v, H_block, Y_block, numbers},
-          {{yes, yes, no, yes},   // W
-           {yes, no, yes, no},    // G: (Y1)
-           {no, yes, same, no},   // Z: (H1)
-           {yes, no, no, yes}}};  // (P2), (P1)
-}
 
 SparsePattern::Mask mask_of(const Layout& layout) {
   SparsePattern::Mask mask = SparsePattern::Mask::Constant(layout.size(), layout.size(), false);
@@ -79,6 +44,7 @@ SparsePattern::Mask mask_of(const Layout& layout) {
 }
 
 int global_size(const Triangulation& mesh, const Block& block) {
+  if (block.size == 0) return 0;
   switch (block.kind) {
     case Kind::vector:
       return 3 * mesh.nodes;
@@ -110,30 +76,56 @@ int global_index(const Triangulation& mesh, const Block& block, int e, int i) {
   return 0;
 }
 
-SparsePattern pattern_of(const Triangulation& mesh, const Layout& layout) {
+// The pattern, and where each block begins.
+struct Numbering {
+  SparsePattern pattern;
+  std::vector<int> first;
+};
+Numbering number(const Triangulation& mesh, const Layout& layout) {
   Eigen::MatrixXi unknowns(layout.size(), mesh.count());
-  int row = 0, first = 0;
+  std::vector<int> first{0};
+  int row = 0;
   for (const Block& b : layout.blocks) {
     for (int e = 0; e < mesh.count(); ++e)
-      for (int i = 0; i < b.size; ++i) unknowns(row + i, e) = first + global_index(mesh, b, e, i);
+      for (int i = 0; i < b.size; ++i)
+        unknowns(row + i, e) = first.back() + global_index(mesh, b, e, i);
     row += b.size;
-    first += global_size(mesh, b);
+    first.push_back(first.back() + global_size(mesh, b));
   }
   const Block& last = layout.blocks.back();
-  return SparsePattern(first, std::move(unknowns), mask_of(layout),
-                       last.kind == Kind::multiplier ? last.size : 0);
+  return {SparsePattern(first.back(), std::move(unknowns), mask_of(layout),
+                        last.kind == Kind::multiplier ? last.size : 0),
+          std::move(first)};
 }
 
 }  // namespace
 
-SparsePattern flow_pattern(const Triangulation& mesh, Scheme scheme, int multipliers) {
-  return pattern_of(mesh, flow_layout(scheme, multipliers));
+FlowLayout flow_layout(const Triangulation& mesh, model::AreaConstraint area, bool has_displacement,
+                       int multipliers) {
+  const bool local = area == model::AreaConstraint::local;
+  // Where the displacement is no unknown, G is the test function of (H1) along the normals.
+  const Coupling G_H = has_displacement ? no : yes;
+  Numbering numbering =
+      number(mesh, {{local ? Block{Kind::vector, 30} : Block{Kind::scalar, 10},  // V
+                     {Kind::quadratic, local ? 6 : 0},                           // p
+                     {Kind::scalar, 10},                                         // H
+                     {Kind::vector, has_displacement ? 30 : 0},                  // Y
+                     {Kind::multiplier, multipliers}},
+                    {{yes, yes, yes, no, yes},   // W
+                     {yes, no, no, no, no},      // q
+                     {yes, no, G_H, yes, no},    // G: (Y1)
+                     {no, no, yes, same, no},    // Z: (H1)
+                     {yes, no, no, no, yes}}});  // (P2) and the like
+  const std::vector<int>& first = numbering.first;
+  return {.pattern = std::move(numbering.pattern),
+          .p = first[1],
+          .H = first[2],
+          .Y = first[3],
+          .lambda = first[4]};
 }
-SparsePattern normal_flow_pattern(const Triangulation& mesh, Scheme scheme) {
-  return pattern_of(mesh, normal_flow_layout(scheme));
-}
+
 SparsePattern motion_pattern(const Triangulation& mesh) {
-  return pattern_of(mesh, {{tangential_block}, {{yes}}});
+  return number(mesh, {{{Kind::tangent, 20}}, {{yes}}}).pattern;
 }
 
 }  // namespace sbeh::surface3d

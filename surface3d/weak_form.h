@@ -1,7 +1,8 @@
 // The weak form of one time step at a point of the surface, in the labels of model/equations.md.
 //
 // The unknowns of the flow are linear in it, so the same function gives residual (numbers) and matrix
-// (automatic differentiation). (Y1) and (H1) are made of a few matrices, see MeshMatrices.
+// (automatic differentiation). (V4) and (P2) are in coupled_system.cpp, (Y1) and (H1) in mesh_equation.h,
+// the order equation in model/order_step.h.
 #pragma once
 
 #include "model/terms.h"
@@ -12,18 +13,26 @@ namespace sbeh::surface3d {
 template <class T>
 using CartesianGradient = Eigen::Matrix<T, 3, 2>;  // row: x, y, z; column: e1, e2
 
-/// Fields of the flow at a point: Cartesian components, gradients along (e1, e2). For the unknowns these
-/// are values; for the result of `flow_point` they are the factors of the test functions W (for V) and
-/// q (p); those of H are zero.
+/// The unknowns of the flow at a point: Cartesian components, d = gradient along (e1, e2).
 template <class T>
-struct FlowData {
+struct Unknowns {
   model::Vector<T> V;  // velocity
   CartesianGradient<T> dV;
   T p;  // surface pressure
   T H;  // mean curvature of the next surface
   model::Tangent<T> dH;
 };
-inline constexpr std::size_t flow_data_size = 13;
+inline constexpr std::size_t unknowns_size = 13;
+
+/// The factors of the test functions and of their gradients: the equations are
+/// ∫ W·test.W + dW:test.dW + q test.q dS = 0.
+template <class T>
+struct Tested {
+  model::Vector<T> W;  // momentum
+  CartesianGradient<T> dW;
+  T q;  // area
+};
+inline constexpr std::size_t tested_size = 10;
 
 /// What the coupled step reads of the old state at a point.
 struct OldPoint {
@@ -41,8 +50,8 @@ struct StepParameters {
 
 /// Momentum (V1)–(V11) without (V4), and incompressibility (P1).
 template <class T>
-FlowData<T> flow_point(const model::Material& m, const OldPoint& old, const StepParameters& step,
-                       const FlowData<T>& u) {
+Tested<T> flow_point(const model::Material& m, const OldPoint& old, const StepParameters& step,
+                     const Unknowns<T>& u) {
   const SurfacePoint& x = old.geometry;
   const Eigen::Vector3d nu = x.nu();
 
@@ -60,14 +69,12 @@ FlowData<T> flow_point(const model::Material& m, const OldPoint& old, const Step
 
   const T V_n = u.V.dot(nu);
 
-  FlowData<T> g;
-  g.V =
+  Tested<T> test;
+  test.W =
       m.friction_tangential * u.V + (m.friction_normal - m.friction_tangential) * V_n * nu;  // (V2)
-  g.dV = x.frame * stress;
-  g.p = model::divergence(grad_V) - step.area_rate;  // (P1)
-  g.H = T(0);
-  g.dH.setZero();
-  return g;
+  test.dW = x.frame * stress;
+  test.q = model::divergence(grad_V) - step.area_rate;  // (P1)
+  return test;
 }
 
 }  // namespace sbeh::surface3d

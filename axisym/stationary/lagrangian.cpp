@@ -132,7 +132,7 @@ void assemble(const model::Material& material, const StationaryState& state, con
       const PointDerivatives L = differentiate(material, state, q);
       const First A = area_density(independent<First>(q)),
                   V = volume_density(independent<First>(q));
-      model::add_matrix(rows, L.hessian, s.weight, matrix);
+      model::add_matrix(rows, rows, L.hessian, s.weight, matrix);
       model::add_vector(rows, L.gradient, s.weight, vector);
       model::add_vector(rows, padded(A), s.weight, dA);
       model::add_vector(rows, padded(V), s.weight, dV);

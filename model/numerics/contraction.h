@@ -1,8 +1,8 @@
-// The generic contraction Bᵀ D B: from pointwise derivatives of a weak form to element matrices.
+// The generic contraction Tᵀ D B: from pointwise derivatives of a weak form to element matrices.
 //
 // A weak form is a pointwise function from data d (values and derivatives of the unknowns at a
-// point) to coefficients g of the same values and derivatives of the test functions. With d = B u,
-// B the shape functions, the element residual is ∫ Bᵀ g and its derivative ∫ Bᵀ (∂g/∂d) B.
+// point) to the factors g of values and derivatives of the test functions. With d = B u, B and T the
+// shape functions of unknowns and tests, the element residual is ∫ Tᵀ g, its derivative ∫ Tᵀ (∂g/∂d) B.
 #pragma once
 
 #include <Eigen/Core>
@@ -11,18 +11,19 @@
 
 namespace sbeh::model {
 
-/// One entry of the pointwise data: which element unknowns it reads, through which shape values.
+/// One entry of the pointwise data: which element unknowns it reads, through which shape values; or of
+/// the factors: which tests it meets.
 template <int Count>
 struct DataRow {
-  int first;            ///< the first of the Count consecutive element unknowns it reads
+  int first;            ///< the first of the Count consecutive element unknowns it reads, or tests
   const double* shape;  ///< Count numbers: φ_i or one of its derivatives at the point
 };
 template <int Count>
 using ShapeMap = Eigen::Map<const Eigen::Matrix<double, Count, 1>>;
 
-/// A square matrix of Blocks x Blocks blocks of Count x Count, those that are met in memory one after
-/// the other, and their columns filled up to whole vector registers: for sums of many outer products.
-template <int Count, int Blocks>
+/// A matrix of Rows x Columns blocks of Count x Count, those that are met in memory one after the other,
+/// and their columns filled up to whole vector registers: for sums of many outer products.
+template <int Count, int Rows, int Columns>
 class BlockMatrix {
  public:
   static constexpr int padded = (Count + 7) / 8 * 8;
@@ -42,10 +43,10 @@ class BlockMatrix {
     met_[k] = true;
     blocks_[k].noalias() += test * trial.transpose();
   }
-  Eigen::Matrix<double, Count * Blocks, Count * Blocks> dense() const {
-    Eigen::Matrix<double, Count * Blocks, Count * Blocks> all;
-    for (int j = 0; j < Blocks; ++j)
-      for (int i = 0; i < Blocks; ++i)
+  Eigen::Matrix<double, Count * Rows, Count * Columns> dense() const {
+    Eigen::Matrix<double, Count * Rows, Count * Columns> all;
+    for (int j = 0; j < Columns; ++j)
+      for (int i = 0; i < Rows; ++i)
         if (met_[index(i, j)])
           all.template block<Count, Count>(Count * i, Count * j) =
               blocks_[index(i, j)].template topRows<Count>();
@@ -56,10 +57,10 @@ class BlockMatrix {
 
  private:
   static constexpr std::size_t index(int i, int j) {
-    return std::size_t(j) * std::size_t(Blocks) + std::size_t(i);
+    return std::size_t(j) * std::size_t(Rows) + std::size_t(i);
   }
-  std::array<Eigen::Matrix<double, padded, Count>, std::size_t(Blocks* Blocks)> blocks_;
-  std::array<bool, std::size_t(Blocks* Blocks)> met_{};
+  std::array<Eigen::Matrix<double, padded, Count>, std::size_t(Rows* Columns)> blocks_;
+  std::array<bool, std::size_t(Rows* Columns)> met_{};
 };
 
 /// A dense matrix as a sum of outer products in the same way.
@@ -78,15 +79,16 @@ template <int Count, class Matrix>
 OuterProducts<Count, Matrix> outer_products(Matrix& matrix) {
   return {matrix};
 }
-template <int Count, int Blocks>
-BlockMatrix<Count, Blocks>& outer_products(BlockMatrix<Count, Blocks>& matrix) {
+template <int Count, int Rows, int Columns>
+BlockMatrix<Count, Rows, Columns>& outer_products(BlockMatrix<Count, Rows, Columns>& matrix) {
   return matrix;
 }
 
-/// matrix += weight · Bᵀ D B.  D: data x data, row = test, column = unknown. Its zeros cost nothing, and
+/// matrix += weight · Tᵀ D B.  D: factors x data, row = test, column = unknown. Its zeros cost nothing, and
 /// data that read the same unknowns are combined before they meet the test functions.
-template <int Count, std::size_t Data, class Derivative, class Matrix>
-void add_matrix(const std::array<DataRow<Count>, Data>& B, const Derivative& D, double weight,
+template <int Count, std::size_t Factors, std::size_t Data, class Derivative, class Matrix>
+void add_matrix(const std::array<DataRow<Count>, Factors>& T,
+                const std::array<DataRow<Count>, Data>& B, const Derivative& D, double weight,
                 Matrix& matrix) {
   using Shape = Eigen::Matrix<double, Count, 1>;
   std::array<std::size_t, Data> leader;  // the first data row of the same unknowns
@@ -94,7 +96,7 @@ void add_matrix(const std::array<DataRow<Count>, Data>& B, const Derivative& D, 
     for (leader[j] = 0; B[leader[j]].first != B[j].first;) ++leader[j];
   std::array<Shape, Data> trial;
   auto&& sum = outer_products<Count>(matrix);
-  for (std::size_t i = 0; i < Data; ++i) {
+  for (std::size_t i = 0; i < Factors; ++i) {
     std::array<bool, Data> met{};
     for (std::size_t j = 0; j < Data; ++j) {
       const double value = D(Eigen::Index(i), Eigen::Index(j));
@@ -106,19 +108,19 @@ void add_matrix(const std::array<DataRow<Count>, Data>& B, const Derivative& D, 
         trial[k] = value * ShapeMap<Count>(B[j].shape);
       met[k] = true;
     }
-    const auto test = sum.column(B[i].shape, weight);
+    const auto test = sum.column(T[i].shape, weight);
     for (std::size_t k = 0; k < Data; ++k)
-      if (met[k]) sum.add_outer(B[i].first, B[k].first, test, trial[k]);
+      if (met[k]) sum.add_outer(T[i].first, B[k].first, test, trial[k]);
   }
 }
 
-/// vector += weight · Bᵀ g.  g: data.
-template <int Count, std::size_t Data, class Coefficients, class Vector>
-void add_vector(const std::array<DataRow<Count>, Data>& B, const Coefficients& g, double weight,
+/// vector += weight · Tᵀ g.  g: factors.
+template <int Count, std::size_t Factors, class Coefficients, class Vector>
+void add_vector(const std::array<DataRow<Count>, Factors>& T, const Coefficients& g, double weight,
                 Vector& vector) {
-  for (std::size_t i = 0; i < Data; ++i)
-    vector.template segment<Count>(B[i].first) +=
-        weight * g[Eigen::Index(i)] * ShapeMap<Count>(B[i].shape);
+  for (std::size_t i = 0; i < Factors; ++i)
+    vector.template segment<Count>(T[i].first) +=
+        weight * g[Eigen::Index(i)] * ShapeMap<Count>(T[i].shape);
 }
 
 }  // namespace sbeh::model

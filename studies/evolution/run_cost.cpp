@@ -9,11 +9,10 @@ namespace {
 // As surface3d::CoupledSystem has them.
 int unknowns_of(const RunInput& input, int nodes, int quadratic_nodes) {
   const model::Material m = model::effective(input.material, input.model);
-  const bool local = model::area_constraint(input.model) == model::AreaConstraint::local;
-  const bool split = input.numerics.scheme == surface3d::Scheme::split
-                  && (!local || m.viscosity > 0);  // else it is not stable
-  const int mesh_motion = split ? 0 : 3 * nodes;
-  if (!local) return 2 * nodes + mesh_motion + 2;
+  const model::AreaConstraint area = model::area_constraint(input.model);
+  const auto scheme = surface3d::stable_scheme(m, area, input.numerics.scheme);
+  const int mesh_motion = scheme == surface3d::Scheme::split ? 0 : 3 * nodes;
+  if (area == model::AreaConstraint::global) return 2 * nodes + mesh_motion + 2;
   const bool free = m.friction_tangential == 0 && m.friction_normal == 0;
   return 4 * nodes + quadratic_nodes + mesh_motion + (free ? 7 : 1);
 }

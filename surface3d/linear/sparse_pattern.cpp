@@ -82,4 +82,10 @@ SparseMatrix SparsePattern::zero() const {
   return A;
 }
 
+void SparsePattern::set_zero(LinearSystem& system) const {
+  if (system.matrix.rows() == 0) system.matrix = zero();
+  std::fill_n(system.matrix.valuePtr(), system.matrix.nonZeros(), 0.);
+  system.rhs.setZero(size_);
+}
+
 }  // namespace sbeh::surface3d

@@ -9,6 +9,11 @@ namespace sbeh::surface3d {
 
 using SparseMatrix = Eigen::SparseMatrix<double, Eigen::RowMajor>;
 
+struct LinearSystem {
+  SparseMatrix matrix;
+  Eigen::VectorXd rhs;
+};
+
 /// The structure of a square matrix that is a sum over elements, found once and filled many times.
 class SparsePattern {
  public:
@@ -27,6 +32,8 @@ class SparsePattern {
 
   /// A matrix of this structure, all zero.
   SparseMatrix zero() const;
+  /// A system of this structure, or one that is to become that, is all zero then.
+  void set_zero(LinearSystem& system) const;
 
   /// A += the matrix (local x local) of an element; what the mask excludes is left out, and what the
   /// common unknowns have among themselves.

@@ -24,9 +24,8 @@ TEST(RunCost, counts_the_unknowns_of_the_solver) {
         input.numerics.scheme = scheme;
         input.material.friction_tangential = input.material.friction_normal = friction;
         const model::Material m = effective(input.material, model);
-        const bool stable = model != Model::HelfrichLocal;  // which has no viscosity
-        surface3d::CoupledSystem system(mesh, m, stable ? scheme : surface3d::Scheme::monolithic,
-                                        area_constraint(model));
+        const model::AreaConstraint area = area_constraint(model);
+        surface3d::CoupledSystem system(mesh, m, stable_scheme(m, area, scheme), area);
         const surface3d::Curvature curvature = *curvature_of(mesh, sphere.X);
         system.assemble(mesh, sphere, curvature, {sphere.X, curvature.H}, 1e-3,
                         {.area_rate = 0, .volume_rate = 0, .keep_volume = true});

@@ -1,4 +1,4 @@
-// Linear systems that change little from one to the next: old factors and a few iterations.
+// GMRES with the factors of an earlier matrix.
 #pragma once
 
 #include "surface3d/linear/direct_solver.h"
@@ -8,9 +8,9 @@ namespace sbeh::surface3d {
 /// Solves A x = b by GMRES with the factors of an earlier matrix as left preconditioner, so that the
 /// residual measures the error of the solution. The factors are in single precision unless the tolerance
 /// is below `coarse`.
-class LaggedSolver {
+class Gmres {
  public:
-  LaggedSolver(Symmetry symmetry, double tolerance)
+  Gmres(Symmetry symmetry, double tolerance)
       : direct_(symmetry, tolerance < coarse ? Precision::full : Precision::single),
         tolerance_(tolerance) {}
 

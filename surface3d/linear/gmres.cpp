@@ -1,4 +1,4 @@
-#include "surface3d/linear/lagged_solver.h"
+#include "surface3d/linear/gmres.h"
 
 #include "surface3d/parallel.h"
 
@@ -25,8 +25,8 @@ Eigen::VectorXd product(const SparseMatrix& A, const Eigen::VectorXd& x) {
 
 }  // namespace
 
-// GMRES without restart: Saad and Schultz 1986, modified Gram–Schmidt and Givens rotations.
-int LaggedSolver::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+// Without restart: Saad and Schultz 1986, modified Gram–Schmidt and Givens rotations.
+int Gmres::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
   const auto preconditioned = [this](Eigen::VectorXd v) {
     direct_.solve(v);
     return v;
@@ -68,7 +68,7 @@ int LaggedSolver::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::
   return 0;
 }
 
-double LaggedSolver::cost_of_factoring() const {
+double Gmres::cost_of_factoring() const {
   // Measured: dense kernels of the factorisation run eight times as fast as the solve, which waits for
   // memory; a multiplication by the matrix comes on top of each.
   constexpr double speed_ratio = 8;

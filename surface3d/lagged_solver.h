@@ -1,0 +1,85 @@
+// The linear systems of a run, which change little from one step to the next: old factors, renewed when
+// that is cheaper, and a few iterations from a guess that earlier solutions give.
+#pragma once
+
+#include "surface3d/linear/gmres.h"
+#include "surface3d/surface.h"
+
+#include <array>
+#include <optional>
+
+namespace sbeh::surface3d {
+
+class CoupledSystem;
+
+/// How a step solves its linear systems.
+enum class Factorisation {
+  lagged,     ///< factors of an earlier step, refactored when that is cheaper
+  every_step  ///< the reference: exact solutions
+};
+constexpr auto values_of(Factorisation) {
+  return std::array{Factorisation::lagged, Factorisation::every_step};
+}
+/// "lagged" or "every-step".
+const char* name(Factorisation factorisation);
+
+inline constexpr double default_solver_tolerance = 1e-5;
+
+/// Solutions of the linear systems of a step, in their numbering.
+struct Solution {
+  Eigen::VectorXd flow, motion;  ///< empty before the first step
+  double tau = 0;
+};
+
+/// What a solver remembers of the past: where its factors come from, and what its iterations begin with.
+/// With it a resumed run repeats the bits of one that was not interrupted.
+struct StepperMemory {
+  State factored_at;  ///< empty when there are no factors
+  double factored_tau = 0;
+  int solves = 0;      ///< since then
+  int iterations = 0;  ///< in all of them
+  int last_iterations = 0;
+  Solution last, before;  ///< displacements by τ
+};
+
+/// What solving has cost so far.
+struct SolverCounts {
+  int steps = 0, factorisations = 0, iterations = 0;
+};
+
+/// A step is solved for the first time, or once more with corrected coefficients.
+enum class Pass { first, corrected };
+
+/// Solves the two systems of a CoupledSystem, one after the other; the second may be empty.
+class LaggedSolver {
+ public:
+  LaggedSolver(Factorisation factorisation, double tolerance);
+
+  /// Of the system as it was assembled at a state, with τ. Empty when a matrix is singular; the past is
+  /// forgotten then.
+  std::optional<Solution> solve(const CoupledSystem& system, const State& at, double tau,
+                                Pass pass);
+
+  /// Of the solutions.
+  double tolerance() const { return tolerance_; }
+  const StepperMemory& memory() const { return memory_; }
+  SolverCounts counts() const { return counts_; }
+  /// Factors anew what another solver had factored: the system is assembled as it was there, if the memory
+  /// has factors. False where that is singular.
+  [[nodiscard]] bool recall(const CoupledSystem& system, const StepperMemory& memory);
+
+ private:
+  bool worth_factoring() const;
+  bool factor(const CoupledSystem& system, const State& at, double tau);
+  Solution guess(const CoupledSystem& system, double tau, Pass pass) const;
+  int solve_with_factors(const CoupledSystem& system, Solution& x) const;
+  void remember(const CoupledSystem& system, Solution x, Pass pass, int iterations);
+
+  Factorisation factorisation_;
+  double tolerance_;
+  Gmres flow_, motion_;
+  StepperMemory memory_;
+  SolverCounts counts_;
+};
+
+}  // namespace sbeh::surface3d

@@ -1,0 +1,64 @@
+#include "surface3d/mesh_equation.h"
+
+namespace sbeh::surface3d {
+
+void MeshEquation::set_zero() {
+  normal_mass.fill(Scalar::Zero());
+  stiffness.setZero();
+}
+
+void MeshEquation::add(const SurfacePoint& x, const Shapes& phi) {
+  for (int k = 0; k < 3; ++k)
+    normal_mass[std::size_t(k)].noalias() += phi * (x.dS * x.nu()[k] * phi).transpose();
+  for (const auto& slope : x.grad) {
+    const Shapes along(slope.data());
+    stiffness.noalias() += along * (x.dS * along).transpose();
+  }
+}
+
+Eigen::Matrix<double, 1, 10> MeshEquation::normal_flux(const ElementNodes& W) const {
+  Eigen::Matrix<double, 1, 10> flux = decltype(flux)::Zero();
+  for (int k = 0; k < 3; ++k) flux += W.row(k) * normal_mass[std::size_t(k)];
+  return flux;
+}
+
+ElementNodes MeshEquation::mesh_force(const ElementField& H, const ElementNodes& Y) const {
+  ElementNodes force = Y * stiffness;
+  for (int k = 0; k < 3; ++k) force.row(k) += (normal_mass[std::size_t(k)] * H).transpose();
+  return force;
+}
+
+ElementNodes MeshEquation::mesh_drive(const MovingTriangle& t) const {
+  const double theta = t.tau / (t.tau + mesh_relaxation_time);
+  ElementNodes force = -theta * t.from * stiffness;
+  for (int k = 0; k < 3; ++k)
+    force.row(k) += (1 - theta) * (normal_mass[std::size_t(k)] * t.H_from).transpose();
+  return force;
+}
+
+void MeshEquation::set_rows(const MovingTriangle& t, FlowPiece& piece) const {
+  constexpr int G = FlowPiece::G, H = FlowPiece::H;
+  const ElementNodes drive = mesh_drive(t);
+  for (int k = 0; k < 3; ++k) {
+    const int V = FlowPiece::V + 10 * k, Y = FlowPiece::Y + 10 * k, Z = FlowPiece::Z + 10 * k;
+    piece.block(G, Y) = normal_mass[std::size_t(k)];           // (Y1)
+    piece.block(G, V) = -t.tau * normal_mass[std::size_t(k)];  // (Y1)
+    piece.block(Z, H) = normal_mass[std::size_t(k)];           // (H1)
+    piece.block(Z, Y) = stiffness;                             // (H1)
+    piece.rhs.segment<10>(Z) = drive.row(k).transpose();       // (H1)
+  }
+}
+
+MeshEquation::Scalar MeshEquation::normal_mass_along(const ElementNodes& t) const {
+  Scalar sum = Scalar::Zero();
+  for (int k = 0; k < 3; ++k)
+    sum += t.row(k).transpose().asDiagonal() * normal_mass[std::size_t(k)];
+  return sum;
+}
+
+MeshEquation::Scalar MeshEquation::stiffness_between(const ElementNodes& t,
+                                                     const ElementNodes& u) const {
+  return stiffness.cwiseProduct(t.transpose() * u);
+}
+
+}  // namespace sbeh::surface3d

@@ -1,0 +1,96 @@
+// How the mesh moves, and what its curvature is: (Y1) and (H1) of model/equations.md on a triangle.
+//
+//   ( Y·ν, G ) − τ ( V·ν, G ) = 0                                                 (Y1)
+//   ( H ν, Z ) + ( ∇_C Y, ∇_C Z ) = −θ ( ∇_C X, ∇_C Z ) + (1 − θ) ( H_X ν, Z )     (H1)
+//
+// X are the positions from which the displacement Y counts (the old ones but for two-step methods), H_X is
+// their curvature on the old surface, and θ = τ/(τ + mesh_relaxation_time): the mesh does not jump to its
+// own equilibrium within one step, but moves there at a finite rate. Along the normals this is nothing new;
+// Y/τ has a limit for τ → 0, and errors in time are those of a smooth motion.
+//
+// Without Y, tested along the node normals, (H1) is the curvature of given positions: CurvatureEquation.
+#pragma once
+
+#include "surface3d/system_layout.h"
+
+#include <array>
+
+namespace sbeh::surface3d {
+
+/// Not much below the time steps: where the mesh settles within one step, two-step methods, which
+/// extrapolate it, do not.
+inline constexpr double mesh_relaxation_time = 0.02;
+
+/// What the mesh equations read of a triangle besides its forms.
+struct MovingTriangle {
+  int e;
+  double tau;
+  ElementNodes X, normals;  ///< of the old surface
+  ElementNodes from;        ///< the positions from which Y counts
+  ElementField H_from;      ///< their curvature
+};
+
+/// The forms that (Y1) and (H1) are made of. Fields are given by their nodes, results by the nodes of the
+/// test functions.
+struct MeshEquation {
+  using Scalar = Eigen::Matrix<double, 10, 10>;  // row: test function, column: unknown
+  std::array<Scalar, 3> normal_mass;             ///< (ν_k φ_b, φ_a)
+  Scalar stiffness;                              ///< (∇φ_b, ∇φ_a)
+
+  void set_zero();
+  /// The share of a quadrature point.
+  void add(const SurfacePoint& x, const Shapes& phi);
+
+  Eigen::Matrix<double, 1, 10> normal_flux(const ElementNodes& W) const;  ///< (W·ν, G)
+  /// ( H ν, Z ) + ( ∇_C Y, ∇_C Z ): the left-hand side of (H1).
+  ElementNodes mesh_force(const ElementField& H, const ElementNodes& Y) const;
+  /// The right-hand side of (H1).
+  ElementNodes mesh_drive(const MovingTriangle& t) const;
+  /// Both as they stand, in the rows G and Z of the flow.
+  void set_rows(const MovingTriangle& t, FlowPiece& piece) const;
+
+  // (H1) tested with Z = φ_a t_a, t unit vectors at the nodes:
+  Scalar normal_mass_along(const ElementNodes& t) const;  ///< (φ_b ν, φ_a t_a)
+  /// (∇(φ_b u_b), ∇(φ_a t_a))
+  Scalar stiffness_between(const ElementNodes& t, const ElementNodes& u) const;
+};
+
+template <std::size_t N>
+using Positions = std::array<const Nodes*, N>;
+
+/// (H1) without Y, tested with Z = φ_a n_a: (H ν, Z) = −(∇_C position, ∇_C Z) for N positions of the nodes.
+template <std::size_t N>
+class CurvatureEquation {
+ public:
+  using Vectors = Eigen::Matrix<double, 10, int(N)>;
+  CurvatureEquation(const Triangulation& mesh, int e, const Nodes& normals,
+                    const Positions<N>& positions)
+      : normals_(on_element(mesh, e, normals)) {
+    for (std::size_t k = 0; k < N; ++k) positions_[k] = on_element(mesh, e, *positions[k]);
+    forces_.fill(ElementNodes::Zero());
+  }
+  /// The share of a quadrature point.
+  void add(const SurfacePoint& p, const Shapes& phi) {
+    const ElementField test = phi.cwiseProduct(normals_.transpose() * (p.dS * p.nu()));
+    matrix_.noalias() += test * phi.transpose();
+    for (std::size_t k = 0; k < N; ++k) {
+      const Eigen::Matrix<double, 3, 2> slope = p.dS * gradient_at(positions_[k], p);
+      for (int i = 0; i < 2; ++i)
+        forces_[k].noalias() -= slope.col(i) * Shapes(p.grad[std::size_t(i)].data()).transpose();
+    }
+  }
+  const MeshEquation::Scalar& matrix() const { return matrix_; }
+  Vectors rhs() const {
+    Vectors vectors;
+    for (std::size_t k = 0; k < N; ++k)
+      vectors.col(Eigen::Index(k)) = normals_.cwiseProduct(forces_[k]).colwise().sum().transpose();
+    return vectors;
+  }
+
+ private:
+  ElementNodes normals_;
+  std::array<ElementNodes, N> positions_, forces_;  // −(∇_C position, ∇φ_a)
+  MeshEquation::Scalar matrix_ = MeshEquation::Scalar::Zero();
+};
+
+}  // namespace sbeh::surface3d
