@@ -1,7 +1,7 @@
 // What a user may choose of the numerics of the 3D solver.
 #pragma once
 
-#include "model/time/flow.h"
+#include "model/time/time_control.h"
 #include "surface3d/time_step.h"
 
 #include <array>

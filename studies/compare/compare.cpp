@@ -1,6 +1,6 @@
 #include "studies/compare/compare.h"
 
-#include "model/time/flow.h"
+#include "model/time/flow_record.h"
 #include "studies/io/csv_line.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
