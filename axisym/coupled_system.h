@@ -6,8 +6,8 @@
 
 #include "axisym/curve.h"
 #include "axisym/weak_form.h"
+#include "model/numerics/area_volume.h"
 #include "model/numerics/band_matrix.h"
-#include "model/time/flow.h"
 
 #include <vector>
 

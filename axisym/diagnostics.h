@@ -2,8 +2,8 @@
 #pragma once
 
 #include "axisym/curve.h"
+#include "model/energy.h"
 #include "model/material.h"
-#include "model/time/flow.h"
 
 namespace sbeh::axisym {
 

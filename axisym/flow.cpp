@@ -1,6 +1,7 @@
 #include "axisym/flow.h"
 
 #include "axisym/curvature.h"
+#include "model/time/flow.h"
 #include "model/time/step_doubling.h"
 
 namespace sbeh::axisym {
@@ -46,6 +47,8 @@ class Solver {
   model::Material material_;
   TimeStepper stepper_;
 };
+static_assert(model::FlowSolver<Solver> && model::OneStepSolver<Solver>);
+static_assert(model::FlowIntegrator<model::StepDoubling<Solver>, State>);
 
 }  // namespace
 

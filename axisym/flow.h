@@ -4,6 +4,8 @@
 #include "axisym/diagnostics.h"
 #include "axisym/options.h"
 #include "axisym/time_step.h"
+#include "model/time/flow_record.h"
+#include "model/time/schedule.h"
 
 namespace sbeh::axisym {
 

@@ -1,7 +1,7 @@
 // What a user may choose of the numerics: the mesh of the generating curve and the time steps.
 #pragma once
 
-#include "model/time/flow.h"
+#include "model/time/time_control.h"
 
 namespace sbeh::axisym {
 

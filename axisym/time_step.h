@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/coupled_system.h"
+#include "model/energy.h"
 #include "model/material.h"
 
 #include <memory>

@@ -1,8 +1,8 @@
 // What is measured on a state: energy and its parts, geometry, order.
 #pragma once
 
+#include "model/energy.h"
 #include "model/material.h"
-#include "model/time/flow.h"
 #include "surface3d/curvature.h"
 
 namespace sbeh::surface3d {

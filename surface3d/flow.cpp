@@ -1,5 +1,6 @@
 #include "surface3d/flow.h"
 
+#include "model/time/flow.h"
 #include "surface3d/mesh/self_contact.h"
 
 #include <fmt/format.h>
@@ -98,6 +99,9 @@ class Solver {
   std::optional<RemeshResult> remeshed_;
   bool remeshing_over_ = false;
 };
+static_assert(model::FlowSolver<Solver> && model::TwoStepSolver<Solver>);
+static_assert(model::FlowIntegrator<model::StepDoubling<Solver>, State>);
+static_assert(model::FlowIntegrator<model::TwoStep<Solver>, State>);
 
 bool Solver::renew(State& state) {
   remeshed_.reset();

@@ -1,6 +1,8 @@
 // An evolution in time of the 3D solver; see model/time/flow.h.
 #pragma once
 
+#include "model/time/flow_record.h"
+#include "model/time/schedule.h"
 #include "model/time/two_step.h"
 #include "surface3d/diagnostics.h"
 #include "surface3d/mesh/remesh.h"

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "meshing/resolution.h"
-#include "model/time/flow.h"
+#include "model/time/time_control.h"
 #include "surface3d/time_step.h"
 
 #include <array>

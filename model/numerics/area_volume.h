@@ -8,6 +8,12 @@
 
 namespace sbeh::model {
 
+/// The area and volume that a surface keeps.
+struct Target {
+  double area;
+  double volume;
+};
+
 /// V_r = 6√π V / A^{3/2}, 1 for the sphere.
 double reduced_volume(double area, double volume);
 

@@ -1,18 +1,36 @@
 // One step of τ against two of τ/2: an estimate of the error, and second order by extrapolation.
 #pragma once
 
-#include "model/time/flow.h"
+#include "model/numerics/area_volume.h"
+#include "model/time/flow_step.h"
 
-#include <algorithm>
+#include <cmath>
+#include <concepts>
+#include <limits>
 
 namespace sbeh::model {
 
-/// An Integrator of model::Flow without memory. The Solver has also
-///   FlowStep<State> step(const State& old, const Target&, double tau)   of first order
-///   Target measure(const State&)                                        area and volume
-///   bool restore(State&, const Target&)             brings them back; false where that fails
-/// and area and volume are kept at `target` to rounding.
-template <class Solver>
+/// A solver whose State has X and beta, which can be added and multiplied by numbers.
+template <class S>
+concept OneStepSolver = requires(S solver, typename S::State state, const typename S::State& old,
+                                 const Target& target, double tau) {
+  { solver.step(old, target, tau) } -> std::same_as<FlowStep<typename S::State>>;  // first order
+  { solver.measure(old) } -> std::same_as<Target>;
+  { solver.restore(state, target) } -> std::same_as<bool>;  // false where that fails
+  { solver.distance(old, old) } -> std::same_as<Distance>;
+};
+
+/// The end of a step: its area and volume are brought back to the target, to rounding.
+template <OneStepSolver Solver>
+void complete(Solver& solver, const Target& target, FlowStep<typename Solver::State>& step) {
+  if (!std::isfinite(step.error))
+    step.fault = FlowFault::degenerate;
+  else if (!solver.restore(step.state, target))
+    step.fault = FlowFault::area_volume;
+}
+
+/// An integrator without memory.
+template <OneStepSolver Solver>
 class StepDoubling {
  public:
   using State = typename Solver::State;
@@ -31,8 +49,8 @@ class StepDoubling {
   bool extrapolate_;
 };
 
-template <class Solver>
-FlowStep<typename Solver::State> StepDoubling<Solver>::advance(const State& old, double tau) {
+template <OneStepSolver Solver>
+auto StepDoubling<Solver>::advance(const State& old, double tau) -> FlowStep<State> {
   auto whole = solver_.step(old, target_, tau);
   if (!whole.ok()) return whole;
   auto first = solver_.step(old, target_, tau / 2);
@@ -43,18 +61,14 @@ FlowStep<typename Solver::State> StepDoubling<Solver>::advance(const State& old,
   auto result = solver_.step(first.state, middle, tau / 2);
   if (!result.ok()) return result;
 
-  const Distance distance = solver_.distance(result.state, whole.state);
-  result.error = std::max(distance.normal, distance.order);
+  result.error = solver_.distance(result.state, whole.state).largest();
   result.dissipation = combine(0.5, first.dissipation, 0.5, result.dissipation);
   if (extrapolate_) {  // the first-order errors cancel
     result.state.X = 2 * result.state.X - whole.state.X;
     result.state.beta = 2 * result.state.beta - whole.state.beta;
     result.dissipation = combine(2, result.dissipation, -1, whole.dissipation);
   }
-  if (!std::isfinite(result.error))
-    result.fault = FlowFault::degenerate;
-  else if (!solver_.restore(result.state, target_))
-    result.fault = FlowFault::area_volume;
+  complete(solver_, target_, result);
   return result;
 }
 

@@ -15,13 +15,20 @@ struct Past {
   Dissipation dissipation;  ///< rates at its end
 };
 
-/// An Integrator of model::Flow that remembers the state before the last step. With r = τ/τ_before it
-/// solves, at the extrapolated state x + r (x − x_before), where the equations are linearised,
+/// A solver that steps from one state with the coefficients of another.
+template <class S>
+concept TwoStepSolver = OneStepSolver<S> && requires(S solver, const typename S::State& at,
+                                                     const typename S::State& from,
+                                                     const Target& target, double tau) {
+  { solver.step(at, from, target, tau) } -> std::same_as<FlowStep<typename S::State>>;
+};
+
+/// An integrator that remembers the state before the last step. With r = τ/τ_before it solves, at the
+/// extrapolated state x + r (x − x_before), where the equations are linearised,
 ///   (x_new − x_from)/τ' = rate,  x_from = x + r²/(1 + 2r) (x − x_before),  τ' = τ (1 + r)/(1 + 2r).
 /// Its error is reported as that of a first-order step, as by StepDoubling, which makes the first step:
-/// a quarter of τ² ẍ. The Solver has also
-///   FlowStep<State> step(const State& at, const State& from, const Target&, double tau)
-template <class Solver>
+/// a quarter of τ² ẍ.
+template <TwoStepSolver Solver>
 class TwoStep {
  public:
   using State = typename Solver::State;
@@ -35,7 +42,6 @@ class TwoStep {
   void accept(const State& old, const FlowStep<State>&, double tau) {
     past_ = Past{old, tau, rates_};
   }
-
   void forget() { past_.reset(); }
 
   const std::optional<Past>& past() const { return past_; }
@@ -48,8 +54,8 @@ class TwoStep {
   Dissipation rates_;  // at the end of the last step tried
 };
 
-template <class Solver>
-FlowStep<typename Solver::State> TwoStep<Solver>::advance(const State& old, double tau) {
+template <TwoStepSolver Solver>
+auto TwoStep<Solver>::advance(const State& old, double tau) -> FlowStep<State> {
   if (!past_) {
     auto first = StepDoubling<Solver>(solver_, target_, true).advance(old, tau);
     rates_ = first.dissipation;
@@ -63,14 +69,10 @@ FlowStep<typename Solver::State> TwoStep<Solver>::advance(const State& old, doub
   auto result = solver_.step(at, ahead(r * r / (1 + 2 * r)), solver_.measure(at),
                              tau * (1 + r) / (1 + 2 * r));
   if (!result.ok()) return result;
-  const Distance distance = solver_.distance(at, result.state);
-  result.error = r / (2 * (1 + r)) * std::max(distance.normal, distance.order);
+  result.error = r / (2 * (1 + r)) * solver_.distance(at, result.state).largest();
   rates_ = result.dissipation;
   result.dissipation = combine(0.5, past_->dissipation, 0.5, rates_);
-  if (!std::isfinite(result.error))
-    result.fault = FlowFault::degenerate;
-  else if (!solver_.restore(result.state, target_))
-    result.fault = FlowFault::area_volume;
+  complete(solver_, target_, result);
   return result;
 }
 

@@ -1,9 +1,9 @@
 #include "studies/compare/compare.h"
 
-#include "model/time/flow.h"
+#include "model/time/schedule.h"
 #include "studies/io/csv_line.h"
 #include "studies/io/interrupt.h"
-#include "studies/io/output.h"
+#include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
 
 #include <fmt/format.h>
@@ -262,15 +262,6 @@ std::string differences_for_people(const CompareSummary& summary) {
   return text;
 }
 
-void refuse_results(const OutputFolder& folder) {
-  for (const char* result : {"run.toml", "compare.csv", "scan.csv", "series.csv", "branches.csv"})
-    if (fs::exists(folder / result))
-      throw OutputError(
-          fmt::format("{}: already holds results (see its {}), which are not overwritten; choose "
-                      "another folder with -o or move it away",
-                      folder.path().string(), result));
-}
-
 }  // namespace
 
 double Comparison::judged() const {
@@ -289,7 +280,7 @@ bool CompareSummary::agrees() const {
 CompareSummary run_compare(const CompareInput& input, const fs::path& path,
                            std::string_view version) {
   const OutputFolder folder(path);
-  refuse_results(folder);
+  refuse_results(folder, {"run.toml", "compare.csv", "scan.csv", "series.csv", "branches.csv"});
   CompareSummary summary{.states = states_of(input, folder / "surface3d.vtu"), .comparisons = {}};
   std::vector<WitnessState>& states = summary.states;
   if (const Meridian* reference = reference_of(states))

@@ -1,22 +1,12 @@
 // One axisymmetric evolution, from an input to a folder of results.
 #pragma once
 
-#include "axisym/flow.h"
-#include "studies/evolution/relax_input.h"
+#include "studies/evolution/relax_start.h"
 
 #include <filesystem>
 #include <string_view>
 
 namespace sbeh::studies {
-
-/// The state and the area and volume that the input asks to start from, and the material (of a scan's
-/// row: its L). Throws OutputError or std::invalid_argument when the start cannot be made.
-struct RelaxStart {
-  axisym::State state;
-  axisym::Target target;
-  model::Material material;
-};
-RelaxStart start_of(const RelaxInput& input);
 
 struct RelaxSummary {
   axisym::FlowResult run;

@@ -1,7 +1,6 @@
 #include "studies/figures/runs.h"
 
 #include "studies/evolution/frame_file.h"
-#include "studies/evolution/run_recorder.h"
 #include "studies/io/csv_table.h"
 #include "studies/io/errors.h"
 #include "studies/io/output.h"

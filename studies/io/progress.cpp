@@ -3,12 +3,12 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <cstdio>
-#include <string>
+#include <limits>
 
 namespace sbeh::studies {
 
-using std::chrono::duration;
 using std::chrono::steady_clock;
 
 void tell(std::string_view text) {
@@ -16,45 +16,53 @@ void tell(std::string_view text) {
   std::fflush(stderr);
 }
 
+ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
+
+ProgressLine::~ProgressLine() { end(); }
+
+double ProgressLine::age() const {
+  if (!shown_) return std::numeric_limits<double>::infinity();
+  return std::chrono::duration<double>(steady_clock::now() - *shown_).count();
+}
+
+void ProgressLine::show(std::string_view text) {
+  tell(fmt::format("{}{}{}", terminal_ ? "\r\033[K" : "", text, terminal_ ? "" : "\n"));
+  open_ = terminal_;
+  shown_ = steady_clock::now();
+}
+
+void ProgressLine::say(std::string_view message) {
+  tell(fmt::format("{}{}\n", terminal_ ? "\r\033[K" : "", message));
+  open_ = false;
+}
+
+void ProgressLine::end() {
+  if (open_) tell("\n");
+  open_ = false;
+}
+
 Progress::Progress(std::string_view unit, int total, int done)
-    : unit_(unit),
-      total_(total),
-      done_(done),
-      before_(done),
-      terminal_(isatty(STDERR_FILENO) != 0),
-      start_(steady_clock::now()),
-      shown_(start_ - std::chrono::hours(1)) {
+    : unit_(unit), total_(total), done_(done), before_(done), start_(steady_clock::now()) {
   if (done > 0) say(fmt::format("{} of {} {} are there from before", done, total, unit));
 }
 
 void Progress::advance() {
   ++done_;
-  const auto now = steady_clock::now();
-  const int tenths = 10 * done_ / total_;
-  const bool due =
-      terminal_
-          ? now - shown_ > std::chrono::milliseconds(100) || done_ == total_
-          : done_ == total_ || (tenths > shown_tenths_ && now - shown_ > std::chrono::seconds(1));
-  if (!due) return;
-  shown_ = now;
-  shown_tenths_ = tenths;
-  show();
+  if (due()) show();
+}
+
+bool Progress::due() const {
+  if (done_ == total_) return true;
+  if (line_.on_terminal()) return line_.age() > 0.1;
+  return 10 * done_ / total_ > shown_tenths_ && line_.age() > 1;
 }
 
 void Progress::show() {
-  const double seconds = duration<double>(steady_clock::now() - start_).count();
-  const double rate = (done_ - before_) / std::max(seconds, 1e-9);
-  const std::string line = fmt::format("{}/{} {}, {:.3g} per second, {:.0f} s left", done_, total_,
-                                       unit_, rate, (total_ - done_) / std::max(rate, 1e-9));
-  tell(fmt::format("{}{}{}", terminal_ ? "\r\033[K" : "", line, terminal_ ? "" : "\n"));
-}
-
-void Progress::say(std::string_view message) {
-  tell(fmt::format("{}{}\n", terminal_ ? "\r\033[K" : "", message));
-}
-
-void Progress::finish() {
-  if (terminal_ && done_ > before_) tell("\n");
+  const std::chrono::duration<double> time = steady_clock::now() - start_;
+  const double rate = (done_ - before_) / std::max(time.count(), 1e-9);
+  shown_tenths_ = 10 * done_ / total_;
+  line_.show(fmt::format("{}/{} {}, {:.3g} per second, {:.0f} s left", done_, total_, unit_, rate,
+                         (total_ - done_) / std::max(rate, 1e-9)));
 }
 
 }  // namespace sbeh::studies

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <chrono>
+#include <optional>
 #include <string_view>
 
 namespace sbeh::studies {
@@ -9,8 +10,32 @@ namespace sbeh::studies {
 /// Writes to standard error. A log that cannot take it, such as on a full disk, ends no work.
 void tell(std::string_view text);
 
-/// How far a scan is: on a terminal one line that is rewritten, otherwise a line for every tenth of
-/// the work. Writes to standard error.
+/// How far something is: on a terminal one line that is rewritten, in a log one line after the other. Writes
+/// to standard error.
+class ProgressLine {
+ public:
+  ProgressLine();
+  /// Ends the line.
+  ~ProgressLine();
+  ProgressLine(const ProgressLine&) = delete;
+  ProgressLine& operator=(const ProgressLine&) = delete;
+
+  bool on_terminal() const { return terminal_; }
+  /// Seconds since the line was shown; infinite before.
+  double age() const;
+  void show(std::string_view text);
+  /// A message of its own.
+  void say(std::string_view message);
+  /// Ends the line before other output follows.
+  void end();
+
+ private:
+  const bool terminal_;
+  bool open_ = false;  // on a terminal: the line is there
+  std::optional<std::chrono::steady_clock::time_point> shown_;
+};
+
+/// How far a scan is: on a terminal always, otherwise for every tenth of the work.
 class Progress {
  public:
   /// `done` of `total` pieces are there from an earlier run; they do not count for the rate.
@@ -18,16 +43,18 @@ class Progress {
   /// One more piece is done. Not thread-safe.
   void advance();
   /// A message among the progress lines.
-  void say(std::string_view message);
+  void say(std::string_view message) { line_.say(message); }
   /// Ends the line.
-  void finish();
+  void finish() { line_.end(); }
 
  private:
+  bool due() const;
   void show();
+
+  ProgressLine line_;
   std::string_view unit_;
   int total_, done_, before_, shown_tenths_ = 0;
-  bool terminal_;
-  std::chrono::steady_clock::time_point start_, shown_;
+  std::chrono::steady_clock::time_point start_;
 };
 
 }  // namespace sbeh::studies

@@ -1,11 +1,25 @@
 #include "studies/io/timed_table.h"
 
 #include "studies/io/csv_line.h"
-#include "studies/io/output.h"
 
 #include <sstream>
 
 namespace sbeh::studies {
+
+namespace {
+
+// Writes the table anew with the rows up to a time, which it returns.
+std::vector<TimedRow> keep_until(const std::filesystem::path& path, const std::string& header,
+                                 std::size_t time_column, double time) {
+  std::vector<TimedRow> rows = timed_rows(path, time_column);
+  std::erase_if(rows, [&](const TimedRow& row) { return !(row.time <= time); });
+  std::string text = header + "\n";
+  for (const TimedRow& row : rows) text += row.line + "\n";
+  write_file(path, text);
+  return rows;
+}
+
+}  // namespace
 
 std::vector<TimedRow> timed_rows(const std::filesystem::path& path, std::size_t time_column) {
   std::vector<TimedRow> rows;
@@ -23,12 +37,15 @@ std::vector<TimedRow> timed_rows(const std::filesystem::path& path, std::size_t 
   return rows;
 }
 
-void keep_until(const std::filesystem::path& path, const std::string& header,
-                const std::vector<TimedRow>& rows, double time) {
-  std::string text = header + "\n";
-  for (const TimedRow& row : rows)
-    if (row.time <= time) text += row.line + "\n";
-  write_file(path, text);
+TimedTable::TimedTable(const std::filesystem::path& path, const std::string& header,
+                       std::size_t time_column, double until)
+    : kept_(keep_until(path, header, time_column, until)),
+      last_time_(kept_.empty() ? -1 : kept_.back().time),
+      file_(path) {}
+
+void TimedTable::append(double time, std::string_view line) {
+  file_.append(line);
+  last_time_ = time;
 }
 
 }  // namespace sbeh::studies

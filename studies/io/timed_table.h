@@ -1,8 +1,11 @@
 // Tables with a row for each of some times, of runs that may have been cut short.
 #pragma once
 
+#include "studies/io/output.h"
+
 #include <filesystem>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace sbeh::studies {
@@ -16,8 +19,23 @@ struct TimedRow {
 /// file. Throws OutputError when it cannot be read.
 std::vector<TimedRow> timed_rows(const std::filesystem::path& path, std::size_t time_column);
 
-/// Writes the table anew with the rows up to a time. Throws OutputError.
-void keep_until(const std::filesystem::path& path, const std::string& header,
-                const std::vector<TimedRow>& rows, double time);
+/// A table that grows, and goes on where an earlier run left it.
+class TimedTable {
+ public:
+  /// Keeps of the rows that are there those up to a time. Throws OutputError.
+  TimedTable(const std::filesystem::path& path, const std::string& header, std::size_t time_column,
+             double until);
+
+  const std::vector<TimedRow>& kept() const { return kept_; }
+  /// Of the last row; −1 when there is none.
+  double last_time() const { return last_time_; }
+  /// Throws OutputError.
+  void append(double time, std::string_view line);
+
+ private:
+  std::vector<TimedRow> kept_;
+  double last_time_;
+  AppendFile file_;
+};
 
 }  // namespace sbeh::studies

@@ -2,8 +2,8 @@
 
 #include "studies/evolution/series_file.h"
 #include "studies/io/interrupt.h"
-#include "studies/io/output.h"
 #include "studies/io/progress.h"
+#include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
 #include "studies/scan/beyond_fold_table.h"
 #include "studies/scan/branch_lines.h"
@@ -72,21 +72,7 @@ class ScanFolder {
 
  private:
   const OutputFolder& prepare(const ScanInput& input, std::string_view version) {
-    const std::string text = describe(input, version);
-    const std::filesystem::path run = folder_ / "run.toml";
-    if (!std::filesystem::exists(run)) {
-      if (std::filesystem::exists(folder_ / "scan.csv"))
-        throw OutputError(
-            fmt::format("{}: holds a table without its run.toml; choose another "
-                        "folder with -o",
-                        folder_.path().string()));
-      write_file(run, text);
-    } else if (read_file(run) != text) {
-      throw OutputError(
-          fmt::format("{}: holds a scan with other parameters (see its run.toml); "
-                      "choose another folder with -o",
-                      folder_.path().string()));
-    }
+    begin_or_continue(folder_, describe(input, version), "scan.csv", "a scan");
     make_folder(folder_ / "points");
     if (input.beyond_fold) make_folder(folder_ / "beyond_fold");
     return folder_;

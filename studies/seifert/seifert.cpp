@@ -3,7 +3,7 @@
 #include "axisym/shooting/seifert_shooting.h"
 #include "axisym/spectral/minimiser.h"
 #include "axisym/stationary/classical_branches.h"
-#include "studies/io/output.h"
+#include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
 
 #include <fmt/format.h>
@@ -140,12 +140,7 @@ const std::vector<NamedPoint>& special_point_names() {
 
 SeifertSummary run_seifert(const std::filesystem::path& path, int elements) {
   const OutputFolder folder(path);
-  for (const char* result : {"run.toml", "branches.csv"})
-    if (std::filesystem::exists(folder / result))
-      throw OutputError(
-          fmt::format("{}: already holds results (see its {}), which are not "
-                      "overwritten; choose another folder with -o or move it away",
-                      path.string(), result));
+  refuse_results(folder, {"run.toml", "branches.csv"});
   axisym::Numerics numerics;
   numerics.elements = elements;
   numerics.validate();

@@ -2,6 +2,7 @@
 
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
+#include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
 #include "studies/stability/stability_table.h"
 
@@ -46,20 +47,7 @@ class StabilityFolder {
 
  private:
   const OutputFolder& prepare(const StabilityInput& input, std::string_view version) {
-    const std::string text = describe(input, version);
-    const fs::path run = folder_ / "run.toml";
-    const std::string where = folder_.path().string();
-    if (!fs::exists(run)) {
-      if (fs::exists(folder_ / "stability.csv"))
-        throw OutputError(fmt::format(
-            "{}: holds a table without its run.toml; choose another folder with -o", where));
-      write_file(run, text);
-    } else if (read_file(run) != text) {
-      throw OutputError(fmt::format(
-          "{}: holds results with other parameters (see its run.toml); choose another folder with "
-          "-o",
-          where));
-    }
+    begin_or_continue(folder_, describe(input, version), "stability.csv", "results");
     make_folder(folder_ / "runs");
     return folder_;
   }

@@ -1,13 +1,13 @@
 // The 3D solver's state in the terms of the axisymmetric methods.
 #include "meshing/revolution.h"
 #include "meshing/shapes.h"
+#include "studies/evolution/flow_progress.h"
 #include "studies/evolution/frame_file.h"
 #include "studies/evolution/run_input.h"
 #include "studies/io/csv_table.h"
 #include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/number_range.h"
-#include "studies/io/progress.h"
 #include "studies/parameters/material_input.h"
 #include "studies/witnesses/state.h"
 #include "surface3d/flow.h"
@@ -16,11 +16,9 @@
 #include <Eigen/Geometry>
 #include <Eigen/LU>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <numbers>
@@ -45,28 +43,6 @@ struct Rest {
 
 // ---- a run of its own ---------------------------------------------------------------------------
 
-// On a terminal one line that is rewritten.
-class Watch {
- public:
-  explicit Watch(double end_time) : end_time_(end_time) {}
-  ~Watch() {
-    if (shown_) tell("\n");
-  }
-  void show(const surface3d::FlowRecord& record) {
-    const auto now = std::chrono::steady_clock::now();
-    if (!terminal_ || now - last_ < std::chrono::milliseconds(500)) return;
-    last_ = now;
-    shown_ = true;
-    tell(fmt::format("\r\033[Ksurface3d: t = {:.4g} of {:.4g}, time step {:.2g}, energy {:.8g}",
-                     record.time, end_time_, record.time_step, record.energy.total()));
-  }
-
- private:
-  double end_time_;
-  bool terminal_ = isatty(STDERR_FILENO) != 0, shown_ = false;
-  std::chrono::steady_clock::time_point last_{};
-};
-
 Rest start_of(const StationaryCase& of, const SurfaceMethod& method,
               const std::optional<axisym::State>& profile) {
   const meshing::Resolution resolution{.triangles = method.triangles};
@@ -86,7 +62,7 @@ Rest flow_to_rest(const StationaryCase& of, const SurfaceMethod& method,
   const auto mesh = std::make_shared<const Triangulation>(rest.mesh);
   const double area = 4 * std::numbers::pi;
   const surface3d::Target target{area, of.reduced_volume * area / 3};
-  Watch watch(method.end_time);
+  BriefProgress progress(method.end_time, "surface3d: ");
   surface3d::StepFields fields;
   surface3d::FlowMemory memory;
   const surface3d::FlowResult run = surface3d::run_flow(
@@ -95,7 +71,7 @@ Rest flow_to_rest(const StationaryCase& of, const SurfaceMethod& method,
       [&](const surface3d::FlowRecord& record, const surface3d::State&,
           const surface3d::StepView& view, bool exact) {
         if (exact && !method.revolved) rest.history.push_back({record.time, record.energy.total()});
-        watch.show(record);
+        progress.see(record);
         fields = view.fields;
         memory = view.memory;
         return interrupt_signal() == 0;

@@ -1,0 +1,26 @@
+// The energy of a surface and the rates at which it is dissipated, split as they are reported.
+#pragma once
+
+namespace sbeh::model {
+
+/// Integrals of the energy density over the surface, dimensionless.
+struct Energy {
+  double distortion = 0;    ///< ∫ (l₁/2)|∇β|²
+  double bending = 0;       ///< ∫ (κ/2)(H − H₀)² + κ_G K
+  double thermotropic = 0;  ///< ∫ u(β)
+  double total() const { return distortion + bending + thermotropic; }
+};
+
+/// Rates of dissipation: dU/dt = −(friction + order + viscous).
+struct Dissipation {
+  double friction = 0;  ///< ∫ γ_∥|PV|² + γ_⊥(V·ν)² dS
+  double order = 0;     ///< ∫ (3/2)(M + μξ²/2) β̇² dS
+  double viscous = 0;   ///< ∫ (η/2)|σ(V)|² dS
+  double total() const { return friction + order + viscous; }
+};
+inline Dissipation combine(double a, const Dissipation& x, double b, const Dissipation& y) {
+  return {a * x.friction + b * y.friction, a * x.order + b * y.order,
+          a * x.viscous + b * y.viscous};
+}
+
+}  // namespace sbeh::model

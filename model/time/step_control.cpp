@@ -1,0 +1,55 @@
+#include "model/time/step_control.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sbeh::model {
+
+namespace {
+
+// A rise of the energy is the time step's fault when it is more than rounding and when the step's
+// error is not negligible; otherwise it is the mesh's, whose motion moves the discrete energy.
+constexpr double energy_noise = 1e-10;     // relative
+constexpr double negligible_error = 1e-2;  // of the tolerance
+
+// The factor by which τ may change so that the error, of second order in τ, is the tolerance.
+double wanted_factor(double tolerance, double error) { return 0.9 * std::sqrt(tolerance / error); }
+
+}  // namespace
+
+StepControl::StepControl(const TimeControl& control, double largest_growth, double tau)
+    : control_(control),
+      largest_growth_(largest_growth),
+      tau_(tau > 0 ? tau : control.first_step) {}
+
+Trial StepControl::trial(double remaining) const {
+  if (tau_ >= remaining * (1 - 1e-9)) return {remaining, true};
+  return {std::min(tau_, remaining / 2), false};
+}
+
+FlowFault StepControl::judge(double error, const Energy& before, const Energy& after) const {
+  if (!(error <= control_.tolerance)) return FlowFault::error;
+  const double noise = energy_noise * (1 + std::abs(before.total()));
+  const bool rises = !(after.total() <= before.total() + noise);
+  return rises && error > negligible_error * control_.tolerance ? FlowFault::energy_rises
+                                                                : FlowFault::none;
+}
+
+bool StepControl::reject(const Trial& trial, FlowFault fault, double error) {
+  const double factor = fault == FlowFault::error
+                          ? std::clamp(wanted_factor(control_.tolerance, error), 0.1, 0.5)
+                          : 0.1;
+  tau_ = trial.tau * factor;
+  return tau_ >= control_.smallest_step;
+}
+
+void StepControl::accept(const Trial& trial, double error) {
+  const double factor = std::clamp(wanted_factor(control_.tolerance, error), 0.3, 2.);
+  // A step cut short by a stop says little about the next one.
+  const double wanted = std::max(trial.exact ? tau_ : 0, trial.tau * factor);
+  tau_ = std::min({control_.largest_step, trial.tau * largest_growth_, wanted});
+}
+
+void StepControl::restart() { tau_ = std::min(tau_, control_.first_step); }
+
+}  // namespace sbeh::model

@@ -1,0 +1,75 @@
+#include "studies/evolution/event_log.h"
+
+#include "studies/io/csv_line.h"
+
+#include <fmt/format.h>
+
+#include <string>
+#include <vector>
+
+namespace sbeh::studies {
+
+namespace {
+
+constexpr const char* event_header =
+    "time,event,triangles,min_angle,mesh_quality,turn,curvature_gap,energy_change,area_change,"
+    "volume_change,distance";
+
+std::string event_line(double time, const char* event, int triangles,
+                       const surface3d::Resolution& r, const surface3d::RemeshReport& report) {
+  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", time, event, triangles, r.min_angle,
+                     r.mesh_quality, r.curvature, r.curvature_gap, report.energy_change,
+                     report.area_change, report.volume_change, report.distance);
+}
+
+// Which limits are passed.
+std::string reasons(const surface3d::Resolution& r) {
+  std::vector<std::string> words;
+  const auto above = [&](const char* what, double value, double limit) {
+    if (value > limit) words.push_back(fmt::format("{} {:.3g} > {}", what, value, limit));
+  };
+  above("|B| times the node spacing", r.curvature, surface3d::largest_turn);
+  above("difference of the two curvatures", r.curvature_gap, surface3d::largest_curvature_gap);
+  const auto below = [&](const char* what, double value, double limit) {
+    if (value < limit) words.push_back(fmt::format("{} {:.3g} < {}", what, value, limit));
+  };
+  below("mesh quality", r.mesh_quality, surface3d::smallest_quality);
+  below("smallest angle", r.min_angle, surface3d::smallest_angle);
+  return fmt::format("{}", fmt::join(words, ", "));
+}
+
+}  // namespace
+
+EventLog::EventLog(const OutputFolder& folder, bool remesh, double until, ProgressLine& line)
+    : table_(folder / "events.csv", event_header, 0, until), remesh_(remesh), line_(line) {
+  for (const TimedRow& row : table_.kept())
+    if (!unresolved_from_ && split_csv(row.line)[1] == "unresolved") unresolved_from_ = row.time;
+}
+
+void EventLog::see(const surface3d::FlowRecord& record, const surface3d::StepView& view) {
+  const double t = record.time;
+  const surface3d::Resolution& r = view.resolution;
+  if (view.remeshed) see_new_mesh(t, r, *view.remeshed);
+  if (view.remeshed && view.remeshed->mesh) return;
+  const bool may_change = remesh_ && !view.memory.remeshing_over;
+  if (unresolved_from_ || may_change || surface3d::resolved(r)) return;
+  unresolved_from_ = t;
+  table_.append(t, event_line(t, "unresolved", view.mesh->count(), r, {}));
+  line_.say(fmt::format("sbeh: unresolved from t = {:.6g}: {}{}", t, reasons(r),
+                        remesh_ ? "" : "; more triangles, or [numerics] remesh = true, may help"));
+}
+
+void EventLog::see_new_mesh(double t, const surface3d::Resolution& before,
+                            const surface3d::RemeshResult& made) {
+  const surface3d::RemeshReport& report = made.report;
+  table_.append(t, event_line(t, made.mesh ? "remeshed" : "not-remeshed", report.triangles_before,
+                              before, report));
+  line_.say(made.mesh ? fmt::format(
+                "sbeh: t = {:.6g}: {}; {} new triangles for {}, smallest angle {:.0f} "
+                "degrees after {:.0f}, energy changed by {:.1e}",
+                t, reasons(before), report.triangles_after, report.triangles_before,
+                report.min_angle_after, report.min_angle_before, report.energy_change)
+                      : fmt::format("sbeh: t = {:.6g}: no new triangles: {}", t, made.refusal));
+}
+
+}  // namespace sbeh::studies

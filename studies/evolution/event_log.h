@@ -1,0 +1,34 @@
+// Observer of a 3D run: its events, in events.csv and among the messages.
+#pragma once
+
+#include "studies/io/output.h"
+#include "studies/io/progress.h"
+#include "studies/io/timed_table.h"
+#include "surface3d/flow.h"
+
+#include <optional>
+
+namespace sbeh::studies {
+
+/// A mesh that is or is not replaced, and the first time at which a mesh that stays is too coarse.
+class EventLog {
+ public:
+  /// `remesh`: whether meshes may be replaced. Keeps the events up to `until` of an earlier run. Throws
+  /// OutputError.
+  EventLog(const OutputFolder& folder, bool remesh, double until, ProgressLine& line);
+
+  void see(const surface3d::FlowRecord& record, const surface3d::StepView& view);
+  /// The time from which the mesh did not resolve the surface; empty when it always did.
+  const std::optional<double>& unresolved_from() const { return unresolved_from_; }
+
+ private:
+  void see_new_mesh(double time, const surface3d::Resolution& before,
+                    const surface3d::RemeshResult& made);
+
+  TimedTable table_;
+  bool remesh_;
+  ProgressLine& line_;
+  std::optional<double> unresolved_from_;
+};
+
+}  // namespace sbeh::studies

@@ -1,0 +1,41 @@
+#include "studies/evolution/state_files.h"
+
+#include "studies/evolution/times.h"
+#include "studies/io/csv_line.h"
+
+#include <fmt/format.h>
+
+namespace sbeh::studies {
+
+StateFiles::StateFiles(const OutputFolder& folder, std::string kind, std::string extension,
+                       const std::vector<double>& times, double until)
+    : folder_(folder),
+      kind_(std::move(kind)),
+      extension_(std::move(extension)),
+      times_(times),
+      index_(folder / (kind_ + ".csv"), "index,time,file", 1, until) {
+  make_folder(folder / kind_);
+  for (const TimedRow& row : index_.kept()) entries_.push_back({row.time, split_csv(row.line)[2]});
+}
+
+bool StateFiles::see(double time, bool exact, const Write& write) {
+  const bool due = exact && contains(times_, time);
+  if (due) add(time, write);
+  return due;
+}
+
+bool StateFiles::finish(double time, const Write& write) {
+  const bool missing = time != index_.last_time();
+  if (missing) add(time, write);
+  return missing;
+}
+
+// The file before its row: a row without a file would lead nowhere.
+void StateFiles::add(double time, const Write& write) {
+  const std::string file = fmt::format("{}/{:04d}{}", kind_, entries_.size(), extension_);
+  write(folder_ / file);
+  index_.append(time, fmt::format("{},{},{}", entries_.size(), time, file));
+  entries_.push_back({time, file});
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,229 @@
+// The integrators alone, on two small equations whose solutions are known.
+#include "model/time/flow.h"
+#include "model/time/two_step.h"
+#include "tests/order_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <vector>
+
+namespace sbeh::model {
+namespace {
+
+using test::OrderTable;
+
+struct Pair {
+  double X = 0, beta = 0;
+};
+
+Distance distance_of(const Pair& a, const Pair& b) {
+  return {std::abs(b.X - a.X), std::abs(b.beta - a.beta)};
+}
+
+/// Ẋ = −X³, β̇ = −Xβ from (1, 1): X = 1/√(1 + 2t), β = e^{1 − √(1 + 2t)}. X loses the energy X⁴/4 at the
+/// rate Ẋ².
+struct Decay {
+  using State = Pair;
+
+  FlowStep<Pair> step(const Pair& old, const Target& target, double tau) {
+    return step(old, old, target, tau);
+  }
+  FlowStep<Pair> step(const Pair& at, const Pair& from, const Target&, double tau) {
+    const Pair next{from.X / (1 + tau * at.X * at.X), from.beta / (1 + tau * at.X)};
+    const double speed = (next.X - from.X) / tau;
+    return {.fault = FlowFault::none, .state = next, .dissipation = {.friction = speed * speed}};
+  }
+  Target measure(const Pair&) const { return {}; }
+  bool restore(Pair&, const Target&) const { return true; }
+  Distance distance(const Pair& a, const Pair& b) const { return distance_of(a, b); }
+
+  static Pair exact(double t) {
+    const double s = std::sqrt(1 + 2 * t);
+    return {1 / s, std::exp(1 - s)};
+  }
+  static double energy(const Pair& s) { return std::pow(s.X, 4) / 4; }
+};
+
+/// Ẋ = −β, β̇ = X from (1, 0): the unit circle. A step keeps X² + β², the area, at its target to first
+/// order.
+struct Rotation {
+  using State = Pair;
+
+  FlowStep<Pair> step(const Pair& old, const Target& target, double tau) {
+    return step(old, old, target, tau);
+  }
+  FlowStep<Pair> step(const Pair& at, const Pair& from, const Target& target, double tau) {
+    // (1 − τJ) next = (1 + μ) from, μ so that a first-order step from `at` ends at the target
+    const double stretch = 1 + (target.area - measure(at).area) / 2;
+    const double x = stretch * from.X, b = stretch * from.beta, d = 1 + tau * tau;
+    return {.fault = FlowFault::none, .state = {(x - tau * b) / d, (b + tau * x) / d}};
+  }
+  Target measure(const Pair& s) const { return {s.X * s.X + s.beta * s.beta, 0}; }
+  bool restore(Pair& s, const Target& target) const {
+    const double factor = std::sqrt(target.area / measure(s).area);
+    s = {factor * s.X, factor * s.beta};
+    return true;
+  }
+  Distance distance(const Pair& a, const Pair& b) const { return distance_of(a, b); }
+
+  static Pair exact(double t) { return {std::cos(t), std::sin(t)}; }
+};
+
+static_assert(TwoStepSolver<Decay> && TwoStepSolver<Rotation>);
+static_assert(FlowIntegrator<StepDoubling<Decay>, Pair> && FlowIntegrator<TwoStep<Decay>, Pair>);
+
+constexpr Target unit{1, 0};
+constexpr double duration = 1;
+
+struct Outcome {
+  Pair end;
+  double dissipated = 0;
+  double last_error = 0, last_tau = 0;
+};
+
+// Steps whose lengths are repeated: 1, 1, … or 1, 2, 1, 2, …
+template <class Problem, class Integrator>
+Outcome run(Integrator& integrator, int steps, const std::vector<double>& lengths) {
+  double sum = 0;
+  for (int k = 0; k < steps; ++k) sum += lengths[k % lengths.size()];
+  Outcome result{.end = Problem::exact(0)};
+  for (int k = 0; k < steps; ++k) {
+    const double tau = duration * lengths[k % lengths.size()] / sum;
+    const auto step = integrator.advance(result.end, tau);
+    EXPECT_TRUE(step.ok());
+    integrator.accept(result.end, step, tau);
+    result = {.end = step.state,
+              .dissipated = result.dissipated + tau * step.dissipation.total(),
+              .last_error = step.error,
+              .last_tau = tau};
+  }
+  return result;
+}
+
+const std::vector<double> equal{1}, changing{1, 2};
+
+// The order of the state at the end, as the last of these refinements shows it.
+template <class Problem>
+double order_of(const char* what, auto&& make_integrator, const std::vector<double>& lengths) {
+  OrderTable table(what, "tau");
+  for (const int steps : {32, 64, 128, 256, 512}) {
+    Problem problem;
+    auto integrator = make_integrator(problem);
+    const Pair end = run<Problem>(integrator, steps, lengths).end;
+    table.add(duration / steps, distance_of(end, Problem::exact(duration)).largest());
+  }
+  return table.print();
+}
+
+// From 256 to 512 steps the next power of τ changes an observed order by about τ.
+constexpr double slack = 0.02;
+
+TEST(StepDoubling, is_of_second_order_with_extrapolation_and_of_first_without) {
+  const auto doubling = [](auto& problem) { return StepDoubling(problem, unit, true); };
+  const auto halves = [](auto& problem) { return StepDoubling(problem, unit, false); };
+  EXPECT_NEAR(order_of<Decay>("decay by step doubling", doubling, equal), 2, slack);
+  EXPECT_NEAR(order_of<Rotation>("rotation by step doubling", doubling, equal), 2, slack);
+  EXPECT_NEAR(order_of<Decay>("decay by two half steps", halves, equal), 1, slack);
+}
+
+TEST(TwoStep, is_of_second_order_with_equal_and_with_changing_steps) {
+  const auto two_step = [](auto& problem) { return TwoStep(problem, unit); };
+  EXPECT_NEAR(order_of<Decay>("decay by two-step, equal steps", two_step, equal), 2, slack);
+  EXPECT_NEAR(order_of<Decay>("decay by two-step, ratios 2 and 1/2", two_step, changing), 2, slack);
+  EXPECT_NEAR(order_of<Rotation>("rotation by two-step, equal steps", two_step, equal), 2, slack);
+}
+
+template <class Integrator>
+void expect_dissipation_of_second_order(const char* what, auto&& make_integrator) {
+  OrderTable table(what, "tau");
+  for (const int steps : {32, 64, 128, 256, 512}) {
+    Decay problem;
+    Integrator integrator = make_integrator(problem);
+    const Outcome r = run<Decay>(integrator, steps, equal);
+    table.add(duration / steps,
+              Decay::energy(Decay::exact(0)) - Decay::energy(r.end) - r.dissipated);
+  }
+  EXPECT_GT(table.print(), 2 - slack) << what;
+}
+
+TEST(Integrators, dissipate_what_the_energy_loses_to_second_order) {
+  expect_dissipation_of_second_order<StepDoubling<Decay>>(
+      "energy balance of step doubling", [](Decay& d) { return StepDoubling(d, unit, true); });
+  expect_dissipation_of_second_order<TwoStep<Decay>>("energy balance of two-step",
+                                                     [](Decay& d) { return TwoStep(d, unit); });
+}
+
+TEST(Integrators, report_a_quarter_of_tau_squared_times_the_acceleration_as_error) {
+  Rotation problem;  // linear, so that a step is that of the implicit Euler method
+  const auto expect_quarter = [](auto integrator) {
+    const Outcome r = run<Rotation>(integrator, 512, equal);
+    const double acceleration = distance_of({0, 0}, Rotation::exact(duration)).largest();
+    EXPECT_NEAR(r.last_error / (r.last_tau * r.last_tau * acceleration / 4), 1, slack);
+  };
+  expect_quarter(StepDoubling(problem, unit, true));
+  expect_quarter(TwoStep(problem, unit));
+}
+
+TEST(Integrators, keep_the_area_to_rounding) {
+  Rotation problem;
+  const auto expect_kept = [&](auto integrator) {
+    const Outcome r = run<Rotation>(integrator, 20, equal);
+    EXPECT_NEAR(problem.measure(r.end).area, 1, 1e-14);
+  };
+  expect_kept(StepDoubling(problem, unit, true));
+  expect_kept(StepDoubling(problem, unit, false));
+  expect_kept(TwoStep(problem, unit));
+}
+
+TEST(TwoStep, that_forgets_steps_as_from_a_start_and_one_that_recalls_as_before) {
+  Decay problem;
+  TwoStep integrator(problem, unit), other(problem, unit);
+  const Pair start = Decay::exact(0);
+  const double tau = 0.1;
+  const auto first = integrator.advance(start, tau);
+  integrator.accept(start, first, tau);
+  other.recall(integrator.past());
+  EXPECT_EQ(other.advance(first.state, tau).state.X, integrator.advance(first.state, tau).state.X);
+  integrator.forget();
+  EXPECT_EQ(integrator.advance(first.state, tau).state.X,
+            StepDoubling(problem, unit, true).advance(first.state, tau).state.X);
+}
+
+// A solver whose step or restoration fails.
+struct Failing : Decay {
+  FlowFault fault = FlowFault::none;
+  bool restores = true;
+  double error = 0;
+  FlowStep<Pair> step(const Pair& old, const Target& target, double tau) {
+    return step(old, old, target, tau);
+  }
+  FlowStep<Pair> step(const Pair& at, const Pair& from, const Target& target, double tau) {
+    auto result = Decay::step(at, from, target, tau);
+    result.fault = fault;
+    return result;
+  }
+  bool restore(Pair&, const Target&) const { return restores; }
+  Distance distance(const Pair&, const Pair&) const { return {error, 0}; }
+};
+
+TEST(Integrators, say_what_was_wrong_with_a_step) {
+  const auto fault_of = [](Failing problem) {
+    TwoStep integrator(problem, unit);
+    const FlowFault at_first = integrator.advance(Decay::exact(0), 0.1).fault;
+    integrator.recall(Past<Pair>{Decay::exact(0), 0.1, {}});
+    EXPECT_EQ(integrator.advance(Decay::exact(0.1), 0.1).fault, at_first);
+    return at_first;
+  };
+  Failing unsolved, lost, wild;
+  unsolved.fault = FlowFault::linear_solve;
+  lost.restores = false;
+  wild.error = std::nan("");
+  EXPECT_EQ(fault_of({}), FlowFault::none);
+  EXPECT_EQ(fault_of(unsolved), FlowFault::linear_solve);
+  EXPECT_EQ(fault_of(lost), FlowFault::area_volume);
+  EXPECT_EQ(fault_of(wild), FlowFault::degenerate);
+}
+
+}  // namespace
+}  // namespace sbeh::model
