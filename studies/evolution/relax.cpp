@@ -2,6 +2,7 @@
 
 #include "axisym/start_shapes.h"
 #include "model/rest_order.h"
+#include "studies/evolution/frame_file.h"
 #include "studies/evolution/series_file.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
@@ -91,8 +92,8 @@ class Recorder {
         index_(folder / "profiles.csv"),
         terminal_(isatty(STDERR_FILENO) != 0) {
     make_folder(folder / "profiles");
-    series_.append(series_header());
-    index_.append("index,time,file");
+    series_.append(header_of(series_columns()));
+    index_.append(header_of(frame_columns()));
   }
 
   bool operator()(const axisym::FlowRecord& record, const State& state, bool exact) {
@@ -115,13 +116,13 @@ class Recorder {
 
  private:
   void write_row(const axisym::FlowRecord& record, const State& state) {
-    series_.append(series_line({record, axisym::diagnose(material_, state)}));
+    series_.append(series_line(record, axisym::diagnose(material_, state)));
     last_row_ = record.time;
   }
   void write_state(const axisym::FlowRecord& record, const State& state) {
     const std::string file = fmt::format("profiles/{:04d}.csv", profiles_);
     write_profile(folder_ / file, state);
-    index_.append(fmt::format("{},{},{}", profiles_++, record.time, file));
+    index_.append(line_of(frame_columns(), FrameEntry{record.time, file, profiles_++}));
     last_profile_ = record.time;
   }
 

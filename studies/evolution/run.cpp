@@ -2,7 +2,7 @@
 
 #include "studies/evolution/frame_file.h"
 #include "studies/evolution/run_recorder.h"
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"

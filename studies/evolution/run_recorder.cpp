@@ -1,7 +1,7 @@
 #include "studies/evolution/run_recorder.h"
 
 #include "studies/evolution/series_file.h"
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
 #include "studies/io/timed_table.h"
@@ -66,7 +66,8 @@ RunRecorder::RunRecorder(const RunInput& input, const surface3d::Target& target,
   const auto frames = timed_rows(folder / "frames.csv", 1);
   const auto events = timed_rows(folder / "events.csv", 0);
   const double until = resumed_at.value_or(-1);
-  keep_until(folder / "series.csv", series_header(), timed_rows(folder / "series.csv", 0), until);
+  keep_until(folder / "series.csv", header_of(series_columns()),
+             timed_rows(folder / "series.csv", 0), until);
   keep_until(folder / "frames.csv", frame_header, frames, until);
   keep_until(folder / "events.csv", event_header, events, until);
   for (const TimedRow& row : frames)
