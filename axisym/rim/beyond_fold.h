@@ -8,6 +8,7 @@
 #include "axisym/curve.h"
 #include "model/material.h"
 
+#include <array>
 #include <span>
 #include <vector>
 
@@ -20,6 +21,10 @@ enum class RimKind {
   sharp,        ///< a minimum with a sharp rim
   equal_energy  ///< the sharp state at the L at which the smooth one has its energy
 };
+constexpr auto values_of(RimKind) {
+  return std::array{RimKind::fold, RimKind::saddle, RimKind::second_fold, RimKind::sharp,
+                    RimKind::equal_energy};
+}
 /// "fold", "saddle", "second_fold", "sharp" or "equal_energy".
 const char* name(RimKind kind);
 

@@ -1,7 +1,7 @@
 #include "studies/compare/compare.h"
 
 #include "model/time/schedule.h"
-#include "studies/io/csv_line.h"
+#include "studies/compare/compare_tables.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
@@ -111,17 +111,13 @@ double history_difference(const WitnessState& a, const WitnessState& b) {
   return largest;
 }
 
-struct PlacedPoint {
-  double arc_length, r, z, order, distance;
-};
-
 std::vector<PlacedPoint> placed(const WitnessState& state, const Meridian& reference) {
   std::vector<PlacedPoint> points;
   for (Eigen::Index i = 0; i < state.points.cols(); ++i) {
     const Eigen::Vector2d x = state.points.col(i);
     const double t = reference.nearest(x);
     const bool own = &reference == (state.meridian ? &*state.meridian : nullptr);
-    points.push_back({reference.arc_length(t), x[0], x[1], state.order[i],
+    points.push_back({state.witness, reference.arc_length(t), x[0], x[1], state.order[i],
                       own ? 0 : reference.normal_distance(t, x)});
   }
   if (!state.meridian)
@@ -169,52 +165,30 @@ std::vector<Comparison> compare(const CompareInput& input, const WitnessState& a
 
 // ---- tables -------------------------------------------------------------------------------------
 
-std::string field(double value) { return std::isnan(value) ? "" : fmt::format("{}", value); }
-
-std::string comparisons_text(const std::vector<Comparison>& comparisons) {
-  std::string text =
-      "quantity,first,second,first_value,second_value,difference,relative_difference,tolerance,"
-      "agrees\n";
-  for (const Comparison& c : comparisons)
-    text += fmt::format("{},{},{},{},{},{},{},{},{}\n", c.quantity, name(c.first), name(c.second),
-                        field(c.first_value), field(c.second_value), field(c.difference),
-                        field(c.relative_difference), field(c.tolerance.value_or(not_known)),
-                        !c.tolerance ? ""
-                        : c.misses() ? "no"
-                                     : "yes");
-  return text;
-}
-
-std::string methods_text(const std::vector<WitnessState>& states) {
-  std::string text = "method,status";
-  for (const Quantity& quantity : quantities()) text += fmt::format(",{}", quantity.name);
-  text += ",seconds,remark\n";
-  for (const WitnessState& state : states) {
-    text += fmt::format("{},{}", name(state.witness), state.failure.empty() ? "found" : "failed");
-    for (const Quantity& quantity : quantities())
-      text += fmt::format(",{}", field(state.measures.*quantity.value));
-    text += fmt::format(",{:.4g},{}\n", state.seconds,
-                        csv_field(state.failure.empty() ? state.remark : state.failure));
-  }
-  return text;
-}
-
-std::string profiles_text(const std::vector<WitnessState>& states) {
-  std::string text = "method,arc_length,r,z,order,distance\n";
+std::vector<PlacedPoint> all_placed(const std::vector<WitnessState>& states) {
+  std::vector<PlacedPoint> points;
   if (const Meridian* reference = reference_of(states))
     for (const WitnessState& state : states)
-      for (const PlacedPoint& p : placed(state, *reference))
-        text += fmt::format("{},{},{},{},{},{}\n", name(state.witness), p.arc_length, p.r, p.z,
-                            p.order, p.distance);
-  return text;
+      for (const PlacedPoint& point : placed(state, *reference)) points.push_back(point);
+  return points;
 }
 
-std::string histories_text(const std::vector<WitnessState>& states) {
-  std::string text;
+std::vector<HistoryRow> all_histories(const std::vector<WitnessState>& states) {
+  std::vector<HistoryRow> rows;
   for (const WitnessState& state : states)
-    for (const EnergyAt& at : state.history)
-      text += fmt::format("{},{},{}\n", name(state.witness), at.time, at.energy);
-  return text.empty() ? text : "method,time,energy\n" + text;
+    for (const EnergyAt& at : state.history) rows.push_back({state.witness, at});
+  return rows;
+}
+
+void write_tables(const OutputFolder& folder, const CompareSummary& summary) {
+  const auto write = [&](std::string_view name, const auto& columns, const auto& rows) {
+    write_file(folder / name, table_text(columns, rows));
+  };
+  write("profiles.csv", placed_columns(), all_placed(summary.states));
+  write("methods.csv", method_columns(), summary.states);
+  if (const auto histories = all_histories(summary.states); !histories.empty())
+    write("histories.csv", history_columns(), histories);
+  write("compare.csv", comparison_columns(), summary.comparisons);
 }
 
 // ---- tables for people --------------------------------------------------------------------------
@@ -291,11 +265,7 @@ CompareSummary run_compare(const CompareInput& input, const fs::path& path,
       if (states[i].failure.empty() && states[j].failure.empty())
         for (const Comparison& one : compare(input, states[i], states[j]))
           summary.comparisons.push_back(one);
-  write_file(folder / "profiles.csv", profiles_text(states));
-  write_file(folder / "methods.csv", methods_text(states));
-  if (const std::string histories = histories_text(states); !histories.empty())
-    write_file(folder / "histories.csv", histories);
-  write_file(folder / "compare.csv", comparisons_text(summary.comparisons));
+  write_tables(folder, summary);
   write_file(folder / "run.toml", describe(input, version));
   return summary;
 }

@@ -1,15 +1,4 @@
 // One case by several independent methods, side by side.
-//
-// compare.csv, a row per quantity and pair of methods:
-//   quantity, first, second, first_value, second_value, difference, relative_difference (of the energies,
-//   to the total energy of the first), tolerance (empty: none is stated), agrees (yes, no or empty)
-// methods.csv, a row per method:
-//   method, status (found or failed), the quantities of witness_state.h, seconds, remark
-// profiles.csv, a row per point of every method's meridian, of surface3d and harmonics per node:
-//   method, arc_length (of the nearest point of the first method's curve), r, z, order, distance (from that
-//   curve along its outward normal; 0 for the first method itself)
-// histories.csv, of flow and of surface3d from the ellipsoid:
-//   method, time, energy
 #pragma once
 
 #include "studies/compare/compare_input.h"

@@ -1,6 +1,6 @@
 #include "studies/evolution/event_log.h"
 
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 
 #include <fmt/format.h>
 

@@ -131,6 +131,15 @@ Frame read_frame(const std::filesystem::path& path) {
   return frame;
 }
 
+const Columns<FrameEntry>& frame_columns() {
+  static const Columns<FrameEntry> columns{
+      column("index", &FrameEntry::index),
+      column("time", &FrameEntry::time),
+      column("file", &FrameEntry::file),
+  };
+  return columns;
+}
+
 std::string pvd_text(const std::vector<FrameEntry>& frames) {
   std::string text =
       "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "

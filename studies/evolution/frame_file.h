@@ -1,6 +1,7 @@
 // A frame of a 3D run: the surface with what lives on it, for ParaView and to go on from.
 #pragma once
 
+#include "studies/io/columns.h"
 #include "surface3d/flow.h"
 
 #include <filesystem>
@@ -31,11 +32,15 @@ void write_frame(const std::filesystem::path& path, const Frame& frame, const Fr
 /// Throws InputError when the file is damaged or is no frame.
 Frame read_frame(const std::filesystem::path& path);
 
-/// The index of frames for ParaView.
+/// A row of frames.csv, or of profiles.csv of an axisymmetric run.
 struct FrameEntry {
   double time;
   std::string file;  ///< relative to the folder
+  int index = 0;
 };
+const Columns<FrameEntry>& frame_columns();
+
+/// The index of frames for ParaView.
 std::string pvd_text(const std::vector<FrameEntry>& frames);
 
 }  // namespace sbeh::studies

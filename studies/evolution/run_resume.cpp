@@ -1,7 +1,7 @@
 #include "studies/evolution/run_resume.h"
 
 #include "studies/evolution/checkpoint.h"
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/io/progress.h"
 #include "studies/io/results_folder.h"

@@ -1,42 +1,44 @@
 #include "studies/evolution/series_file.h"
 
-#include <fmt/format.h>
-
 namespace sbeh::studies {
 
-std::string series_header() {
-  return "time,time_step,energy,energy_distortion,energy_bending,energy_thermotropic,"
-         "dissipation_friction,dissipation_order,dissipation_viscous,energy_balance,area,volume,"
-         "reduced_volume,W2,order_min,order_mean,order_max,order_variance,order_std,H_abs_max,"
-         "speed_max,lambda,mesh_quality,rejected_steps";
-}
+using model::Dissipation;
+using model::Energy;
+using model::FlowRecord;
 
-namespace {
-
-// Both solvers' diagnostics have these members.
-template <class Diagnostics>
-std::string line_of(const model::FlowRecord& r, const Diagnostics& d) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{},{}",
-                     r.time, r.time_step, r.energy.total(), r.energy.distortion, r.energy.bending,
-                     r.energy.thermotropic, r.dissipation.friction, r.dissipation.order,
-                     r.dissipation.viscous, r.energy_balance, d.area, d.volume, d.reduced_volume,
-                     d.W2, d.order_min, d.order_mean, d.order_max, d.order_variance, d.order_std,
-                     d.H_abs_max, r.speed_max, r.lambda, d.mesh_quality, r.rejected);
-}
-
-}  // namespace
-
-std::string series_line(const model::FlowRecord& r, const axisym::Diagnostics& d) {
-  return line_of(r, d);
-}
-std::string series_line(const model::FlowRecord& r, const surface3d::Diagnostics& d) {
-  return line_of(r, d);
-}
-
-std::string series_text(const std::vector<SeriesRow>& rows) {
-  std::string text = series_header() + "\n";
-  for (const SeriesRow& row : rows) text += series_line(row) + "\n";
-  return text;
+const Columns<SeriesRow>& series_columns() {
+  using Row = SeriesRow;
+  const auto of_record = [](std::string name, auto... members) {
+    return column<Row>(std::move(name), inside(&Row::record, members...));
+  };
+  static const Columns<Row> columns{
+      of_record("time", &FlowRecord::time),
+      of_record("time_step", &FlowRecord::time_step),
+      derived_column<Row>(
+          "energy", [](const Row& row) { return fmt::format("{}", row.record.energy.total()); }),
+      of_record("energy_distortion", &FlowRecord::energy, &Energy::distortion),
+      of_record("energy_bending", &FlowRecord::energy, &Energy::bending),
+      of_record("energy_thermotropic", &FlowRecord::energy, &Energy::thermotropic),
+      of_record("dissipation_friction", &FlowRecord::dissipation, &Dissipation::friction),
+      of_record("dissipation_order", &FlowRecord::dissipation, &Dissipation::order),
+      of_record("dissipation_viscous", &FlowRecord::dissipation, &Dissipation::viscous),
+      of_record("energy_balance", &FlowRecord::energy_balance),
+      column("area", &Row::area),
+      column("volume", &Row::volume),
+      column("reduced_volume", &Row::reduced_volume),
+      column("W2", &Row::W2),
+      column("order_min", &Row::order_min),
+      column("order_mean", &Row::order_mean),
+      column("order_max", &Row::order_max),
+      column("order_variance", &Row::order_variance),
+      column("order_std", &Row::order_std),
+      column("H_abs_max", &Row::H_abs_max),
+      of_record("speed_max", &FlowRecord::speed_max),
+      of_record("lambda", &FlowRecord::lambda),
+      column("mesh_quality", &Row::mesh_quality),
+      of_record("rejected_steps", &FlowRecord::rejected),
+  };
+  return columns;
 }
 
 }  // namespace sbeh::studies

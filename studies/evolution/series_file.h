@@ -1,29 +1,34 @@
-// The history of an evolution as a table: one line per time.
+// The history of an evolution as a table, series.csv: one line per time. What the columns mean:
+// studies/docs/series.md.
 #pragma once
 
-#include "axisym/flow.h"
-#include "surface3d/diagnostics.h"
-
-#include <string>
-#include <vector>
+#include "model/time/flow.h"
+#include "studies/io/columns.h"
 
 namespace sbeh::studies {
 
-/// What is known at one time.
+/// What is known at one time, of either solver; members as in its Diagnostics.
 struct SeriesRow {
-  axisym::FlowRecord record;
-  axisym::Diagnostics diagnostics;
+  model::FlowRecord record;
+  double area = not_known, volume = not_known, reduced_volume = not_known, W2 = not_known;
+  double order_min = not_known, order_mean = not_known, order_max = not_known;
+  double order_variance = not_known, order_std = not_known;
+  double H_abs_max = not_known, mesh_quality = not_known;
 };
 
-/// The names of the columns, comma separated, as in series.csv of every run.
-std::string series_header();
-/// One line in these columns, numbers with all their digits.
-std::string series_line(const model::FlowRecord& record, const axisym::Diagnostics& diagnostics);
-std::string series_line(const model::FlowRecord& record, const surface3d::Diagnostics& diagnostics);
-inline std::string series_line(const SeriesRow& row) {
-  return series_line(row.record, row.diagnostics);
+const Columns<SeriesRow>& series_columns();
+
+template <class Diagnostics>
+SeriesRow series_row(const model::FlowRecord& record, const Diagnostics& d) {
+  return {record,      d.area,        d.volume,    d.reduced_volume, d.W2,
+          d.order_min, d.order_mean,  d.order_max, d.order_variance, d.order_std,
+          d.H_abs_max, d.mesh_quality};
 }
-/// Header and lines.
-std::string series_text(const std::vector<SeriesRow>& rows);
+
+/// A line of the table.
+template <class Diagnostics>
+std::string series_line(const model::FlowRecord& record, const Diagnostics& diagnostics) {
+  return line_of(series_columns(), series_row(record, diagnostics));
+}
 
 }  // namespace sbeh::studies

@@ -1,7 +1,6 @@
 #include "studies/evolution/state_files.h"
 
 #include "studies/evolution/times.h"
-#include "studies/io/csv_line.h"
 
 #include <fmt/format.h>
 
@@ -13,7 +12,7 @@ StateFiles::StateFiles(const OutputFolder& folder, std::string kind, std::string
       kind_(std::move(kind)),
       extension_(std::move(extension)),
       times_(times),
-      index_(folder / (kind_ + ".csv"), "index,time,file", 1, until) {
+      index_(folder / (kind_ + ".csv"), header_of(frame_columns()), 1, until) {
   make_folder(folder / kind_);
   for (const TimedRow& row : index_.kept()) entries_.push_back({row.time, split_csv(row.line)[2]});
 }
@@ -34,8 +33,8 @@ bool StateFiles::finish(double time, const Write& write) {
 void StateFiles::add(double time, const Write& write) {
   const std::string file = fmt::format("{}/{:04d}{}", kind_, entries_.size(), extension_);
   write(folder_ / file);
-  index_.append(time, fmt::format("{},{},{}", entries_.size(), time, file));
-  entries_.push_back({time, file});
+  entries_.push_back({time, file, int(entries_.size())});
+  index_.append(time, line_of(frame_columns(), entries_.back()));
 }
 
 }  // namespace sbeh::studies

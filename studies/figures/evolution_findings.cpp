@@ -4,59 +4,61 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
 #include <optional>
 
 namespace sbeh::studies::figures {
 
+using model::Model;
+
 namespace {
+
+constexpr std::array models{Model::SBEH, Model::SSH};
 
 Agreement agrees(bool it_does) { return it_does ? Agreement::yes : Agreement::no; }
 
-// In the first row of a model.
-std::string text_of(const CsvTable& table, const char* model, const char* column) {
-  for (std::size_t row = 0; row < table.rows.size(); ++row)
-    if (table.text(row, "model") == model) return table.text(row, column);
-  return "";
+template <class Row>
+const Row* first_of(const std::vector<Row>& rows, Model model) {
+  const auto at =
+      std::find_if(rows.begin(), rows.end(), [&](const Row& row) { return row.model == model; });
+  return at == rows.end() ? nullptr : &*at;
 }
 
-// A number that is the same in all rows of a model that have it.
-double number_of(const CsvTable& table, const char* model, const char* column) {
-  for (std::size_t row = 0; row < table.rows.size(); ++row)
-    if (const double value = table.number(row, column);
-        table.text(row, "model") == model && std::isfinite(value))
-      return value;
-  return std::nan("");
+// Without residual stiffness; the same in all rows of the model that have it.
+double energy_of_oblate(const std::vector<EvolutionRow>& evolution, Model model) {
+  for (const EvolutionRow& row : evolution)
+    if (row.model == model && row.nearest && std::isfinite(row.nearest->energy_oblate_k0_0))
+      return row.nearest->energy_oblate_k0_0;
+  return not_known;
 }
 
 // ---- figure 3 -----------------------------------------------------------------------------------
 
-// How far a state is from the stationary oblate, whose two larger principal moments are equal.
-struct LastState {
-  double instant, time, energy, oblate, least, middle, largest;
-  double above() const { return std::abs(energy / oblate - 1); }
-  bool is_oblate() const { return above() < 1e-3 && largest / middle < middle / least; }
-};
+// The two larger principal moments of the stationary oblate are equal.
+bool is_oblate(const EvolutionState& state) {
+  const auto& [least, middle, largest] = state.moments;
+  return std::abs(state.energy / state.energy_oblate - 1) < 1e-3
+      && largest / middle < middle / least;
+}
 
-// Of the last of all instants, if the run has come so far.
-std::optional<LastState> last_state(const CsvTable& evolution, const char* model) {
-  std::optional<LastState> last;
-  for (std::size_t row = 0; row < evolution.rows.size(); ++row) {
-    const auto at = [&](const char* column) { return evolution.number(row, column); };
-    if (evolution.text(row, "model") == model && (!last || at("instant") > last->instant))
-      last = {at("instant"),  at("time"),     at("energy"),  at("energy_oblate"),
-              at("moment_1"), at("moment_2"), at("moment_3")};
-  }
-  return last && std::isfinite(last->time) ? last : std::nullopt;
+// Of the last of all instants.
+const EvolutionRow* last_of(const std::vector<EvolutionRow>& evolution, Model model) {
+  const EvolutionRow* last = nullptr;
+  for (const EvolutionRow& row : evolution)
+    if (row.model == model && (!last || row.instant > last->instant)) last = &row;
+  return last;
 }
 
 // ---- figure 4 -----------------------------------------------------------------------------------
 
-History history_of(const CsvTable& measures, const char* model, const char* column) {
+History history_of(const std::vector<MeasureRow>& measures, Model model,
+                   double MeasureRow::*quantity) {
   History h;
-  for (std::size_t row = 0; row < measures.rows.size(); ++row)
-    if (measures.text(row, "model") == model) {
-      h.time.push_back(measures.number(row, "time"));
-      h.value.push_back(measures.number(row, column));
+  for (const MeasureRow& row : measures)
+    if (row.model == model) {
+      h.time.push_back(row.time);
+      h.value.push_back(row.*quantity);
     }
   return h;
 }
@@ -75,8 +77,7 @@ Finding falling(const History& energy, const char* model) {
 // From here on the first, violent change is over and the shape is threefold.
 constexpr double threefold_from = 0.6;
 
-Finding who_is_lower(const History& sbeh, const History& ssh,
-                     const std::string& residual_stiffness) {
+Finding who_is_lower(const History& sbeh, const History& ssh, double residual_stiffness) {
   const double end = std::min(sbeh.end(), ssh.end());
   std::size_t worst = 0;
   const auto above = [&](std::size_t i) { return sbeh.value[i] - ssh.at(sbeh.time[i]); };
@@ -138,24 +139,27 @@ Finding spread(const History& std_of_order, double change) {
 
 }  // namespace
 
-std::vector<Finding> evolution_findings(const CsvTable& evolution) {
+std::vector<Finding> evolution_findings(const std::vector<EvolutionRow>& evolution) {
   std::vector<Finding> findings;
-  if (!evolution.rows.empty()) {
-    const double v = evolution.number(0, "reduced_volume");
+  if (!evolution.empty()) {
+    const auto& first = evolution.front().nearest;
+    const double v = first ? first->reduced_volume : not_known;
     findings.push_back(
         {fmt::format("reduced volume {:.4f}", v), "0.738", agrees(std::abs(v - 0.738) <= 0.0005)});
   }
-  for (const char* model : {"SBEH", "SSH"})
-    if (const auto s = last_state(evolution, model))
+  for (const Model model : models)
+    if (const EvolutionRow* row = last_of(evolution, model); row && row->nearest) {
+      const EvolutionState& s = *row->nearest;
       findings.push_back(
           {fmt::format(
                "{} (k0 = {}) at t = {:.4g}: U = {:.6f}, that of the stationary oblate {:.6f}; "
                "principal moments {:.3f}, {:.3f}, {:.3f}",
-               model, text_of(evolution, model, "residual_stiffness"), s->time, s->energy,
-               s->oblate, s->least, s->middle, s->largest),
-           "ends as an oblate", agrees(s->is_oblate())});
-  const double sbeh = number_of(evolution, "SBEH", "energy_oblate_k0_0"),
-               ssh = number_of(evolution, "SSH", "energy_oblate_k0_0");
+               name(model), row->residual_stiffness, s.time, s.energy, s.energy_oblate,
+               s.moments[0], s.moments[1], s.moments[2]),
+           "ends as an oblate", agrees(is_oblate(s))});
+    }
+  const double sbeh = energy_of_oblate(evolution, Model::SBEH),
+               ssh = energy_of_oblate(evolution, Model::SSH);
   if (std::isfinite(sbeh) && std::isfinite(ssh))
     findings.push_back(
         {fmt::format("stationary oblates of this reduced volume with k0 = 0: U = {:.6f} "
@@ -165,32 +169,34 @@ std::vector<Finding> evolution_findings(const CsvTable& evolution) {
   return findings;
 }
 
-std::vector<Finding> measures_findings(const CsvTable& measures) {
-  const auto of = [&](const char* model, const char* column) {
-    return history_of(measures, model, column);
+std::vector<Finding> measures_findings(const std::vector<MeasureRow>& measures) {
+  const auto of = [&](Model model, double MeasureRow::*quantity) {
+    return history_of(measures, model, quantity);
   };
-  const History sbeh = of("SBEH", "energy"), ssh = of("SSH", "energy");
+  const History sbeh = of(Model::SBEH, &MeasureRow::energy),
+                ssh = of(Model::SSH, &MeasureRow::energy);
   std::vector<Finding> findings;
   if (sbeh.size() > 1) findings.push_back(falling(sbeh, "SBEH"));
   if (ssh.size() > 1) findings.push_back(falling(ssh, "SSH"));
   if (sbeh.size() > 1 && ssh.size() > 1)
-    findings.push_back(who_is_lower(sbeh, ssh, text_of(measures, "SBEH", "residual_stiffness")));
-  const auto change = time_of_change(of("SBEH", "W2"));
-  for (const Finding& finding : changes(change, time_of_change(of("SSH", "W2"))))
+    findings.push_back(
+        who_is_lower(sbeh, ssh, first_of(measures, Model::SBEH)->residual_stiffness));
+  const auto change = time_of_change(of(Model::SBEH, &MeasureRow::W2));
+  for (const Finding& finding : changes(change, time_of_change(of(Model::SSH, &MeasureRow::W2))))
     findings.push_back(finding);
-  if (change) findings.push_back(spread(of("SBEH", "order_std"), *change));
+  if (change) findings.push_back(spread(of(Model::SBEH, &MeasureRow::order_std), *change));
   if (ssh.size() > 1) {
-    const History none = of("SSH", "order_std");
+    const History none = of(Model::SSH, &MeasureRow::order_std);
     const double largest = none.value[none.largest(0, none.end())];
     findings.push_back({fmt::format("SSH: std of the order {:.1e} at most", largest), "zero",
                         agrees(largest < 1e-12)});
   }
-  for (const char* model : {"SBEH", "SSH"})
-    if (const std::string from = text_of(measures, model, "unresolved_from"); !from.empty())
+  for (const Model model : models)
+    if (const MeasureRow* first = first_of(measures, model); first && first->unresolved_from)
       findings.push_back(
           {fmt::format("{}: the triangles do not resolve the surface from t = {} on; "
                        "numbers after that are not to be trusted",
-                       model, from),
+                       name(model), *first->unresolved_from),
            "", Agreement::open});
   return findings;
 }

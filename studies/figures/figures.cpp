@@ -1,12 +1,12 @@
 #include "studies/figures/figures.h"
 
 #include "studies/figures/tables.h"
-#include "studies/io/csv_line.h"
 #include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
 #include "studies/scan/scan.h"
+#include "studies/scan/scan_table.h"
 
 #include <fmt/format.h>
 
@@ -20,8 +20,6 @@ namespace fs = std::filesystem;
 using model::FlowStop;
 
 namespace {
-
-constexpr const char* columns = "figure,command,seconds,result,paper,agreement";
 
 // False when interrupted.
 bool make_scan(const Request& request, const Inputs& inputs, std::string_view version) {
@@ -72,9 +70,7 @@ double seconds_for(Figure figure, const Inputs& inputs, const fs::path& folder) 
   bool known = false;
   const fs::path scan = folder / scan_folder / "scan.csv";
   if (needs_scan(figure) && fs::exists(scan)) {
-    const CsvTable table = read_csv(scan);
-    for (std::size_t row = 0; row < table.rows.size(); ++row)
-      sum += table.number(row, "wall_seconds");
+    for (const PointResult& row : read_rows(scan_columns(), scan)) sum += row.wall_seconds;
     known = true;
   }
   for (const PlannedRun& plan : runs_for(figure, inputs))
@@ -86,16 +82,14 @@ double seconds_for(Figure figure, const Inputs& inputs, const fs::path& folder) 
 }
 
 void write_findings(const Inputs& inputs, const fs::path& folder) {
-  std::string text = std::string(columns) + "\n";
+  std::vector<FigureRow> rows;
   for (const Figure figure : all_figures)
-    for (const Finding& finding : findings_of(figure, folder)) {
-      const double seconds = seconds_for(figure, inputs, folder);
-      text +=
-          fmt::format("{},sbeh figures {},{},{},{},{}\n", number(figure), name(figure),
-                      std::isnan(seconds) ? "" : fmt::format("{:.0f}", seconds),
-                      csv_field(finding.result), csv_field(finding.paper), name(finding.agreement));
-    }
-  write_file(folder / "figures.csv", text);
+    for (const Finding& finding : findings_of(figure, folder))
+      rows.push_back({.figure = number(figure),
+                      .command = fmt::format("sbeh figures {}", name(figure)),
+                      .seconds = seconds_for(figure, inputs, folder),
+                      .finding = finding});
+  write_file(folder / "figures.csv", table_text(figure_columns(), rows));
 }
 
 }  // namespace
@@ -105,19 +99,31 @@ const char* name(Agreement agreement) {
   return names[int(agreement)];
 }
 
+const Columns<FigureRow>& figure_columns() {
+  using Row = FigureRow;
+  static const Columns<Row> columns{
+      column("figure", &Row::figure),
+      column("command", &Row::command),
+      known_column("seconds", &Row::seconds, "{:.0f}"),
+      column<Row>("result", inside(&Row::finding, &Finding::result)),
+      column<Row>("paper", inside(&Row::finding, &Finding::paper)),
+      column<Row>("agreement", inside(&Row::finding, &Finding::agreement)),
+  };
+  return columns;
+}
+
 std::vector<Finding> findings_of(Figure figure, const fs::path& folder) {
   const fs::path file = folder / (std::string(name(figure)) + ".csv");
   if (!fs::exists(file)) return {};
-  const CsvTable table = read_csv(file);
   switch (figure) {
     case Figure::energy:
-      return energy_findings(table);
+      return energy_findings(read_rows(energy_columns(), file));
     case Figure::shapes:
-      return shapes_findings(table);
+      return shapes_findings(read_rows(shape_columns(), file));
     case Figure::evolution:
-      return evolution_findings(table);
+      return evolution_findings(read_rows(evolution_columns(), file));
     case Figure::measures:
-      return measures_findings(table);
+      return measures_findings(read_rows(measure_columns(), file));
   }
   return {};
 }
@@ -140,18 +146,16 @@ Summary make_figures(const Request& request, std::string_view version) {
   return summary;
 }
 
-std::string text_of(const CsvTable& figures) {
-  std::string text, before;
-  for (std::size_t row = 0; row < figures.rows.size(); ++row) {
-    const std::string figure = figures.text(row, "figure"), seconds = figures.text(row, "seconds"),
-                      paper = figures.text(row, "paper");
+std::string text_of(const std::vector<FigureRow>& figures) {
+  std::string text;
+  int before = 0;
+  for (const auto& [figure, command, seconds, finding] : figures) {
     if (figure != before)
-      text += fmt::format("figure {}: {}{}\n", figure, figures.text(row, "command"),
-                          seconds.empty() ? "" : ", " + seconds + " s of runs");
+      text += fmt::format("figure {}: {}{}\n", figure, command,
+                          std::isnan(seconds) ? "" : fmt::format(", {:.0f} s of runs", seconds));
     before = figure;
-    text +=
-        fmt::format("  {:<4} {}\n", figures.text(row, "agreement"), figures.text(row, "result"));
-    if (!paper.empty()) text += fmt::format("       paper: {}\n", paper);
+    text += fmt::format("  {:<4} {}\n", name(finding.agreement), finding.result);
+    if (!finding.paper.empty()) text += fmt::format("       paper: {}\n", finding.paper);
   }
   return text;
 }

@@ -23,12 +23,20 @@ struct Summary {
 };
 
 /// Makes the scan and the 3D runs that are not there or not finished, each in its folder (plan.h), then the
-/// tables (tables.h), and figures.csv: figure, command, seconds, result, paper, agreement; a row for each
-/// finding of every figure whose table is there. Progress on standard error. Throws InputError and
+/// tables (tables.h), and figures.csv, a row for each finding of every figure whose table is there. Progress on standard error. Throws InputError and
 /// OutputError.
 Summary make_figures(const Request& request, std::string_view version);
 
-/// The rows of figures.csv for the screen.
-std::string text_of(const CsvTable& figures);
+/// A row of figures.csv.
+struct FigureRow {
+  int figure;
+  std::string command;
+  double seconds;  ///< of the runs; `not_known` where none was made here
+  Finding finding;
+};
+const Columns<FigureRow>& figure_columns();
+
+/// The rows for the screen.
+std::string text_of(const std::vector<FigureRow>& figures);
 
 }  // namespace sbeh::studies::figures

@@ -1,8 +1,7 @@
 // What came out, beside what the paper says.
 #pragma once
 
-#include "studies/figures/plan.h"
-#include "studies/io/csv_table.h"
+#include "studies/figures/tables.h"
 
 #include <string>
 #include <vector>
@@ -10,6 +9,9 @@
 namespace sbeh::studies::figures {
 
 enum class Agreement { yes, no, open };  ///< open: the paper does not say, or the runs cannot tell
+constexpr auto values_of(Agreement) {
+  return std::array{Agreement::yes, Agreement::no, Agreement::open};
+}
 /// "yes", "no" or "–".
 const char* name(Agreement agreement);
 
@@ -20,10 +22,10 @@ struct Finding {
 };
 
 /// From the tables of the figures (tables.h); a finding whose numbers are not there is left out.
-std::vector<Finding> energy_findings(const CsvTable& energy);
-std::vector<Finding> shapes_findings(const CsvTable& shapes);
-std::vector<Finding> evolution_findings(const CsvTable& evolution);
-std::vector<Finding> measures_findings(const CsvTable& measures);
+std::vector<Finding> energy_findings(const std::vector<EnergyRow>& energy);
+std::vector<Finding> shapes_findings(const std::vector<ShapeRow>& shapes);
+std::vector<Finding> evolution_findings(const std::vector<EvolutionRow>& evolution);
+std::vector<Finding> measures_findings(const std::vector<MeasureRow>& measures);
 
 /// Of the figure, from its table in this folder; none where the table is missing.
 std::vector<Finding> findings_of(Figure figure, const std::filesystem::path& folder);

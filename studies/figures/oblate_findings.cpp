@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <functional>
 #include <map>
 #include <optional>
 #include <set>
@@ -11,21 +12,21 @@
 
 namespace sbeh::studies::figures {
 
+using model::Model;
+
 namespace {
 
-using Point = std::pair<double, double>;                  // V_r, L
-using Key = std::tuple<std::string, std::string, Point>;  // solver, model, point
+using Point = std::pair<double, double>;  // V_r, L
+using Key = std::tuple<Solver, Model, Point>;
 
-std::map<Key, History> histories_of(const CsvTable& energy) {
+std::map<Key, History> histories_of(const std::vector<EnergyRow>& energy) {
   std::map<Key, History> histories;
-  for (std::size_t row = 0; row < energy.rows.size(); ++row) {
-    History& h = histories[{energy.text(row, "solver"),
-                            energy.text(row, "model"),
-                            {energy.number(row, "reduced_volume"), energy.number(row, "L")}}];
-    h.ended = !energy.text(row, "at_rest").empty();
-    h.at_rest = energy.text(row, "at_rest") == "yes";
-    h.time.push_back(energy.number(row, "time"));
-    h.value.push_back(energy.number(row, "energy"));
+  for (const EnergyRow& row : energy) {
+    History& h = histories[{row.solver, row.model, {row.reduced_volume, row.L}}];
+    h.ended = row.at_rest.has_value();
+    h.at_rest = row.at_rest.value_or(false);
+    h.time.push_back(row.time);
+    h.value.push_back(row.energy);
   }
   return histories;
 }
@@ -75,7 +76,7 @@ std::string point_text(const Point& at) {
 // An energy that falls is written with rounding errors of 1e-13 of itself.
 constexpr double rounding = 1e-12;
 
-Finding falling_energies(const std::map<Key, History>& histories, const char* solver) {
+Finding falling_energies(const std::map<Key, History>& histories, Solver solver) {
   int count = 0, falling = 0;
   double rise = -HUGE_VAL;
   for (const auto& [key, h] : histories) {
@@ -84,11 +85,11 @@ Finding falling_energies(const std::map<Key, History>& histories, const char* so
     falling += h.largest_rise() <= rounding * std::abs(h.last());
     rise = std::max(rise, h.largest_rise());
   }
-  return {falling == count
-              ? fmt::format("{}: the energy falls in {} of {} histories", solver, falling, count)
-              : fmt::format("{}: the energy falls in {} of {} histories, and rises "
-                            "by {:.1e} at most from one time to the next",
-                            solver, falling, count, rise),
+  return {falling == count ? fmt::format("{}: the energy falls in {} of {} histories", name(solver),
+                                         falling, count)
+                           : fmt::format("{}: the energy falls in {} of {} histories, and rises "
+                                         "by {:.1e} at most from one time to the next",
+                                         name(solver), falling, count, rise),
           "energies fall in all runs", count > 0 ? agrees(falling == count) : Agreement::open};
 }
 
@@ -96,15 +97,15 @@ std::map<Point, double> gaps_at_rest(const std::map<Key, History>& histories) {
   std::map<Point, double> gaps;
   for (const auto& [key, sbeh] : histories) {
     const auto& [solver, model, point] = key;
-    const auto ssh = histories.find({solver, "SSH", point});
-    if (solver == "axisymmetric" && model == "SBEH" && ssh != histories.end() && sbeh.at_rest
-        && ssh->second.at_rest)
+    const auto ssh = histories.find({solver, Model::SSH, point});
+    if (solver == Solver::axisymmetric && model == Model::SBEH && ssh != histories.end()
+        && sbeh.at_rest && ssh->second.at_rest)
       gaps[point] = ssh->second.last() - sbeh.last();
   }
   return gaps;
 }
 
-Finding ends_at_rest(const std::map<Key, History>& histories, const char* solver) {
+Finding ends_at_rest(const std::map<Key, History>& histories, Solver solver) {
   int ended = 0, at_rest = 0;
   double last = 0;
   for (const auto& [key, h] : histories) {
@@ -113,8 +114,8 @@ Finding ends_at_rest(const std::map<Key, History>& histories, const char* solver
     at_rest += h.at_rest;
     if (h.at_rest) last = std::max(last, h.end());
   }
-  return {fmt::format("{}: {} of {} runs end at rest, the last at t = {:.3g}", solver, at_rest,
-                      ended, last),
+  return {fmt::format("{}: {} of {} runs end at rest, the last at t = {:.3g}", name(solver),
+                      at_rest, ended, last),
           "all runs converge to a stationary shape", agrees(at_rest == ended)};
 }
 
@@ -122,8 +123,8 @@ Finding order_of_models(const std::map<Key, History>& histories) {
   int times = 0, lower = 0;
   for (const auto& [key, sbeh] : histories) {
     const auto& [solver, model, point] = key;
-    const auto ssh = histories.find({solver, "SSH", point});
-    if (model != "SBEH" || ssh == histories.end()) continue;
+    const auto ssh = histories.find({solver, Model::SSH, point});
+    if (model != Model::SBEH || ssh == histories.end()) continue;
     for (std::size_t i = 0; i < sbeh.size(); ++i)
       if (sbeh.time[i] > 0) {
         ++times;
@@ -140,8 +141,8 @@ std::optional<Finding> against_axisymmetric(const std::map<Key, History>& histor
   Point at;
   for (const auto& [key, h] : histories) {
     const auto& [solver, model, point] = key;
-    const auto other = histories.find({"axisymmetric", model, point});
-    if (solver != "3D" || other == histories.end() || !h.at_rest) continue;
+    const auto other = histories.find({Solver::axisymmetric, model, point});
+    if (solver != Solver::in_3d || other == histories.end() || !h.at_rest) continue;
     ++count;
     const double difference = std::abs(h.last() / other->second.last() - 1);
     if (difference >= worst) {
@@ -159,11 +160,13 @@ std::optional<Finding> against_axisymmetric(const std::map<Key, History>& histor
 
 // ---- figure 2 -----------------------------------------------------------------------------------
 
-std::map<Point, double> column(const CsvTable& shapes, const char* name) {
+// A quantity over the grid, where it is known.
+template <class Quantity>
+std::map<Point, double> values_of(const std::vector<ShapeRow>& shapes, Quantity quantity) {
   std::map<Point, double> values;
-  for (std::size_t row = 0; row < shapes.rows.size(); ++row)
-    if (const double value = shapes.number(row, name); std::isfinite(value))
-      values[{shapes.number(row, "reduced_volume"), shapes.number(row, "L")}] = value;
+  for (const ShapeRow& row : shapes)
+    if (const double value = std::invoke(quantity, row); std::isfinite(value))
+      values[{row.reduced_volume, row.L}] = value;
   return values;
 }
 
@@ -180,36 +183,31 @@ Span span_of(const std::map<Point, double>& values) {
   return span;
 }
 
-double largest_difference(const CsvTable& shapes, const char* a, const char* b, bool relative) {
-  double largest = 0;
-  for (std::size_t row = 0; row < shapes.rows.size(); ++row) {
-    const double x = shapes.number(row, a), y = shapes.number(row, b);
-    const double difference = std::abs(x - y) / (relative ? std::abs(y) : 1);
-    if (std::isfinite(difference)) largest = std::max(largest, difference);
-  }
-  return largest;
-}
+double distance_in_3d(const ShapeRow& row) { return row.in_3d ? row.in_3d->distance : not_known; }
 
-Finding shapes_in_3d(const CsvTable& shapes) {
-  const auto distances = column(shapes, "distance_3d");
+Finding shapes_in_3d(const std::vector<ShapeRow>& shapes) {
   int at_rest = 0;
-  for (std::size_t row = 0; row < shapes.rows.size(); ++row)
-    at_rest += shapes.text(row, "ending").starts_with("at rest");
+  double energy = 0, order = 0;
+  for (const ShapeRow& row : shapes) {
+    if (!row.in_3d) continue;
+    at_rest += row.in_3d->ending.starts_with("at rest");
+    energy = std::fmax(energy, std::abs(row.in_3d->energy - row.energy) / std::abs(row.energy));
+    order = std::fmax(order, std::abs(row.in_3d->order_min - row.order_min));
+  }
+  const auto distances = values_of(shapes, distance_in_3d);
   return {fmt::format("{} of {} shapes in 3D, {} of them at rest; largest differences from the "
                       "axisymmetric ones: energy {:.1e}, smallest order {:.1e}, distance {:.1e}",
-                      distances.size(), shapes.rows.size(), at_rest,
-                      largest_difference(shapes, "energy_3d", "energy", true),
-                      largest_difference(shapes, "order_min_3d", "order_min", false),
+                      distances.size(), shapes.size(), at_rest, energy, order,
                       span_of(distances).largest),
           "", Agreement::open};
 }
 
 }  // namespace
 
-std::vector<Finding> energy_findings(const CsvTable& energy) {
+std::vector<Finding> energy_findings(const std::vector<EnergyRow>& energy) {
   const auto histories = histories_of(energy);
   std::vector<Finding> findings;
-  for (const char* solver : {"axisymmetric", "3D"}) {
+  for (const Solver solver : {Solver::axisymmetric, Solver::in_3d}) {
     const auto has = [&](const auto& entry) { return std::get<0>(entry.first) == solver; };
     if (std::none_of(histories.begin(), histories.end(), has)) continue;
     findings.push_back(falling_energies(histories, solver));
@@ -229,10 +227,12 @@ std::vector<Finding> energy_findings(const CsvTable& energy) {
   return findings;
 }
 
-std::vector<Finding> shapes_findings(const CsvTable& shapes) {
+std::vector<Finding> shapes_findings(const std::vector<ShapeRow>& shapes) {
   std::vector<Finding> findings;
-  const auto own = column(shapes, "distance_from_SSH"), same = column(shapes, "SSH_distance"),
-             order = column(shapes, "order_min"), radius = column(shapes, "order_min_radius");
+  const auto own = values_of(shapes, &ShapeRow::distance_from_SSH),
+             same = values_of(shapes, &ShapeRow::SSH_distance),
+             order = values_of(shapes, &ShapeRow::order_min),
+             radius = values_of(shapes, &ShapeRow::order_min_radius);
   if (own.empty() || same.empty() || order.empty() || radius.empty()) return findings;
   const Span apart = span_of(own);
   // The last digits depend on when an evolution counts as at rest.
@@ -256,7 +256,7 @@ std::vector<Finding> shapes_findings(const CsvTable& shapes) {
   findings.push_back(
       {fmt::format("order is least at {:.3f} of the equator's radius or farther out", nearest),
        "order is least at the rim", agrees(nearest > 0.95)});
-  if (!column(shapes, "distance_3d").empty()) findings.push_back(shapes_in_3d(shapes));
+  if (!values_of(shapes, distance_in_3d).empty()) findings.push_back(shapes_in_3d(shapes));
   return findings;
 }
 

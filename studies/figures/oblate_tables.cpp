@@ -1,8 +1,8 @@
 // The tables of the stationary oblates: figures 1 and 2.
 #include "meshing/cross_section.h"
+#include "studies/evolution/frame_file.h"
+#include "studies/evolution/series_file.h"
 #include "studies/figures/tables.h"
-#include "studies/io/csv_table.h"
-#include "studies/io/output.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/meridian.h"
 #include "studies/states/profile_file.h"
@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace sbeh::studies::figures {
 
@@ -35,36 +36,43 @@ std::string missing_run(const PlannedRun& plan, const std::optional<FoundRun>& f
   return plan.folder + (found ? ": " + found->ending : "");
 }
 
-// The fields of scan.csv by point; empty where there is none.
-class ScanText {
+// The rows of the scan by point.
+class Scan {
  public:
-  explicit ScanText(const Sources& sources) {
+  explicit Scan(const Sources& sources) {
     const fs::path file = sources.folder / scan_folder / "scan.csv";
-    if (fs::exists(file)) table_ = read_csv(file);
+    if (fs::exists(file))
+      for (const PointResult& row : read_rows(scan_columns(), file)) rows_[row.key] = row;
   }
-  std::string text(Model model, double v, double L, const char* column) const {
-    for (std::size_t row = 0; row < table_.rows.size(); ++row)
-      if (table_.text(row, "model") == model::name(model)
-          && table_.number(row, "reduced_volume") == v && table_.number(row, "L") == L)
-        return table_.text(row, column);
-    return "";
+  bool is_stationary(Model model, double v, double L) const {
+    const auto at = rows_.find({v, L, model, axisym::Branch::oblate});
+    return at != rows_.end() && at->second.status == PointStatus::stationary;
+  }
+  /// Numbers that are not known where there is none.
+  axisym::Diagnostics measured(Model model, double v, double L) const {
+    const auto at = rows_.find({v, L, model, axisym::Branch::oblate});
+    if (at != rows_.end() && at->second.diagnostics) return *at->second.diagnostics;
+    axisym::Diagnostics none{};
+    none.energy.bending = none.order_min = none.order_max = none.H_abs_max = not_known;
+    return none;
   }
 
  private:
-  CsvTable table_;
+  std::map<PointKey, PointResult> rows_;
 };
-
-const char* yes_or_no(bool yes) { return yes ? "yes" : "no"; }
 
 // ---- energies -----------------------------------------------------------------------------------
 
-// Adds the history to the text; false when there is none.
-bool add_history(std::string& text, const fs::path& series, const std::string& start) {
-  if (!fs::exists(series)) return false;
-  const CsvTable table = read_csv(series);
-  for (std::size_t row = 0; row < table.rows.size(); ++row)
-    text += fmt::format("{},{},{}\n", start, table.text(row, "time"), table.text(row, "energy"));
-  return !table.rows.empty();
+// Adds the history, each row with what `row` has already; false when there is none.
+bool add_history(std::vector<EnergyRow>& rows, const fs::path& file, EnergyRow row) {
+  if (!fs::exists(file)) return false;
+  const auto series = read_rows(series_columns(), file);
+  for (const SeriesRow& at : series) {
+    row.time = at.record.time;
+    row.energy = at.record.energy.total();
+    rows.push_back(row);
+  }
+  return !series.empty();
 }
 
 // ---- shapes -------------------------------------------------------------------------------------
@@ -75,17 +83,17 @@ std::optional<axisym::State> profile(const Sources& sources, Model model, double
   return read_profile(file);
 }
 
-// The whole cross section of a surface of revolution, closed.
-std::string cut_lines(const std::string& start, const Meridian& meridian) {
-  std::string text;
-  const auto line = [&](Eigen::Index i, double sign) {
-    text += fmt::format("{},{},{},{}\n", start, sign * meridian.points()(0, i),
-                        meridian.points()(1, i), meridian.order()[i]);
+// Adds the whole cross section of a surface of revolution, closed.
+void add_cut(std::vector<CutRow>& rows, CutRow row, const Meridian& meridian) {
+  const auto add = [&](Eigen::Index i, double sign) {
+    row.x = sign * meridian.points()(0, i);
+    row.z = meridian.points()(1, i);
+    row.order = meridian.order()[i];
+    rows.push_back(row);
   };
   const Eigen::Index count = meridian.points().cols();
-  for (Eigen::Index i = 0; i < count; ++i) line(i, 1);
-  for (Eigen::Index i = count - 1; i-- > 0;) line(i, -1);
-  return text;
+  for (Eigen::Index i = 0; i < count; ++i) add(i, 1);
+  for (Eigen::Index i = count - 1; i-- > 0;) add(i, -1);
 }
 
 // What a 3D run has come to.
@@ -98,13 +106,13 @@ struct Rest3d {
 
 std::optional<Rest3d> rest_of(const std::optional<FoundRun>& found, const fs::path& folder) {
   if (!found || !found->ended) return {};
-  const CsvTable frames = read_csv(found->folder / "frames.csv");
-  const fs::path file = found->folder / frames.text(frames.rows.size() - 1, "file");
+  const FrameEntry last = read_rows(frame_columns(), found->folder / "frames.csv").back();
+  const fs::path file = found->folder / last.file;
   Snapshot frame = read_snapshot(file);
   const auto diagnostics = surface3d::diagnose(
       surface3d::Triangulation(frame.mesh), found->input.material, {frame.mesh.nodes, frame.beta});
-  return Rest3d{std::move(frame), frames.number(frames.rows.size() - 1, "time"),
-                file.lexically_relative(folder).string(), found->ending, diagnostics};
+  return Rest3d{std::move(frame), last.time, file.lexically_relative(folder).string(),
+                found->ending, diagnostics};
 }
 
 // The centre in the origin; these surfaces keep the axis of their ellipsoid, z.
@@ -114,18 +122,24 @@ void centre(meshing::CurvedMesh& mesh) {
   mesh.nodes.colwise() -= middle;
 }
 
+double nine_digits(double value) {
+  parse_number(fmt::format("{:.9g}", value), value);
+  return value;
+}
+
 // Through the axis, at an angle at which no mesh has a plane of symmetry.
-std::string cut_lines(const std::string& start, const Rest3d& rest) {
+void add_cut(std::vector<CutRow>& rows, CutRow row, const Rest3d& rest) {
   constexpr double angle = 0.3;
   const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0);
-  std::string text;
   for (const meshing::CrossSection& curve :
        meshing::cross_section(rest.frame.mesh, rest.frame.beta, Eigen::Vector3d::Zero(),
                               along.cross(Eigen::Vector3d::UnitZ())))
-    for (Eigen::Index i = 0; i < curve.values.size(); ++i)
-      text += fmt::format("{},{:.9g},{:.9g},{:.9g}\n", start, along.dot(curve.points.col(i)),
-                          curve.points(2, i), curve.values[i]);
-  return text;
+    for (Eigen::Index i = 0; i < curve.values.size(); ++i) {
+      row.x = nine_digits(along.dot(curve.points.col(i)));
+      row.z = nine_digits(curve.points(2, i));
+      row.order = nine_digits(curve.values[i]);
+      rows.push_back(row);
+    }
 }
 
 double distance_of_nodes(const meshing::CurvedMesh& mesh, const Meridian& meridian) {
@@ -143,54 +157,59 @@ double order_min_radius(const axisym::State& state) {
   return state.X(0, least) / state.X.row(0).maxCoeff();
 }
 
-std::string columns_3d(const std::optional<Rest3d>& rest, const Meridian& meridian) {
-  if (!rest) return ",,,,,,,";
-  return fmt::format("{},{},{},{},{},{},{:.3g},{}", rest->frame.mesh.triangle_count(), rest->time,
-                     rest->ending, rest->diagnostics.energy.total(), rest->diagnostics.order_min,
-                     rest->diagnostics.H_abs_max, distance_of_nodes(rest->frame.mesh, meridian),
-                     rest->file);
+std::optional<ShapeIn3d> shape_of(const std::optional<Rest3d>& rest, const Meridian& meridian) {
+  if (!rest) return {};
+  return ShapeIn3d{.triangles = rest->frame.mesh.triangle_count(),
+                   .time = rest->time,
+                   .ending = rest->ending,
+                   .energy = rest->diagnostics.energy.total(),
+                   .order_min = rest->diagnostics.order_min,
+                   .H_abs_max = rest->diagnostics.H_abs_max,
+                   .distance = distance_of_nodes(rest->frame.mesh, meridian),
+                   .frame = rest->file};
 }
 
 }  // namespace
 
 std::vector<std::string> write_energy(const Sources& sources) {
-  const std::string header = "solver,model,reduced_volume,L,triangles,at_rest,time,energy\n";
-  std::string text = header;
-  const ScanText scan(sources);
+  std::vector<EnergyRow> rows;
+  const Scan scan(sources);
   std::vector<std::string> missing;
   const std::vector<PlannedRun> wanted = runs_for(Figure::energy, sources.inputs);
   for_each_point(sources.inputs.oblates, [&](double v, double L) {
     for (const Model model : {Model::SBEH, Model::SSH}) {
-      const std::string point = fmt::format("{},{},{}", model::name(model), v, L);
+      EnergyRow row{.solver = Solver::axisymmetric,
+                    .model = model,
+                    .reduced_volume = v,
+                    .L = L,
+                    .triangles = {},
+                    .at_rest = scan.is_stationary(model, v, L)};
       const fs::path series = point_file(sources, model, v, L, ".series.csv");
-      if (!add_history(text, series,
-                       fmt::format("axisymmetric,{},,{}", point,
-                                   yes_or_no(scan.text(model, v, L, "status") == "stationary"))))
+      if (!add_history(rows, series, row))
         missing.push_back(series.lexically_relative(sources.folder).string());
       const PlannedRun plan = oblate_run(sources.inputs, model, v, L);
       const auto found = sources.find(plan);
-      if (found)
-        add_history(
-            text, found->folder / "series.csv",
-            fmt::format("3D,{},{},{}", point, found->input.triangles,
-                        found->ended ? yes_or_no(found->ending.starts_with("at rest")) : ""));
+      if (found) {
+        row.solver = Solver::in_3d;
+        row.triangles = found->input.triangles;
+        row.at_rest =
+            found->ended ? std::optional(found->ending.starts_with("at rest")) : std::nullopt;
+        add_history(rows, found->folder / "series.csv", row);
+      }
       const bool is_wanted = std::any_of(
           wanted.begin(), wanted.end(), [&](const auto& run) { return run.folder == plan.folder; });
       if (is_wanted && !(found && found->ended)) missing.push_back(missing_run(plan, found));
     }
   });
-  if (text != header) write_file(sources.folder / "energy.csv", text);
+  if (!rows.empty()) write_file(sources.folder / "energy.csv", table_text(energy_columns(), rows));
   return missing;
 }
 
 std::vector<std::string> write_shapes(const Sources& sources) {
-  const std::string header =
-      "reduced_volume,L,energy,energy_SSH,order_min,order_max,H_abs_max,order_min_radius,"
-      "distance_from_SSH,SSH_distance,triangles,time,ending,energy_3d,order_min_3d,H_abs_max_3d,"
-      "distance_3d,frame\n";
-  std::string rows, cuts;
+  std::vector<ShapeRow> rows;
+  std::vector<CutRow> cuts;
   std::vector<std::string> missing;
-  const ScanText scan(sources);
+  const Scan scan(sources);
   for_each_point(sources.inputs.oblates, [&](double v, double L) {
     const PlannedRun plan = oblate_run(sources.inputs, Model::SBEH, v, L);
     const auto found = sources.find(plan);
@@ -204,19 +223,32 @@ std::vector<std::string> write_shapes(const Sources& sources) {
     const Meridian own = Meridian(*sbeh).centred(), classical = Meridian(*ssh).centred();
     std::optional<Rest3d> rest = rest_of(found, sources.folder);
     if (rest) centre(rest->frame.mesh);
-    const auto sbeh_has = [&](const char* column) { return scan.text(Model::SBEH, v, L, column); };
-    rows += fmt::format("{},{},{},{},{},{},{},{:.6g},{:.4g},{:.4g},{}\n", v, L, sbeh_has("energy"),
-                        scan.text(Model::SSH, v, L, "energy"), sbeh_has("order_min"),
-                        sbeh_has("order_max"), sbeh_has("H_abs_max"), order_min_radius(*sbeh),
-                        distance(own, classical), distance(classical, Meridian(*first).centred()),
-                        columns_3d(rest, own));
-    cuts += rest ? cut_lines(fmt::format("SBEH,3D,{},{}", v, L), *rest)
-                 : cut_lines(fmt::format("SBEH,axisymmetric,{},{}", v, L), own);
-    cuts += cut_lines(fmt::format("SSH,axisymmetric,{},{}", v, L), classical);
+    const axisym::Diagnostics d = scan.measured(Model::SBEH, v, L);
+    rows.push_back({.reduced_volume = v,
+                    .L = L,
+                    .energy = d.energy.total(),
+                    .energy_SSH = scan.measured(Model::SSH, v, L).energy.total(),
+                    .order_min = d.order_min,
+                    .order_max = d.order_max,
+                    .H_abs_max = d.H_abs_max,
+                    .order_min_radius = order_min_radius(*sbeh),
+                    .distance_from_SSH = distance(own, classical),
+                    .SSH_distance = distance(classical, Meridian(*first).centred()),
+                    .in_3d = shape_of(rest, own)});
+    const CutRow cut{
+        .model = Model::SBEH, .solver = Solver::axisymmetric, .reduced_volume = v, .L = L};
+    CutRow cut_3d = cut, cut_ssh = cut;
+    cut_3d.solver = Solver::in_3d;
+    cut_ssh.model = Model::SSH;
+    if (rest)
+      add_cut(cuts, cut_3d, *rest);
+    else
+      add_cut(cuts, cut, own);
+    add_cut(cuts, cut_ssh, classical);
   });
   if (!rows.empty()) {
-    write_file(sources.folder / "shapes.csv", header + rows);
-    write_file(sources.folder / "cuts.csv", "model,solver,reduced_volume,L,x,z,order\n" + cuts);
+    write_file(sources.folder / "shapes.csv", table_text(shape_columns(), rows));
+    write_file(sources.folder / "cuts.csv", table_text(cut_columns(), cuts));
   }
   return missing;
 }

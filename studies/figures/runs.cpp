@@ -1,7 +1,7 @@
 #include "studies/figures/runs.h"
 
 #include "studies/evolution/frame_file.h"
-#include "studies/io/csv_table.h"
+#include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
@@ -18,6 +18,15 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr const char* times_name = "run_times.csv";
+struct RunTime {
+  std::string run;
+  double seconds;
+};
+const Columns<RunTime>& time_columns() {
+  static const Columns<RunTime> columns{column("run", &RunTime::run),
+                                        column("seconds", &RunTime::seconds, "{:.1f}")};
+  return columns;
+}
 
 std::string start_text(const RunInput& input) {
   if (const auto* e = std::get_if<Ellipsoid>(&input.start))
@@ -74,15 +83,14 @@ std::optional<FoundRun> find_run(const fs::path& folder, const PlannedRun& plan,
                     "folder with -o, or move that run away",
                     place.string(), what));
   if (!fs::exists(place / "frames.csv")) return found;
-  const CsvTable frames = read_csv(place / "frames.csv");
-  if (frames.rows.empty()) return found;
-  const std::size_t last = frames.rows.size() - 1;
-  const double time = frames.number(last, "time");
+  const auto frames = read_rows(frame_columns(), place / "frames.csv");
+  if (frames.empty()) return found;
+  const double time = frames.back().time;
   std::optional<model::FlowStop> end;
   if (time >= found.input.times.end * (1 - model::same_time))
     end = model::FlowStop::end_time;
   else
-    end = read_frame(place / frames.text(last, "file")).record.ends;
+    end = read_frame(place / frames.back().file).record.ends;
   found.ended = end.has_value();
   found.ending = end ? fmt::format("{} at t = {:.6g}", model::describe(*end), time)
                      : fmt::format("not finished, its last frame at t = {:.6g}", time);
@@ -104,20 +112,19 @@ RunSummary complete_run(const fs::path& folder, const PlannedRun& plan,
   tell(fmt::format("{}: {}\n", place.string(), found ? "goes on" : "begins"));
   const bool first = !fs::exists(folder / times_name);
   AppendFile times(folder / times_name);
-  if (first) times.append("run,seconds");
+  if (first) times.append(header_of(time_columns()));
   const Stopwatch watch;
   RunSummary summary =
       run_surface(found ? found->input : plan.input, place, version, found.has_value());
-  times.append(fmt::format("{},{:.1f}", plan.folder, watch.seconds()));
+  times.append(line_of(time_columns(), RunTime{plan.folder, watch.seconds()}));
   return summary;
 }
 
 std::optional<double> seconds_of(const fs::path& folder, const PlannedRun& plan) {
   if (!fs::exists(folder / times_name)) return {};
-  const CsvTable times = read_csv(folder / times_name);
   std::optional<double> sum;
-  for (std::size_t row = 0; row < times.rows.size(); ++row)
-    if (times.text(row, "run") == plan.folder) sum = sum.value_or(0) + times.number(row, "seconds");
+  for (const RunTime& time : read_rows(time_columns(), folder / times_name))
+    if (time.run == plan.folder) sum = sum.value_or(0) + time.seconds;
   return sum;
 }
 

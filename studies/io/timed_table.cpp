@@ -1,6 +1,7 @@
 #include "studies/io/timed_table.h"
 
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
+#include "studies/io/output.h"
 
 #include <sstream>
 

@@ -1,6 +1,6 @@
 #include "studies/mesh_files/text_lines.h"
 
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/io/spelling.h"
 

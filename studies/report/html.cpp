@@ -1,6 +1,6 @@
 #include "studies/report/html.h"
 
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 #include "studies/io/output.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,7 @@
 // Pieces of a page of HTML that needs nothing but itself.
 #pragma once
 
-#include "studies/io/csv_table.h"
+#include "studies/io/csv.h"
 
 #include <cstddef>
 #include <filesystem>

@@ -1,6 +1,6 @@
 #include "studies/report/report.h"
 
-#include "studies/io/csv_table.h"
+#include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/report/svg_chart.h"

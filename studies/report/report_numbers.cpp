@@ -1,14 +1,19 @@
 // The numbers of a folder of results that matter most.
-#include "studies/io/csv_table.h"
+#include "studies/compare/compare_tables.h"
+#include "studies/evolution/series_file.h"
 #include "studies/io/toml_reader.h"
 #include "studies/report/report.h"
+#include "studies/scan/branch_lines.h"
+#include "studies/seifert/seifert_tables.h"
+#include "studies/stability/stability_table.h"
+#include "studies/stability/stability_thresholds.h"
 
 #include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
+#include <functional>
 
 namespace sbeh::studies {
 
@@ -17,75 +22,89 @@ using html::Fact;
 
 namespace {
 
-CsvTable rows_of(const fs::path& file) {
-  CsvTable table = read_csv(file);
-  if (table.rows.empty())
+template <class Row>
+std::vector<Row> rows_of(const Columns<Row>& columns, const fs::path& file) {
+  std::vector<Row> rows = read_rows(columns, file);
+  if (rows.empty())
     throw InputError(fmt::format("{}: has no rows yet: there is nothing to report", file.string()));
-  return table;
+  return rows;
 }
 
-// The words of a column, in the order of their first row.
-std::vector<std::string> words_of(const CsvTable& table, const char* column) {
+// The words in a column, in the order of their first row.
+template <class Row, class Word>
+std::vector<std::string> words_of(const std::vector<Row>& rows, Word word) {
   std::vector<std::string> words;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const std::string word = table.text(row, column);
-    if (std::find(words.begin(), words.end(), word) == words.end()) words.push_back(word);
-  }
+  for (const Row& row : rows)
+    if (const std::string one = std::invoke(word, row);
+        std::find(words.begin(), words.end(), one) == words.end())
+      words.push_back(one);
   return words;
 }
 
 struct Range {
-  double low = std::nan(""), high = std::nan("");
+  double low = not_known, high = not_known;
   std::string text() const {
     return low == high ? fmt::format("{:.6g}", low) : fmt::format("{:.6g} … {:.6g}", low, high);
   }
 };
-Range range_of(const CsvTable& table, const char* column) {
+template <class Row, class Number>
+Range range_of(const std::vector<Row>& rows, Number number) {
   Range range;
-  for (std::size_t row = 0; row < table.rows.size(); ++row) {
-    const double value = table.number(row, column);
+  for (const Row& row : rows) {
+    const double value = std::invoke(number, row);
     if (!std::isfinite(value)) continue;
-    range.low = std::isnan(range.low) ? value : std::min(range.low, value);
-    range.high = std::isnan(range.high) ? value : std::max(range.high, value);
+    range.low = std::fmin(range.low, value);
+    range.high = std::fmax(range.high, value);
   }
   return range;
 }
 
-std::size_t rows_with(const CsvTable& table, const char* column, std::string_view word) {
-  std::size_t count = 0;
-  for (std::size_t row = 0; row < table.rows.size(); ++row)
-    count += table.text(row, column) == word;
-  return count;
+template <class Row, class Is>
+std::string count(const std::vector<Row>& rows, Is is) {
+  return std::to_string(std::count_if(rows.begin(), rows.end(), is));
 }
 
-Fact fact_of(const char* what, const CsvTable& table, std::size_t row, const char* column) {
-  return {what, html::value(table.text(row, column))};
-}
+Fact word(const std::string& what, const std::string& text) { return {what, html::escaped(text)}; }
 
-Fact word(const char* what, const std::string& text) { return {what, html::escaped(text)}; }
+std::string text_of(double value) { return html::value(fmt::format("{}", value)); }
+Fact number(const std::string& what, double value) { return {what, text_of(value)}; }
+
+// Of a scan's point: a number of its diagnostics.
+template <class Member>
+auto measured(Member member) {
+  return [=](const PointResult& row) {
+    return row.diagnostics ? std::invoke(member, *row.diagnostics) : not_known;
+  };
+}
 
 KeyNumbers of_scan(const fs::path& folder) {
-  const CsvTable scan = rows_of(folder / "scan.csv");
-  KeyNumbers numbers{
-      .title = fmt::format("Stationary shapes: {} over {} points",
-                           fmt::join(words_of(scan, "model"), ", "), scan.rows.size()),
-      .facts = {}};
+  const auto points = rows_of(scan_columns(), folder / "scan.csv");
+  const auto key = [](auto member) { return inside(&PointResult::key, member); };
+  const auto model = [](const PointResult& row) { return model::name(row.key.model); };
+  const auto branch = [](const PointResult& row) { return axisym::name(row.key.branch); };
+  KeyNumbers numbers{.title = fmt::format("Stationary shapes: {} over {} points",
+                                          fmt::join(words_of(points, model), ", "), points.size()),
+                     .facts = {}};
   std::vector<Fact>& facts = numbers.facts;
-  facts.push_back(word("reduced volume", range_of(scan, "reduced_volume").text()));
-  facts.push_back(word("elastic constant L", range_of(scan, "L").text()));
-  facts.push_back(word("branches", fmt::format("{}", fmt::join(words_of(scan, "branch"), ", "))));
-  for (const char* status : {"stationary", "unresolved", "failed"})
-    facts.push_back(word(fmt::format("points {}", status).c_str(),
-                         std::to_string(rows_with(scan, "status", status))));
-  facts.push_back(word("energy", range_of(scan, "energy").text()));
-  facts.push_back(word("smallest order", fmt::format("{:.6g}", range_of(scan, "order_min").low)));
-  facts.push_back(word("largest |H|", fmt::format("{:.6g}", range_of(scan, "H_abs_max").high)));
+  facts.push_back(word("reduced volume", range_of(points, key(&PointKey::reduced_volume)).text()));
+  facts.push_back(word("elastic constant L", range_of(points, key(&PointKey::L)).text()));
+  facts.push_back(word("branches", fmt::format("{}", fmt::join(words_of(points, branch), ", "))));
+  for (const PointStatus status : values_of(PointStatus{}))
+    facts.push_back(word(fmt::format("points {}", name(status)),
+                         count(points, [&](const auto& row) { return row.status == status; })));
+  const auto energy = measured([](const axisym::Diagnostics& d) { return d.energy.total(); });
+  const double least_order = range_of(points, measured(&axisym::Diagnostics::order_min)).low,
+               largest_H = range_of(points, measured(&axisym::Diagnostics::H_abs_max)).high;
+  facts.push_back(word("energy", range_of(points, energy).text()));
+  facts.push_back(word("smallest order", fmt::format("{:.6g}", least_order)));
+  facts.push_back(word("largest |H|", fmt::format("{:.6g}", largest_H)));
   if (!fs::exists(folder / "folds.csv")) return numbers;
-  const CsvTable folds = read_csv(folder / "folds.csv");
-  for (std::size_t row = 0; row < std::min<std::size_t>(folds.rows.size(), 8); ++row)
-    facts.push_back({fmt::format("fold of the {} at V_r = {:.6g}", folds.text(row, "branch"),
-                                 folds.number(row, "reduced_volume")),
-                     "L = " + html::value(folds.text(row, "L"))});
+  auto folds = read_rows(fold_columns(), folder / "folds.csv");
+  folds.resize(std::min<std::size_t>(folds.size(), 8));
+  for (const FoldRow& fold : folds)
+    facts.push_back(
+        {fmt::format("fold of the {} at V_r = {:.6g}", name(fold.branch), fold.reduced_volume),
+         "L = " + text_of(fold.L)});
   return numbers;
 }
 
@@ -100,93 +119,98 @@ std::string model_of_evolution(const fs::path& folder) {
 }
 
 KeyNumbers of_evolution(const fs::path& folder, ResultsKind kind) {
-  const CsvTable series = rows_of(folder / "series.csv");
-  const std::size_t last = series.rows.size() - 1;
+  const auto series = rows_of(series_columns(), folder / "series.csv");
+  const SeriesRow& last = series.back();
+  const model::FlowRecord& end = last.record;
   const std::string model = model_of_evolution(folder);
-  KeyNumbers numbers{
-      .title = fmt::format("{} evolution{} to t = {:.6g}",
-                           kind == ResultsKind::run ? "3D" : "Axisymmetric",
-                           model.empty() ? "" : " of " + model, series.number(last, "time")),
-      .facts = {}};
+  KeyNumbers numbers{.title = fmt::format("{} evolution{} to t = {:.6g}",
+                                          kind == ResultsKind::run ? "3D" : "Axisymmetric",
+                                          model.empty() ? "" : " of " + model, end.time),
+                     .facts = {}};
   std::vector<Fact>& facts = numbers.facts;
-  facts.push_back(fact_of("energy at the start", series, 0, "energy"));
-  facts.push_back(fact_of("energy at the end", series, last, "energy"));
-  facts.push_back(fact_of("… distortion", series, last, "energy_distortion"));
-  facts.push_back(fact_of("… bending", series, last, "energy_bending"));
-  facts.push_back(fact_of("… thermotropic", series, last, "energy_thermotropic"));
-  facts.push_back(fact_of("reduced volume", series, last, "reduced_volume"));
-  facts.push_back({"order at the end: least, mean, largest",
-                   html::value(series.text(last, "order_min")) + ", "
-                       + html::value(series.text(last, "order_mean")) + ", "
-                       + html::value(series.text(last, "order_max"))});
-  facts.push_back(fact_of("largest |H| at the end", series, last, "H_abs_max"));
-  facts.push_back(fact_of("pressure multiplier λ at the end", series, last, "lambda"));
-  facts.push_back(fact_of("largest speed at the end", series, last, "speed_max"));
-  const Range area = range_of(series, "area"), volume = range_of(series, "volume");
+  facts.push_back(number("energy at the start", series.front().record.energy.total()));
+  facts.push_back(number("energy at the end", end.energy.total()));
+  facts.push_back(number("… distortion", end.energy.distortion));
+  facts.push_back(number("… bending", end.energy.bending));
+  facts.push_back(number("… thermotropic", end.energy.thermotropic));
+  facts.push_back(number("reduced volume", last.reduced_volume));
+  facts.push_back(
+      {"order at the end: least, mean, largest",
+       text_of(last.order_min) + ", " + text_of(last.order_mean) + ", " + text_of(last.order_max)});
+  facts.push_back(number("largest |H| at the end", last.H_abs_max));
+  facts.push_back(number("pressure multiplier λ at the end", end.lambda));
+  facts.push_back(number("largest speed at the end", end.speed_max));
+  const Range area = range_of(series, &SeriesRow::area),
+              volume = range_of(series, &SeriesRow::volume);
   facts.push_back(
       word("area and volume vary by",
            fmt::format("{:.1e}, {:.1e}", area.high - area.low, volume.high - volume.low)));
-  facts.push_back(
-      word("worst mesh quality", fmt::format("{:.4g}", range_of(series, "mesh_quality").low)));
-  facts.push_back(fact_of("steps rejected", series, last, "rejected_steps"));
+  facts.push_back(word("worst mesh quality",
+                       fmt::format("{:.4g}", range_of(series, &SeriesRow::mesh_quality).low)));
+  facts.push_back(number("steps rejected", end.rejected));
   return numbers;
 }
 
 KeyNumbers of_seifert(const fs::path& folder) {
-  const CsvTable points = rows_of(folder / "points.csv");
   KeyNumbers numbers{.title = "The classical shapes by three witnesses", .facts = {}};
-  for (std::size_t row = 0; row < points.rows.size(); ++row) {
-    std::string name = points.text(row, "name");
-    std::replace(name.begin(), name.end(), '_', ' ');
-    numbers.facts.push_back({name + ": V_r", html::value(points.text(row, "reduced_volume")) + " ± "
-                                                 + html::value(points.text(row, "error"))});
-    numbers.facts.push_back({name + ": F/(8πκ)", html::value(points.text(row, "energy_reduced"))});
+  for (PointRow& row : rows_of(point_columns(), folder / "points.csv")) {
+    std::replace(row.name.begin(), row.name.end(), '_', ' ');
+    numbers.facts.push_back(
+        {row.name + ": V_r", text_of(row.point.reduced_volume) + " ± " + text_of(row.point.error)});
+    numbers.facts.push_back(number(row.name + ": F/(8πκ)", row.point.energy));
   }
   return numbers;
 }
 
 KeyNumbers of_compare(const fs::path& folder) {
-  const CsvTable compare = read_csv(folder / "compare.csv"),
-                 methods = rows_of(folder / "methods.csv");
+  const auto comparisons = read_rows(comparison_columns(), folder / "compare.csv");
+  const auto methods = rows_of(method_columns(), folder / "methods.csv");
+  const auto method = [](const WitnessState& state) { return name(state.witness); };
   KeyNumbers numbers{
-      .title = fmt::format("One case by {}", fmt::join(words_of(methods, "method"), ", ")),
+      .title = fmt::format("One case by {}", fmt::join(words_of(methods, method), ", ")),
       .facts = {}};
   std::vector<Fact>& facts = numbers.facts;
-  facts.push_back(
-      word("methods without a state", std::to_string(rows_with(methods, "status", "failed"))));
-  facts.push_back(word("tolerances kept", std::to_string(rows_with(compare, "agrees", "yes"))));
-  facts.push_back(word("tolerances missed", std::to_string(rows_with(compare, "agrees", "no"))));
-  for (std::size_t row = 0; row < methods.rows.size(); ++row)
-    facts.push_back(
-        {"energy by " + methods.text(row, "method"), html::value(methods.text(row, "energy"))});
-  for (std::size_t row = 0; row < compare.rows.size(); ++row)
-    if (compare.text(row, "quantity") == "distance")
-      facts.push_back({fmt::format("distance of {} and {}", compare.text(row, "first"),
-                                   compare.text(row, "second")),
-                       html::value(compare.text(row, "difference"))});
+  facts.push_back(word("methods without a state",
+                       count(methods, [](const auto& state) { return !state.failure.empty(); })));
+  facts.push_back(word("tolerances kept", count(comparisons, [](const Comparison& one) {
+                         return one.tolerance && !one.misses();
+                       })));
+  facts.push_back(word("tolerances missed",
+                       count(comparisons, [](const Comparison& one) { return one.misses(); })));
+  for (const WitnessState& state : methods)
+    facts.push_back({fmt::format("energy by {}", name(state.witness)),
+                     std::isnan(state.measures.energy) ? "" : text_of(state.measures.energy)});
+  for (const Comparison& one : comparisons)
+    if (one.quantity == "distance")
+      facts.push_back({fmt::format("distance of {} and {}", name(one.first), name(one.second)),
+                       std::isnan(one.difference) ? "" : text_of(one.difference)});
   return numbers;
 }
 
 KeyNumbers of_stability(const fs::path& folder) {
-  const CsvTable runs = rows_of(folder / "stability.csv");
+  const auto runs = rows_of(stability_columns(), folder / "stability.csv");
+  const auto key = [](auto member) { return inside(&StabilityResult::key, member); };
+  const auto model = [](const StabilityResult& row) { return model::name(row.key.model); };
+  const auto branch = [](const StabilityResult& row) { return axisym::name(row.key.branch); };
   KeyNumbers numbers{
-      .title = fmt::format("Stability in 3D: {} {}", fmt::join(words_of(runs, "model"), ", "),
-                           fmt::join(words_of(runs, "branch"), ", ")),
+      .title = fmt::format("Stability in 3D: {} {}", fmt::join(words_of(runs, model), ", "),
+                           fmt::join(words_of(runs, branch), ", ")),
       .facts = {}};
   std::vector<Fact>& facts = numbers.facts;
-  facts.push_back(word("reduced volume", range_of(runs, "reduced_volume").text()));
-  facts.push_back(word("elastic constant L", range_of(runs, "L").text()));
-  for (const char* verdict : {"stays", "leaves", "undecided", "failed"})
-    facts.push_back(word(fmt::format("runs: {}", verdict).c_str(),
-                         std::to_string(rows_with(runs, "verdict", verdict))));
-  facts.push_back(word("rates over κ(2/3)", range_of(runs, "reduced_rate").text()));
+  facts.push_back(
+      word("reduced volume", range_of(runs, key(&StabilityKey::reduced_volume)).text()));
+  facts.push_back(word("elastic constant L", range_of(runs, key(&StabilityKey::L)).text()));
+  for (const Verdict verdict : values_of(Verdict{}))
+    facts.push_back(word(fmt::format("runs: {}", name(verdict)),
+                         count(runs, [&](const auto& row) { return row.verdict == verdict; })));
+  facts.push_back(word("rates over κ(2/3)", range_of(runs, &StabilityResult::reduced_rate).text()));
   if (!fs::exists(folder / "thresholds.csv")) return numbers;
-  const CsvTable thresholds = read_csv(folder / "thresholds.csv");
-  for (std::size_t row = 0; row < std::min<std::size_t>(thresholds.rows.size(), 8); ++row)
-    facts.push_back({fmt::format("rate 0 of {} {}, L = {}, m = {}", thresholds.text(row, "model"),
-                                 thresholds.text(row, "branch"), thresholds.text(row, "L"),
-                                 thresholds.text(row, "m")),
-                     "V_r = " + html::value(thresholds.text(row, "reduced_volume"))});
+  auto thresholds = read_rows(threshold_columns(), folder / "thresholds.csv");
+  thresholds.resize(std::min<std::size_t>(thresholds.size(), 8));
+  for (const Threshold& t : thresholds)
+    facts.push_back({fmt::format("rate 0 of {} {}, L = {}, m = {}", model::name(t.below.model),
+                                 name(t.below.branch), t.below.L, t.below.m),
+                     "V_r = " + text_of(t.reduced_volume)});
   return numbers;
 }
 

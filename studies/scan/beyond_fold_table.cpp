@@ -1,6 +1,7 @@
 #include "studies/scan/beyond_fold_table.h"
 
 #include "studies/io/interrupt.h"
+#include "studies/states/profile_file.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -26,17 +27,28 @@ std::vector<RimRecord> find_beyond_fold(const ScanInput& input, const std::vecto
   return rows;
 }
 
-std::string table_of(const std::vector<RimRecord>& rows) {
-  std::string text =
-      "reduced_volume,L,kind,energy,order_rim,H_rim,H_abs_max,resolution,status,jump,pressure,"
-      "negative_directions\n";
-  for (const RimRecord& r : rows)
-    text +=
-        fmt::format("{},{},{},{},{},{},{},{},{},{},{},{}\n", r.reduced_volume, r.L,
-                    axisym::name(r.kind), r.energy, r.order_rim, r.H_rim, r.H_abs_max, r.resolution,
-                    r.resolution > axisym::resolution_limit ? "unresolved" : "stationary", r.jump,
-                    r.pressure, r.negative_directions);
-  return text;
+const Columns<RimRecord>& rim_columns() {
+  using axisym::RimKind;
+  static const Columns<RimRecord> columns{
+      column("reduced_volume", &RimRecord::reduced_volume),
+      column("L", &RimRecord::L),
+      column("kind", &RimRecord::kind),
+      column("energy", &RimRecord::energy),
+      column("order_rim", &RimRecord::order_rim),
+      column("H_rim", &RimRecord::H_rim),
+      column("H_abs_max", &RimRecord::H_abs_max),
+      column("resolution", &RimRecord::resolution),
+      derived_column<RimRecord>("status",
+                                [](const RimRecord& row) {
+                                  return name(row.resolution > axisym::resolution_limit
+                                                  ? PointStatus::unresolved
+                                                  : PointStatus::stationary);
+                                }),
+      column("jump", &RimRecord::jump),
+      column("pressure", &RimRecord::pressure),
+      column("negative_directions", &RimRecord::negative_directions),
+  };
+  return columns;
 }
 
 std::string stem(const RimRecord& row) {
@@ -44,13 +56,14 @@ std::string stem(const RimRecord& row) {
 }
 
 std::string profile_text(const axisym::State& state) {
-  std::string text = "arc_length,r,z,order\n";
+  const Columns<ProfileRow>& all = profile_columns();
+  std::vector<ProfileRow> rows;
   double s = 0;
   for (Eigen::Index i = 0; i < state.beta.size(); ++i) {
     if (i > 0) s += (state.X.col(i) - state.X.col(i - 1)).norm();
-    text += fmt::format("{},{},{},{}\n", s, state.X(0, i), state.X(1, i), state.beta[i]);
+    rows.push_back({s, state.X(0, i), state.X(1, i), state.beta[i], not_known});
   }
-  return text;
+  return table_text(Columns<ProfileRow>(all.begin(), all.end() - 1), rows);
 }
 
 }  // namespace sbeh::studies

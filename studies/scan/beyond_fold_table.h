@@ -11,14 +11,12 @@ namespace sbeh::studies {
 std::vector<axisym::RimRecord> find_beyond_fold(const ScanInput& input,
                                                 const std::vector<FoldRow>& folds);
 
-/// beyond_fold.csv: reduced_volume,L,kind,energy,order_rim,H_rim,H_abs_max,resolution,status,jump,pressure,
-/// negative_directions. `status` is unresolved where the resolution is above resolution_limit (flow.h).
-std::string table_of(const std::vector<axisym::RimRecord>& rows);
+/// Of beyond_fold.csv; `status` is unresolved where the resolution is above resolution_limit (flow.h).
+const Columns<axisym::RimRecord>& rim_columns();
 
 /// Name of the state's profile without ending, such as sharp_v0.6_L0.05.
 std::string stem(const axisym::RimRecord& row);
-/// The profile: arc_length,r,z,order, a row per node from pole to pole. There is no curvature in it: at a
-/// kink it is infinite.
+/// The columns of a profile (profile_file.h) but the last: at a kink the curvature is infinite.
 std::string profile_text(const axisym::State& state);
 
 }  // namespace sbeh::studies

@@ -144,28 +144,38 @@ std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
   return rows;
 }
 
-std::string table_of(const std::vector<LowestRow>& rows) {
-  std::string text = "model,L,reduced_volume,branch,energy\n";
-  for (const LowestRow& r : rows)
-    text += fmt::format("{},{},{},{},{}\n", model::name(r.model), r.L, r.reduced_volume, r.branch,
-                        r.energy);
-  return text;
+const Columns<FoldRow>& fold_columns() {
+  static const Columns<FoldRow> columns{
+      column("reduced_volume", &FoldRow::reduced_volume),
+      column("L", &FoldRow::L),
+      column("energy", &FoldRow::energy),
+      column("order_min", &FoldRow::order_min),
+      column("H_abs_max", &FoldRow::H_abs_max),
+      column("branch", &FoldRow::branch),
+  };
+  return columns;
 }
 
-std::string table_of(const std::vector<FoldRow>& rows) {
-  std::string text = "reduced_volume,L,energy,order_min,H_abs_max,branch\n";
-  for (const FoldRow& r : rows)
-    text += fmt::format("{},{},{},{},{},{}\n", r.reduced_volume, r.L, r.energy, r.order_min,
-                        r.H_abs_max, name(r.branch));
-  return text;
+const Columns<EqualEnergyRow>& equal_energy_columns() {
+  static const Columns<EqualEnergyRow> columns{
+      column("first", &EqualEnergyRow::first),
+      column("second", &EqualEnergyRow::second),
+      column("L", &EqualEnergyRow::L),
+      column("reduced_volume", &EqualEnergyRow::reduced_volume),
+      column("energy", &EqualEnergyRow::energy),
+  };
+  return columns;
 }
 
-std::string table_of(const std::vector<EqualEnergyRow>& rows) {
-  std::string text = "first,second,L,reduced_volume,energy\n";
-  for (const EqualEnergyRow& r : rows)
-    text += fmt::format("{},{},{},{},{}\n", name(r.first), name(r.second), r.L, r.reduced_volume,
-                        r.energy);
-  return text;
+const Columns<LowestRow>& lowest_columns() {
+  static const Columns<LowestRow> columns{
+      column("model", &LowestRow::model),
+      column("L", &LowestRow::L),
+      column("reduced_volume", &LowestRow::reduced_volume),
+      column("branch", &LowestRow::branch),
+      column("energy", &LowestRow::energy),
+  };
+  return columns;
 }
 
 }  // namespace sbeh::studies

@@ -51,11 +51,9 @@ using RowLookup = std::function<const PointResult*(const PointKey&)>;
 std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
                                    const std::vector<axisym::RimRecord>& beyond);
 
-/// lowest.csv: model,L,reduced_volume,branch,energy.
-std::string table_of(const std::vector<LowestRow>& rows);
-/// folds.csv: reduced_volume,L,energy,order_min,H_abs_max,branch.
-std::string table_of(const std::vector<FoldRow>& rows);
-/// equal_energy.csv: first,second,L,reduced_volume,energy.
-std::string table_of(const std::vector<EqualEnergyRow>& rows);
+/// Of folds.csv, equal_energy.csv and lowest.csv.
+const Columns<FoldRow>& fold_columns();
+const Columns<EqualEnergyRow>& equal_energy_columns();
+const Columns<LowestRow>& lowest_columns();
 
 }  // namespace sbeh::studies

@@ -232,12 +232,12 @@ std::optional<PointOutcome> flow_to_rest(const StationaryCase& of, double end_ti
       axisym::spheroid(of.reduced_volume, of.branch == Branch::prolate, n.elements, n.grading),
       axisym::Field::Constant(3 * n.elements + 1, model::full_order)};
   const axisym::FlowSchedule schedule{.end_time = end_time, .output_times = {}};
-  const axisym::FlowResult run =
-      axisym::run_flow(of.material, of.model, start, axisym::target_of(of.reduced_volume), n,
-                       schedule, [&](const axisym::FlowRecord& record, const State& state, bool) {
-                         history.push_back({record, axisym::diagnose(of.material, state)});
-                         return interrupt_signal() == 0;
-                       });
+  const axisym::FlowResult run = axisym::run_flow(
+      of.material, of.model, start, axisym::target_of(of.reduced_volume), n, schedule,
+      [&](const axisym::FlowRecord& record, const State& state, bool) {
+        history.push_back(series_row(record, axisym::diagnose(of.material, state)));
+        return interrupt_signal() == 0;
+      });
   if (run.stop == axisym::FlowStop::interrupted) return {};
 
   PointOutcome point = stationary(of, run.state);

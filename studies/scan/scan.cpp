@@ -37,7 +37,7 @@ std::vector<PointKey> keys_of(const ScanInput& input) {
 class ScanFolder {
  public:
   ScanFolder(const ScanInput& input, const std::filesystem::path& path, std::string_view version)
-      : folder_(path), table_(prepare(input, version)), progress_(progress_of(input)) {}
+      : folder_(path), table_(scan_table(prepare(input, version))), progress_(progress_of(input)) {}
 
   bool has(const PointKey& key) { return row_of(key).has_value(); }
 
@@ -232,7 +232,7 @@ void scan_by_flow(const ScanInput& input, ScanFolder& folder) {
     const auto outcome = of.reduced_volume == 1 ? std::optional(sphere_point(of))
                                                 : flow_to_rest(of, input.flow_end_time, history);
     if (!outcome) return;
-    write_file(folder.series_path(keys[k]), series_text(history));
+    write_file(folder.series_path(keys[k]), table_text(series_columns(), history));
     folder.keep(*outcome);
   });
 }
@@ -240,24 +240,25 @@ void scan_by_flow(const ScanInput& input, ScanFolder& folder) {
 // The lines of the diagram and the lowest branches, from the finished points; not when interrupted.
 void write_lines(const ScanInput& input, ScanFolder& folder) {
   const PointLookup point = [&](const PointKey& key) { return folder.finished(key); };
-  const auto write = [&](std::string_view name, const auto& rows) {
-    if (!interrupt_signal()) folder.write(name, table_of(rows));
+  const auto write = [&](std::string_view name, const auto& columns, const auto& rows) {
+    if (!interrupt_signal()) folder.write(name, table_text(columns, rows));
   };
   std::vector<axisym::RimRecord> beyond;
   if (wants(input, Model::SBEH)) {
     const std::vector<FoldRow> folds = find_folds(input, point);
-    write("folds.csv", folds);
+    write("folds.csv", fold_columns(), folds);
     if (input.beyond_fold) {
       beyond = find_beyond_fold(input, folds);
-      write("beyond_fold.csv", beyond);
+      write("beyond_fold.csv", rim_columns(), beyond);
       for (const auto& state : beyond)
         folder.write("beyond_fold/" + stem(state) + ".csv", profile_text(state.state));
     }
   }
-  if (input.branches.size() > 1) write("equal_energy.csv", find_equal_energies(input, point));
+  if (input.branches.size() > 1)
+    write("equal_energy.csv", equal_energy_columns(), find_equal_energies(input, point));
   if (input.branches.size() > 1 || input.beyond_fold) {
     const auto row = [&](const PointKey& key) { return folder.table().find(key); };
-    write("lowest.csv", find_lowest(input, row, beyond));
+    write("lowest.csv", lowest_columns(), find_lowest(input, row, beyond));
   }
 }
 

@@ -3,15 +3,11 @@
 
 #include "axisym/diagnostics.h"
 #include "axisym/stationary/stationary_case.h"
-#include "studies/io/output.h"
+#include "studies/io/growing_table.h"
 #include "studies/scan/scan_input.h"
 
-#include <filesystem>
-#include <map>
 #include <optional>
 #include <string>
-#include <tuple>
-#include <vector>
 
 namespace sbeh::studies {
 
@@ -33,6 +29,11 @@ enum class PointStatus {
   unresolved,  ///< there is none to be had here, or not at this resolution: see the reason
   failed       ///< the numerics failed
 };
+constexpr auto values_of(PointStatus) {
+  return std::array{PointStatus::stationary, PointStatus::unresolved, PointStatus::failed};
+}
+/// "stationary", "unresolved" or "failed".
+const char* name(PointStatus status);
 
 /// A row. The diagnostics are of the stationary state, or of the sharpest resolved one.
 struct PointResult {
@@ -51,24 +52,10 @@ struct PointResult {
   std::string stop_reason{};
 };
 
-/// scan.csv of a folder: rows that are there, and appending.
-class ScanTable {
- public:
-  /// Reads the rows there are; a last line that was cut off is dropped. Throws OutputError when the
-  /// file is no such table.
-  explicit ScanTable(const OutputFolder& folder);
+const Columns<PointResult>& scan_columns();
 
-  const std::map<PointKey, PointResult>& rows() const { return rows_; }
-  const PointResult* find(const PointKey& key) const;
-  /// Adds a row to file and memory.
-  void append(const PointResult& row);
-  /// Rewrites the file in the order of the keys.
-  void sort();
-
- private:
-  std::filesystem::path path_;
-  std::map<PointKey, PointResult> rows_;
-  std::optional<AppendFile> file_;
-};
+/// scan.csv of a folder. Throws OutputError when the file is no such table.
+using ScanTable = GrowingTable<PointResult>;
+ScanTable scan_table(const OutputFolder& folder);
 
 }  // namespace sbeh::studies

@@ -5,6 +5,7 @@
 #include "axisym/stationary/classical_branches.h"
 #include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
+#include "studies/seifert/seifert_tables.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -20,8 +21,6 @@ using axisym::SpecialPoint;
 using axisym::SpecialPoints;
 
 namespace {
-
-constexpr std::array<Branch, 3> all_branches{Branch::oblate, Branch::prolate, Branch::stomatocyte};
 
 // Reduced volumes of the diagram: each branch nearly as far as it exists and does not touch itself,
 // steps of 1/40 between.
@@ -50,7 +49,7 @@ template <class Shapes, class Points>
 WitnessReport report(std::string name, Shapes&& shapes_of, Points&& points) {
   const Stopwatch watch;
   WitnessReport r{std::move(name), {}, {}, 0};
-  for (const Branch branch : all_branches) {
+  for (const Branch branch : values_of(Branch{})) {
     const auto volumes = volumes_of(branch);
     const std::vector<ClassicalShape> shapes = shapes_of(branch, volumes);
     r.shapes.insert(r.shapes.end(), shapes.begin(), shapes.end());
@@ -108,21 +107,27 @@ SpecialPoints agreed_points(const std::vector<WitnessReport>& witnesses) {
   return points;
 }
 
-std::string branches_table(const std::vector<WitnessReport>& witnesses) {
-  std::string text =
-      "witness,branch,reduced_volume,energy_reduced,H_pole,pressure,tension,"
-      "negative_directions,self_contact\n";
+std::vector<BranchRow> all_shapes(const std::vector<WitnessReport>& witnesses) {
+  std::vector<BranchRow> rows;
   for (const WitnessReport& w : witnesses)
-    for (const ClassicalShape& s : w.shapes)
-      text += fmt::format("{},{},{},{},{},{},{},{},{:d}\n", w.witness, axisym::name(s.branch),
-                          s.reduced_volume, s.energy, s.H_pole, s.pressure, s.tension,
-                          s.negative_directions < 0 ? "" : std::to_string(s.negative_directions),
-                          s.self_contact);
-  return text;
+    for (const ClassicalShape& shape : w.shapes) rows.push_back({w.witness, shape});
+  return rows;
 }
 
-std::string points_row(const char* name, const SpecialPoint& p) {
-  return fmt::format("{},{},{},{:.2g}\n", name, p.reduced_volume, p.energy, p.error);
+void write_tables(const OutputFolder& folder, const SeifertSummary& summary) {
+  std::vector<PointRow> points, each;
+  for (const NamedPoint& p : special_point_names()) {
+    points.push_back({"", p.name, summary.points.*p.member});
+    for (const WitnessReport& w : summary.witnesses)
+      each.push_back({w.witness, p.name, w.points.*p.member});
+  }
+  const auto write = [&](std::string_view name, const auto& columns, const auto& rows) {
+    write_file(folder / name, table_text(columns, rows));
+  };
+  write("branches.csv", branch_columns(), all_shapes(summary.witnesses));
+  write("points.csv", point_columns(), points);
+  write("points_by_witness.csv", witness_point_columns(), each);
+  write("differences.csv", disagreement_columns(), summary.disagreements);
 }
 
 }  // namespace
@@ -152,25 +157,12 @@ SeifertSummary run_seifert(const std::filesystem::path& path, int elements) {
       tbb::simple_partitioner());
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = i + 1; j < 3; ++j)
-      for (const Branch branch : all_branches)
+      for (const Branch branch : values_of(Branch{}))
         summary.disagreements.push_back(
             disagreement(summary.witnesses[i], summary.witnesses[j], branch));
   summary.points = agreed_points(summary.witnesses);
 
-  write_file(folder / "branches.csv", branches_table(summary.witnesses));
-  std::string points = "name,reduced_volume,energy_reduced,error\n", each = "witness," + points;
-  for (const NamedPoint& p : special_point_names()) {
-    points += points_row(p.name, summary.points.*p.member);
-    for (const WitnessReport& w : summary.witnesses)
-      each += w.witness + "," + points_row(p.name, w.points.*p.member);
-  }
-  write_file(folder / "points.csv", points);
-  write_file(folder / "points_by_witness.csv", each);
-  std::string differences = "first,second,branch,energy_reduced,H_pole,pressure,tension\n";
-  for (const Disagreement& d : summary.disagreements)
-    differences += fmt::format("{},{},{},{:.3g},{:.3g},{:.3g},{:.3g}\n", d.first, d.second,
-                               axisym::name(d.branch), d.energy, d.H_pole, d.pressure, d.tension);
-  write_file(folder / "differences.csv", differences);
+  write_tables(folder, summary);
   return summary;
 }
 

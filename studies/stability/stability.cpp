@@ -22,7 +22,7 @@ class StabilityFolder {
  public:
   StabilityFolder(const StabilityInput& input, const fs::path& path, std::string_view version)
       : folder_(path),
-        table_(prepare(input, version)),
+        table_(stability_table(prepare(input, version))),
         left_(missing(input)),
         progress_("runs", int(keys_of(input).size()), int(keys_of(input).size() - left_.size())) {}
 
@@ -32,7 +32,8 @@ class StabilityFolder {
   /// Keeps a run: its history first, so that a row means that it is whole.
   void keep(const StabilityOutcome& outcome) {
     if (!outcome.history.empty())
-      write_file(history_path(outcome.result.key), history_text(outcome.history));
+      write_file(history_path(outcome.result.key),
+                 table_text(perturbed_columns(), outcome.history));
     table_.append(outcome.result);
     ++computed_;
     progress_.advance();
@@ -55,9 +56,8 @@ class StabilityFolder {
   std::vector<StabilityKey> missing(const StabilityInput& input) const {
     std::vector<StabilityKey> keys = keys_of(input);
     std::erase_if(keys, [&](const StabilityKey& key) {
-      const auto row = table_.rows().find(key);
-      return row != table_.rows().end()
-          && (row->second.steps == 0 || fs::exists(history_path(key)));
+      const StabilityResult* row = table_.find(key);
+      return row && (row->steps == 0 || fs::exists(history_path(key)));
     });
     std::stable_sort(keys.begin(), keys.end(),
                      [](const auto& a, const auto& b) { return a.L > b.L; });
@@ -96,7 +96,8 @@ StabilitySummary run_stability(const StabilityInput& input, const fs::path& path
   for (const auto& [key, row] : folder.table().rows()) summary.rows.push_back(row);
   if (!interrupt_signal()) {
     summary.thresholds = find_thresholds(input, summary.rows);
-    if (!interrupt_signal()) folder.write("thresholds.csv", table_of(summary.thresholds));
+    if (!interrupt_signal())
+      folder.write("thresholds.csv", table_text(threshold_columns(), summary.thresholds));
   }
   summary.computed = folder.computed();
   summary.interrupted = interrupt_signal() != 0;

@@ -143,16 +143,6 @@ const char* name(Verdict verdict) {
   return "";
 }
 
-StabilityResult::StabilityResult()
-    : reduced_rate(not_known),
-      amplitude_start(not_known),
-      amplitude_end(not_known),
-      energy_axisymmetric(not_known),
-      energy_oblate(not_known),
-      energy_prolate(not_known),
-      energy_end(not_known),
-      stiffness(not_known) {}
-
 std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
                                               const StabilityKey& key) {
   const Stopwatch watch;

@@ -1,6 +1,7 @@
 // One perturbed state in 3D: what becomes of it.
 #pragma once
 
+#include "studies/io/csv.h"
 #include "studies/stability/growth_rate.h"
 #include "studies/stability/mode_amplitude.h"
 #include "studies/stability/stability_input.h"
@@ -38,21 +39,21 @@ struct StabilityResult {
   /// an energy that is not that of the axisymmetric one. Empty unless it is at rest again.
   std::string end_state{};
   std::optional<GrowthRate> growth{};
-  double reduced_rate;  ///< rate/κ(2/3)
-  double amplitude_start, amplitude_end;
-  double energy_axisymmetric;            ///< of the unperturbed state, by the axisymmetric solver
-  double energy_oblate, energy_prolate;  ///< of the axisymmetric shapes of the same V_r, L
-  double energy_end;
+  double reduced_rate = not_known;  ///< rate/κ(2/3)
+  double amplitude_start = not_known, amplitude_end = not_known;
+  double energy_axisymmetric = not_known;  ///< of the unperturbed state, by the axisymmetric solver
+  double energy_oblate = not_known,
+         energy_prolate = not_known;  ///< of the axisymmetric shapes of the same V_r, L
+  double energy_end = not_known;
   double end_time = 0;
   int triangles = 0, steps = 0;
   std::optional<double> unresolved_from{};  ///< time from which the mesh was too coarse
   /// Of the classical minimiser over spherical harmonics, for SSH without spontaneous curvature from V_r =
   /// 0.65 on: directions in which the energy falls, and its least second variation.
   std::optional<int> negative_directions{};
-  double stiffness;
+  double stiffness = not_known;
   std::string stop_reason{};
   double wall_seconds = 0;
-  StabilityResult();
 };
 
 /// A result with its history.

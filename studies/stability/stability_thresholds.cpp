@@ -41,8 +41,6 @@ double by_harmonics(const StabilityInput& input, const StabilityKey& key, double
 
 }  // namespace
 
-Threshold::Threshold() : harmonics(not_known) {}
-
 std::vector<Threshold> find_thresholds(const StabilityInput& input,
                                        const std::vector<StabilityResult>& rows) {
   std::vector<const StabilityResult*> sorted;
@@ -69,14 +67,23 @@ std::vector<Threshold> find_thresholds(const StabilityInput& input,
   return thresholds;
 }
 
-std::string table_of(const std::vector<Threshold>& thresholds) {
-  std::string text = "model,L,branch,l,m,reduced_volume,error,below,above,harmonics\n";
-  for (const Threshold& t : thresholds)
-    text += fmt::format("{},{},{},{},{},{},{:.2g},{},{},{}\n", model::name(t.below.model),
-                        t.below.L, name(t.below.branch), t.below.l, t.below.m, t.reduced_volume,
-                        t.error, t.below.reduced_volume, t.upper_volume,
-                        std::isnan(t.harmonics) ? "" : fmt::format("{:.5f}", t.harmonics));
-  return text;
+const Columns<Threshold>& threshold_columns() {
+  using Row = Threshold;
+  using Key = StabilityKey;
+  using model::Model;
+  static const Columns<Row> columns{
+      column<Row>("model", inside(&Row::below, &Key::model)),
+      column<Row>("L", inside(&Row::below, &Key::L)),
+      column<Row>("branch", inside(&Row::below, &Key::branch)),
+      column<Row>("l", inside(&Row::below, &Key::l)),
+      column<Row>("m", inside(&Row::below, &Key::m)),
+      column("reduced_volume", &Row::reduced_volume),
+      column("error", &Row::error, "{:.2g}"),
+      column<Row>("below", inside(&Row::below, &Key::reduced_volume)),
+      column("above", &Row::upper_volume),
+      known_column("harmonics", &Row::harmonics, "{:.5f}"),
+  };
+  return columns;
 }
 
 }  // namespace sbeh::studies

@@ -1,17 +1,12 @@
 #include "studies/states/profile_file.h"
 
 #include "axisym/curvature.h"
-#include "studies/io/csv_line.h"
-#include "studies/io/output.h"
-
-#include <fmt/format.h>
 
 #include <sstream>
 
 namespace sbeh::studies {
 
 namespace {
-constexpr const char* header = "arc_length,r,z,order,mean_curvature";
 
 // Arc length at the nodes, by quadrature up to each of them.
 axisym::Field arc_lengths(const axisym::Nodes& X) {
@@ -26,16 +21,26 @@ axisym::Field arc_lengths(const axisym::Nodes& X) {
     }
   return s;
 }
+
 }  // namespace
+
+const Columns<ProfileRow>& profile_columns() {
+  static const Columns<ProfileRow> columns{
+      column("arc_length", &ProfileRow::arc_length),
+      column("r", &ProfileRow::r),
+      column("z", &ProfileRow::z),
+      column("order", &ProfileRow::order),
+      column("mean_curvature", &ProfileRow::mean_curvature),
+  };
+  return columns;
+}
 
 void write_profile(const std::filesystem::path& path, const axisym::State& state) {
   const axisym::Field s = arc_lengths(state.X), H = axisym::mean_curvature(state.X);
-  fmt::memory_buffer text;
-  fmt::format_to(std::back_inserter(text), "{}\n", header);
+  std::vector<ProfileRow> rows;
   for (Eigen::Index i = 0; i < state.beta.size(); ++i)
-    fmt::format_to(std::back_inserter(text), "{},{},{},{},{}\n", s[i], state.X(0, i), state.X(1, i),
-                   state.beta[i], H.size() ? H[i] : 0);
-  write_file(path, {text.data(), text.size()});
+    rows.push_back({s[i], state.X(0, i), state.X(1, i), state.beta[i], H.size() ? H[i] : 0});
+  write_file(path, table_text(profile_columns(), rows));
 }
 
 axisym::State read_profile(const std::filesystem::path& path, std::string_view advice) {
@@ -44,22 +49,20 @@ axisym::State read_profile(const std::filesystem::path& path, std::string_view a
   };
   std::istringstream text(read_file(path));
   std::string line;
-  if (!std::getline(text, line) || line != header) fail("is no profile of this program");
-  std::vector<std::array<double, 3>> nodes;
+  if (!std::getline(text, line) || line != header_of(profile_columns()))
+    fail("is no profile of this program");
+  std::vector<ProfileRow> nodes;
   while (std::getline(text, line)) {
-    const auto fields = split_csv(line);
-    std::array<double, 3> node{};
-    bool ok = fields.size() == 5;
-    for (std::size_t k = 0; ok && k < 3; ++k) ok = parse_number(fields[k + 1], node[k]);
-    if (!ok) fail(fmt::format("line {} is damaged", nodes.size() + 2));
-    nodes.push_back(node);
+    const auto node = row_of(profile_columns(), split_csv(line));
+    if (!node) fail(fmt::format("line {} is damaged", nodes.size() + 2));
+    nodes.push_back(*node);
   }
   if (nodes.size() < 4 || nodes.size() % 3 != 1) fail("is cut off");
   axisym::State state{axisym::Nodes(2, Eigen::Index(nodes.size())),
                       axisym::Field(Eigen::Index(nodes.size()))};
   for (std::size_t i = 0; i < nodes.size(); ++i) {
-    state.X.col(Eigen::Index(i)) << nodes[i][0], nodes[i][1];
-    state.beta[Eigen::Index(i)] = nodes[i][2];
+    state.X.col(Eigen::Index(i)) << nodes[i].r, nodes[i].z;
+    state.beta[Eigen::Index(i)] = nodes[i].order;
   }
   return state;
 }

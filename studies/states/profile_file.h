@@ -2,14 +2,20 @@
 #pragma once
 
 #include "axisym/curve.h"
+#include "studies/io/columns.h"
 
 #include <filesystem>
 #include <string_view>
 
 namespace sbeh::studies {
 
-/// Columns arc_length,r,z,order,mean_curvature from the north pole to the south pole, at the nodes
-/// of the P3 elements (3 per element and one). Numbers read back are the same bits.
+/// A node, in the order from the north pole to the south pole.
+struct ProfileRow {
+  double arc_length, r, z, order, mean_curvature;
+};
+const Columns<ProfileRow>& profile_columns();
+
+/// A row for every node of the P3 elements (3 per element and one). Numbers read back are the same bits.
 /// Throws OutputError.
 void write_profile(const std::filesystem::path& path, const axisym::State& state);
 

@@ -4,19 +4,17 @@
 #include "axisym/stationary/stationary.h"
 #include "axisym/stationary/stationary_case.h"
 #include "meshing/curved_mesh.h"
+#include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/states/meridian.h"
 #include "studies/witnesses/witness.h"
 
 #include <filesystem>
-#include <limits>
 #include <optional>
 #include <string>
 #include <vector>
 
 namespace sbeh::studies {
-
-inline constexpr double not_known = std::numeric_limits<double>::quiet_NaN();
 
 /// The numbers that are compared; `not_known` where the method does not tell. Lengths in radii of the
 /// sphere of equal area.

@@ -4,7 +4,7 @@
 #include "studies/evolution/flow_progress.h"
 #include "studies/evolution/frame_file.h"
 #include "studies/evolution/run_input.h"
-#include "studies/io/csv_table.h"
+#include "studies/evolution/series_file.h"
 #include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/number_range.h"
@@ -129,10 +129,11 @@ Rest last_frame(const StationaryCase& of, const fs::path& folder) {
         folder.string()));
   const RunInput run = read_run(folder / "run.toml");
   require_same_case(folder, run, of);
-  const CsvTable frames = read_csv(folder / "frames.csv"), series = read_csv(folder / "series.csv");
-  if (frames.rows.empty())
+  const auto frames = read_rows(frame_columns(), folder / "frames.csv");
+  const auto series = read_rows(series_columns(), folder / "series.csv");
+  if (frames.empty())
     throw InputError(fmt::format("{}: has no frame yet", (folder / "frames.csv").string()));
-  Frame frame = read_frame(folder / frames.text(frames.rows.size() - 1, "file"));
+  Frame frame = read_frame(folder / frames.back().file);
   Rest rest{.mesh = std::move(frame.mesh), .beta = std::move(frame.beta)};
   const double v = surface3d::reduced_volume(frame.target.area, frame.target.volume);
   if (std::abs(v - of.reduced_volume) > 1e-6)
@@ -142,14 +143,14 @@ Rest last_frame(const StationaryCase& of, const fs::path& folder) {
                     folder.string(), v, of.reduced_volume));
   rest.remark = fmt::format("{} triangles, last frame of {}, t = {:.4g}",
                             rest.mesh.triangle_count(), folder.string(), frame.record.time);
-  for (std::size_t row = 0; row < series.rows.size(); ++row)
-    if (series.number(row, "time") == frame.record.time) {
-      rest.lambda = series.number(row, "lambda");
-      rest.remark += fmt::format(", |V| = {:.1e}", series.number(row, "speed_max"));
+  for (const SeriesRow& row : series)
+    if (row.record.time == frame.record.time) {
+      rest.lambda = row.record.lambda;
+      rest.remark += fmt::format(", |V| = {:.1e}", row.record.speed_max);
     }
   if (is_evolution_of(run, of))
-    for (std::size_t row = 0; row < series.rows.size(); ++row)
-      rest.history.push_back({series.number(row, "time"), series.number(row, "energy")});
+    for (const SeriesRow& row : series)
+      rest.history.push_back({row.record.time, row.record.energy.total()});
   return rest;
 }
 
@@ -195,10 +196,9 @@ std::array<double, 2> pole_curvatures(const Eigen::Matrix3Xd& X, const surface3d
 
 std::vector<double> history_times(const SurfaceMethod& method) {
   if (method.run.empty()) return evenly_spaced(1e-3, 10, 9, Spacing::logarithmic);
-  const CsvTable series = read_csv(fs::path(method.run) / "series.csv");
   std::vector<double> times;
-  for (std::size_t row = 0; row < series.rows.size(); ++row)
-    times.push_back(series.number(row, "time"));
+  for (const SeriesRow& row : read_rows(series_columns(), fs::path(method.run) / "series.csv"))
+    times.push_back(row.record.time);
   return times;
 }
 

@@ -1,5 +1,5 @@
 // `sbeh mesh` as its user meets it: shapes, reports, files, refusals, repair.
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 #include "tests/tools/workplace.h"
 
 #include <cmath>

@@ -1,5 +1,5 @@
 // Reports as their reader sees them: one page for every kind of results, whole and by itself.
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 #include "tests/tools/workplace.h"
 
 #include <cmath>

@@ -1,6 +1,6 @@
 #include "tests/tools/workplace.h"
 
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 
 #include <algorithm>
 #include <cmath>

@@ -94,8 +94,10 @@ int make(const Words& w) {
   }
   tell_missing(summary);
   const bool drawn = w.no_pictures || draw_all(summary, folder);
-  fmt::print("{}tables in {}\n", figures::text_of(studies::read_csv(folder / "figures.csv")),
-             folder.string());
+  fmt::print(
+      "{}tables in {}\n",
+      figures::text_of(studies::read_rows(figures::figure_columns(), folder / "figures.csv")),
+      folder.string());
   if (studies::interrupt_signal()) return exit_code_of_interrupt();
   return drawn && summary.failed.empty() ? 0 : 1;
 }

@@ -1,5 +1,5 @@
 // `sbeh mesh`: a shape becomes a curved mesh in a file, a report, or both.
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/mesh/make_mesh.h"
 #include "tools/commands/commands.h"

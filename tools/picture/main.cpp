@@ -1,6 +1,6 @@
 // sbeh-picture: the pictures of a scan, of one evolution, of the classical branches, of a comparison, of a
 // study of stability or of a mesh, and the paper's figures, from the files they leave.
-#include "tools/picture/canvas/csv.h"
+#include "studies/io/output.h"
 #include "tools/picture/canvas/virtual_display.h"
 #include "tools/picture/evolution/mesh.h"
 #include "tools/picture/evolution/relax.h"
@@ -37,7 +37,7 @@ Size parse_size(const std::string& text) {
 }
 
 void picture_scan(const Options& options) {
-  const ScanTable scan(options.directory, options.branch);
+  const ScanGrid scan(options.directory, options.branch);
   if (scan.branches().size() > 1 && options.branch.empty()) {
     fmt::print(
         "several branches ({}): the pictures show the one of lowest energy at each point; "
@@ -152,7 +152,10 @@ int run(int count, char** arguments) {
 int main(int count, char** arguments) {
   try {
     return sbeh::picture::run(count, arguments);
-  } catch (const sbeh::picture::InputError& error) {
+  } catch (const sbeh::studies::InputError& error) {
+    fmt::print(stderr, "{}\n", error.what());
+    return sbeh::picture::exit_bad_input;
+  } catch (const sbeh::studies::OutputError& error) {  // of a table that cannot be read
     fmt::print(stderr, "{}\n", error.what());
     return sbeh::picture::exit_bad_input;
   } catch (const std::exception& error) {

@@ -4,7 +4,7 @@
 #include "axisym/shooting/seifert_shooting.h"
 #include "axisym/spectral/minimiser.h"
 #include "axisym/stationary/classical_branches.h"
-#include "studies/io/csv_table.h"
+#include "studies/io/csv.h"
 #include "studies/scan/scan.h"
 #include "tests/studies/docs/document.h"
 #include "tests/studies/parameters/input_file.h"

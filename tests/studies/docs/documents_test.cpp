@@ -3,7 +3,7 @@
 #include "studies/evolution/relax.h"
 #include "studies/evolution/run_start.h"
 #include "studies/evolution/series_file.h"
-#include "studies/io/csv_line.h"
+#include "studies/io/csv.h"
 #include "studies/parameters/input_kind.h"
 #include "studies/scan/scan_input.h"
 #include "studies/stability/stability_input.h"
@@ -142,7 +142,7 @@ TEST(SeriesDocument, explains_the_columns_in_their_order_and_no_others) {
   std::vector<std::string> explained;
   for (const std::string& line : lines_of("studies/docs/series.md"))
     if (line.starts_with("| `")) explained.push_back(line.substr(3, line.find('`', 3) - 3));
-  EXPECT_EQ(explained, split_csv(series_header()));
+  EXPECT_EQ(explained, split_csv(header_of(series_columns())));
 }
 
 }  // namespace

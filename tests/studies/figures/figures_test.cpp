@@ -91,19 +91,22 @@ Agreement about(const std::vector<Finding>& findings, const std::string& paper,
 }
 
 // Two points of each model whose energies fall to rest; `gaps` U(SSH) − U(SBEH) for L = 0.01, 0.02.
-CsvTable energies(const std::array<double, 2>& gaps, double bump = 0) {
-  CsvTable table{
-      {"solver", "model", "reduced_volume", "L", "triangles", "at_rest", "time", "energy"}, {}};
+std::vector<EnergyRow> energies(const std::array<double, 2>& gaps, double bump = 0) {
+  std::vector<EnergyRow> rows;
   for (const int k : {0, 1})
-    for (const bool sbeh : {true, false})
+    for (const Model model : {Model::SBEH, Model::SSH})
       for (const double t : {0., 1., 2., 3.}) {
-        const double energy =
-            -8 - t - (sbeh ? gaps[std::size_t(k)] * t / 3 : 0) + (t == 2 ? bump : 0);
-        table.rows.push_back({"axisymmetric", sbeh ? "SBEH" : "SSH", "0.6",
-                              k == 0 ? "0.01" : "0.02", "", "yes", fmt::format("{}", t),
-                              fmt::format("{}", energy)});
+        const double gap = model == Model::SBEH ? gaps[std::size_t(k)] * t / 3 : 0;
+        rows.push_back({.solver = Solver::axisymmetric,
+                        .model = model,
+                        .reduced_volume = 0.6,
+                        .L = k == 0 ? 0.01 : 0.02,
+                        .triangles = {},
+                        .at_rest = true,
+                        .time = t,
+                        .energy = -8 - t - gap + (t == 2 ? bump : 0)});
       }
-  return table;
+  return rows;
 }
 
 TEST(FiguresFindings, see_whether_energies_fall) {
@@ -125,28 +128,38 @@ TEST(FiguresFindings, see_which_model_has_the_lower_energy_and_how_the_gap_grows
 }
 
 TEST(FiguresFindings, measure_how_far_3d_is_from_axisymmetric) {
-  CsvTable table = energies({0.1, 0.2});
-  table.rows.push_back({"3D", "SSH", "0.6", "0.01", "320", "yes", "0", "-8"});
-  table.rows.push_back({"3D", "SSH", "0.6", "0.01", "320", "yes", "3", "-11.0011"});
-  const auto findings = energy_findings(table);
+  std::vector<EnergyRow> rows = energies({0.1, 0.2});
+  const auto add = [&](Model model, std::optional<bool> at_rest, double time, double energy) {
+    rows.push_back({Solver::in_3d, model, 0.6, 0.01, 320, at_rest, time, energy});
+  };
+  add(Model::SSH, true, 0, -8);
+  add(Model::SSH, true, 3, -11.0011);
+  const auto findings = energy_findings(rows);
   EXPECT_NE(findings.back().result.find("1.0e-04"), std::string::npos) << findings.back().result;
   EXPECT_EQ(findings.back().agreement, Agreement::open);
   EXPECT_EQ(about(findings, "stationary", "3D"), Agreement::yes);
-  table.rows.push_back({"3D", "SBEH", "0.6", "0.01", "320", "", "3", "-9"});  // has not ended
-  EXPECT_EQ(about(energy_findings(table), "stationary", "3D"), Agreement::yes);
-  EXPECT_EQ(energy_findings(table).back().result, findings.back().result);
-  table.rows.back()[5] = "no";
-  EXPECT_EQ(about(energy_findings(table), "stationary", "3D"), Agreement::no);
+  add(Model::SBEH, {}, 3, -9);  // has not ended
+  EXPECT_EQ(about(energy_findings(rows), "stationary", "3D"), Agreement::yes);
+  EXPECT_EQ(energy_findings(rows).back().result, findings.back().result);
+  rows.back().at_rest = false;
+  EXPECT_EQ(about(energy_findings(rows), "stationary", "3D"), Agreement::no);
 }
 
-CsvTable shapes(double order_at_larger_L, double radius) {
-  CsvTable table{{"reduced_volume", "L", "order_min", "order_min_radius", "distance_from_SSH",
-                  "SSH_distance", "distance_3d"},
-                 {}};
-  table.rows.push_back({"0.6", "0.01", "0.6", "1", "0.01", "0", ""});
-  table.rows.push_back({"0.6", "0.02", fmt::format("{}", order_at_larger_L),
-                        fmt::format("{}", radius), "0.02", "1e-8", ""});
-  return table;
+std::vector<ShapeRow> shapes(double order_at_larger_L, double radius) {
+  const auto row = [](double L, double order, double order_radius, double from_ssh, double ssh) {
+    return ShapeRow{.reduced_volume = 0.6,
+                    .L = L,
+                    .energy = 0,
+                    .energy_SSH = 0,
+                    .order_min = order,
+                    .order_max = 0,
+                    .H_abs_max = 0,
+                    .order_min_radius = order_radius,
+                    .distance_from_SSH = from_ssh,
+                    .SSH_distance = ssh,
+                    .in_3d = {}};
+  };
+  return {row(0.01, 0.6, 1, 0.01, 0), row(0.02, order_at_larger_L, radius, 0.02, 1e-8)};
 }
 
 TEST(FiguresFindings, see_where_and_how_the_order_falls) {
@@ -157,37 +170,45 @@ TEST(FiguresFindings, see_where_and_how_the_order_falls) {
   EXPECT_EQ(about(shapes_findings(shapes(0.5, 1)), "same for all L"), Agreement::yes);
 }
 
-CsvTable evolution(double energy, double largest_moment, const std::string& last_time) {
-  CsvTable table{{"model", "residual_stiffness", "instant", "time", "energy", "energy_oblate",
-                  "energy_oblate_k0_0", "reduced_volume", "moment_1", "moment_2", "moment_3"},
-                 {}};
-  table.rows.push_back({"SSH", "0", "0", "0", "-3", "-9.8", "-9.8", "0.7376", "0.3", "0.3", "0.4"});
-  table.rows.push_back({"SSH", "0", "10", last_time, fmt::format("{}", energy), "-9.8", "-9.8",
-                        "0.7376", "0.1", "0.45", fmt::format("{}", largest_moment)});
-  return table;
+EvolutionState state_at(double time, double energy, const std::array<double, 3>& moments) {
+  return {.time = time,
+          .energy = energy,
+          .energy_oblate = -9.8,
+          .energy_oblate_k0_0 = -9.8,
+          .reduced_volume = 0.7376,
+          .order_min = 0,
+          .order_max = 0,
+          .H_abs_max = 0,
+          .moments = moments,
+          .frame = ""};
+}
+
+std::vector<EvolutionRow> evolution(double energy, double largest_moment) {
+  return {{Model::SSH, 0, 0, state_at(0, -3, {0.3, 0.3, 0.4})},
+          {Model::SSH, 0, 10, state_at(10, energy, {0.1, 0.45, largest_moment})}};
 }
 
 TEST(FiguresFindings, tell_an_oblate_by_its_energy_and_its_moments) {
   const auto is_oblate = [](double energy, double moment) {
-    return about(evolution_findings(evolution(energy, moment, "10")), "ends as an oblate");
+    return about(evolution_findings(evolution(energy, moment)), "ends as an oblate");
   };
   EXPECT_EQ(is_oblate(-9.7999, 0.46), Agreement::yes);
   EXPECT_EQ(is_oblate(-8.4, 0.46), Agreement::no);  // the threefold shape
   EXPECT_EQ(is_oblate(-9.7999, 2.5),
             Agreement::no);  // longer in one direction than flat in another
-  EXPECT_EQ(about(evolution_findings(evolution(-9.8, 0.46, "10")), "0.738"), Agreement::yes);
+  EXPECT_EQ(about(evolution_findings(evolution(-9.8, 0.46)), "0.738"), Agreement::yes);
 }
 
 TEST(FiguresFindings, do_not_judge_a_run_that_has_not_come_so_far) {
-  for (const Finding& finding : evolution_findings(evolution(-9.8, 0.46, "")))
+  std::vector<EvolutionRow> rows = evolution(-9.8, 0.46);
+  rows.back().nearest.reset();
+  for (const Finding& finding : evolution_findings(rows))
     EXPECT_NE(finding.paper, "ends as an oblate");
 }
 
 // W₂ rises to its largest value at `change`, energies fall, SSH's faster on the way.
-CsvTable measures(double sbeh_change, double ssh_change, double end) {
-  CsvTable table{{"model", "residual_stiffness", "unresolved_from", "time", "energy", "W2",
-                  "order_std", "order_variance", "reduced_volume"},
-                 {}};
+std::vector<MeasureRow> measures(double sbeh_change, double ssh_change, double end) {
+  std::vector<MeasureRow> rows;
   for (const bool sbeh : {true, false})
     for (double t = 0; t <= end; t += 0.1) {
       const double change = sbeh ? sbeh_change : ssh_change;
@@ -196,12 +217,17 @@ CsvTable measures(double sbeh_change, double ssh_change, double end) {
                        : t < change     ? 0.7
                        : t < change + 1 ? 0.4 - 0.1 * (t - change)
                                         : 0.5;
-      table.rows.push_back({sbeh ? "SBEH" : "SSH", sbeh ? "0.004" : "0", sbeh ? "0.5" : "",
-                            fmt::format("{}", t), fmt::format("{}", energy),
-                            fmt::format("{}", -26 - std::abs(t - change)),
-                            fmt::format("{}", sbeh ? std : 0.), "0", "0.7376"});
+      rows.push_back({.model = sbeh ? Model::SBEH : Model::SSH,
+                      .residual_stiffness = sbeh ? 0.004 : 0,
+                      .unresolved_from = sbeh ? std::optional(0.5) : std::nullopt,
+                      .time = t,
+                      .energy = energy,
+                      .W2 = -26 - std::abs(t - change),
+                      .order_std = sbeh ? std : 0,
+                      .order_variance = 0,
+                      .reduced_volume = 0.7376});
     }
-  return table;
+  return rows;
 }
 
 TEST(FiguresFindings, see_who_leaves_the_threefold_shape_earlier_and_when) {
@@ -224,12 +250,11 @@ TEST(FiguresFindings, see_the_energies_cross_and_the_spread_of_the_order_come_ba
   EXPECT_NE(findings.back().result.find("from t = 0.5 on"), std::string::npos);
 }
 
-TEST(FiguresFindings, are_none_without_numbers) {
-  const CsvTable none{{"model", "time"}, {}};
-  EXPECT_TRUE(energy_findings(none).empty());
-  EXPECT_TRUE(shapes_findings(none).empty());
-  EXPECT_TRUE(evolution_findings(none).empty());
-  EXPECT_TRUE(measures_findings(none).empty());
+TEST(FiguresFindings, are_none_without_rows) {
+  EXPECT_TRUE(energy_findings({}).empty());
+  EXPECT_TRUE(shapes_findings({}).empty());
+  EXPECT_TRUE(evolution_findings({}).empty());
+  EXPECT_TRUE(measures_findings({}).empty());
 }
 
 }  // namespace

@@ -2,7 +2,7 @@
 // Positions and lengths are pixels from the lower left corner; what is drawn later lies on top.
 #pragma once
 
-#include "tools/picture/canvas/profile.h"
+#include "tools/picture/canvas/geometry.h"
 
 #include <filesystem>
 #include <memory>
@@ -25,18 +25,6 @@ inline constexpr Colour white{255, 255, 255};
 inline constexpr Colour dark_grey{90, 90, 90};
 inline constexpr Colour light_grey{222, 222, 222};
 inline constexpr Colour red{214, 28, 28};
-
-struct Rect {
-  double x = 0.0;
-  double y = 0.0;
-  double width = 0.0;
-  double height = 0.0;
-
-  double right() const { return x + width; }
-  double top() const { return y + height; }
-  double centre_x() const { return x + 0.5 * width; }
-  double centre_y() const { return y + 0.5 * height; }
-};
 
 struct LineStyle {
   Colour colour = black;

@@ -2,11 +2,9 @@
 
 #include "meshing/curvature.h"
 #include "meshing/measures.h"
-#include "studies/io/errors.h"
 #include "studies/mesh_files/mesh_file.h"
-#include "tools/picture/canvas/csv.h"
 #include "tools/picture/canvas/image.h"
-#include "tools/picture/canvas/scene.h"
+#include "tools/picture/surface/scene.h"
 
 #include <fmt/format.h>
 #include <vtkImageData.h>
@@ -22,12 +20,8 @@ namespace {
 constexpr double usual_width = 1600.0, usual_height = 880.0;
 
 studies::CurvedFile read(const std::filesystem::path& file) {
-  try {
-    studies::MeshFile mesh = studies::read_mesh(file);
-    if (auto* curved = std::get_if<studies::CurvedFile>(&mesh)) return std::move(*curved);
-  } catch (const studies::InputError& error) {
-    throw InputError(error.what());
-  }
+  studies::MeshFile mesh = studies::read_mesh(file);
+  if (auto* curved = std::get_if<studies::CurvedFile>(&mesh)) return std::move(*curved);
   throw InputError(fmt::format("{}: has plain triangles; sbeh mesh file makes curved ones of them",
                                file.string()));
 }

@@ -1,11 +1,11 @@
 #include "tools/picture/evolution/relax.h"
 
-#include "tools/picture/canvas/csv.h"
-#include "tools/picture/canvas/frames.h"
-#include "tools/picture/canvas/history.h"
-#include "tools/picture/canvas/legend.h"
-#include "tools/picture/canvas/panels.h"
-#include "tools/picture/canvas/scan_table.h"
+#include "studies/evolution/series_file.h"
+#include "studies/states/profile_file.h"
+#include "tools/picture/chart/history.h"
+#include "tools/picture/chart/legend.h"
+#include "tools/picture/section/panels.h"
+#include "tools/picture/surface/frames.h"
 
 #include <fmt/format.h>
 
@@ -22,36 +22,44 @@ constexpr std::size_t most_in_a_row = 5;
 constexpr double shown_decades = 5;  // from the largest energy down: what is less is not seen in it
 
 struct Part {
-  const char* column;
   std::string name;
+  std::vector<double> values;
   double shift;
   LineStyle style;
 };
 
+// The total is the widest and below the others: at full order the bending energy is the same.
+std::vector<Part> parts_of(const std::vector<studies::SeriesRow>& series, const Options& options) {
+  const double shift = options.energy_shift;
+  const std::string suffix = options.energy_name().substr(1);  // " + 4π"
+  std::vector<Part> parts{
+      {"total " + options.energy_name(), {}, shift, {.colour = black, .width = 4.5}},
+      {"thermotropic" + suffix, {}, shift, {.colour = {0, 158, 115}, .width = 2.0, .dashed = true}},
+      {"bending", {}, 0.0, {.colour = {213, 94, 0}, .width = 2.0}},
+      {"distortion", {}, 0.0, {.colour = {0, 114, 178}, .width = 2.0}}};
+  for (const studies::SeriesRow& row : series) {
+    const model::Energy& energy = row.record.energy;
+    const double values[] = {energy.total(), energy.thermotropic, energy.bending,
+                             energy.distortion};
+    for (std::size_t k = 0; k < parts.size(); ++k) parts[k].values.push_back(values[k]);
+  }
+  return parts;
+}
+
 }  // namespace
 
 void draw_relaxation_energy(Canvas& canvas, const Options& options) {
-  const CsvTable table(options.directory / "series.csv");
-  const std::vector<double> time = table.numbers("time");
-  const double shift = options.energy_shift;
-  const std::string suffix = options.energy_name().substr(1);  // " + 4π"
-  // The total is the widest and below the others: at full order the bending energy is the same.
-  const Part parts[] = {
-      {"energy", "total " + options.energy_name(), shift, {.colour = black, .width = 4.5}},
-      {"energy_thermotropic",
-       "thermotropic" + suffix,
-       shift,
-       {.colour = {0, 158, 115}, .width = 2.0, .dashed = true}},
-      {"energy_bending", "bending", 0.0, {.colour = {213, 94, 0}, .width = 2.0}},
-      {"energy_distortion", "distortion", 0.0, {.colour = {0, 114, 178}, .width = 2.0}}};
+  const auto series =
+      studies::read_rows(studies::series_columns(), options.directory / "series.csv");
+  std::vector<double> time;
+  for (const studies::SeriesRow& row : series) time.push_back(row.record.time);
 
   std::vector<Points> curves;
   std::vector<LineStyle> styles;
   std::vector<LegendEntry> legend;
   double floor = -std::numeric_limits<double>::infinity();
-  for (const Part& part : parts) {
-    if (part.column != std::string("energy") && !table.has(part.column)) continue;
-    Points points = History{time, table.numbers(part.column)}.log_log(part.shift);
+  for (const Part& part : parts_of(series, options)) {
+    Points points = log_log(time, part.values, part.shift);
     for (const auto& point : points) floor = std::max(floor, point[1] - shown_decades);
     std::erase_if(points, [&](const auto& point) { return point[1] < floor; });
     if (points.size() < 2) continue;
@@ -78,7 +86,7 @@ void draw_relaxation_energy(Canvas& canvas, const Options& options) {
 }
 
 void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
-  const std::vector<Frame> frames =
+  const std::vector<studies::FrameEntry> frames =
       chosen_frames(read_frames(options.directory / "profiles.csv"), most_shapes);
   if (frames.empty()) {
     fmt::print("no shapes: {} lists no profile\n", (options.directory / "profiles.csv").string());
@@ -87,8 +95,8 @@ void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
   std::vector<Cut> cuts;
   Extent extent;
   OrderRange orders;
-  for (const Frame& frame : frames) {
-    cuts.push_back(mirrored(read_profile(frame.file)));
+  for (const studies::FrameEntry& frame : frames) {
+    cuts.push_back(mirrored(studies::read_profile(frame.file)));
     extent.include(cuts.back());
     orders.include(cuts.back());
   }

@@ -1,10 +1,9 @@
 #include "tools/picture/evolution/run.h"
 
-#include "tools/picture/canvas/csv.h"
-#include "tools/picture/canvas/frames.h"
 #include "tools/picture/canvas/image.h"
-#include "tools/picture/canvas/scan_table.h"
-#include "tools/picture/canvas/scene.h"
+#include "tools/picture/chart/axis.h"
+#include "tools/picture/surface/frames.h"
+#include "tools/picture/surface/scene.h"
 
 #include <fmt/format.h>
 #include <vtkImageData.h>
@@ -25,9 +24,9 @@ struct Shown {
   double low = 0, high = 0;
 };
 
-Shown read_states(const std::vector<Frame>& frames) {
+Shown read_states(const std::vector<studies::FrameEntry>& frames) {
   Shown shown;
-  for (const Frame& frame : frames) shown.states.push_back(read_state(frame.file));
+  for (const studies::FrameEntry& frame : frames) shown.states.push_back(read_state(frame.file));
   const auto set_range = [&](const char* field, const char* title) {
     shown.field = field;
     shown.title = title;
@@ -45,7 +44,7 @@ Shown read_states(const std::vector<Frame>& frames) {
 }  // namespace
 
 void draw_run_shapes(Canvas& canvas, const Options& options) {
-  const std::vector<Frame> frames =
+  const std::vector<studies::FrameEntry> frames =
       chosen_frames(read_frames(options.directory / "frames.csv"), most_shapes);
   if (frames.empty()) {
     fmt::print("no shapes: {} lists no frame\n", (options.directory / "frames.csv").string());

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "tools/picture/canvas/canvas.h"
-#include "tools/picture/canvas/options.h"
+#include "tools/picture/options.h"
 
 namespace sbeh::picture {
 

@@ -1,7 +1,6 @@
-#include "tools/picture/canvas/csv.h"
-#include "tools/picture/canvas/history.h"
-#include "tools/picture/canvas/legend.h"
-#include "tools/picture/canvas/scan_table.h"
+#include "studies/figures/tables.h"
+#include "tools/picture/chart/history.h"
+#include "tools/picture/chart/legend.h"
 #include "tools/picture/figures/figures.h"
 
 #include <fmt/format.h>
@@ -18,6 +17,12 @@ namespace {
 constexpr double line_width = 2.4;
 constexpr double first_time = 1e-4;  // shown; what is earlier looks like the start
 
+using studies::figures::Solver;
+
+struct History {
+  std::vector<double> time, energy;
+};
+
 struct Histories {
   using Key = std::tuple<double, double, bool, bool>;  // V_r, L, is SSH, in 3D
   std::map<Key, History> of;
@@ -26,22 +31,17 @@ struct Histories {
 };
 
 Histories read_histories(const std::filesystem::path& file) {
-  const CsvTable table(file);
-  const std::size_t solver = table.column("solver"), model = table.column("model");
-  const auto v = table.numbers("reduced_volume"), L = table.numbers("L"),
-             time = table.numbers("time"), energy = table.numbers("energy");
   Histories all;
   std::set<double> volumes, lengths;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const bool in_3d = table.text(row, solver) == "3D";
-    volumes.insert(v[row]);
-    lengths.insert(L[row]);
-    const bool is_ssh = table.text(row, model) == "SSH";
+  for (const auto& row : studies::read_rows(studies::figures::energy_columns(), file)) {
+    const bool in_3d = row.solver == Solver::in_3d, is_ssh = row.model == model::Model::SSH;
+    volumes.insert(row.reduced_volume);
+    lengths.insert(row.L);
     (is_ssh ? all.ssh_3d : all.sbeh_3d) |= in_3d;
-    History& h = all.of[{v[row], L[row], is_ssh, in_3d}];
-    if (time[row] < first_time) continue;
-    h.time.push_back(time[row]);
-    h.value.push_back(energy[row]);
+    History& h = all.of[{row.reduced_volume, row.L, is_ssh, in_3d}];
+    if (row.time < first_time) continue;
+    h.time.push_back(row.time);
+    h.energy.push_back(row.energy);
   }
   all.volumes.assign(volumes.begin(), volumes.end());
   all.lengths.assign(lengths.begin(), lengths.end());
@@ -68,8 +68,8 @@ std::vector<LegendEntry> legend_of(const Histories& all, const std::vector<Colou
   if (all.sbeh_3d) entries.push_back(marker_entry(Marker::full, dark_grey, "SBEH in 3D"));
   if (all.ssh_3d) entries.push_back(marker_entry(Marker::hollow, dark_grey, "SSH in 3D"));
   for (std::size_t l = 0; l < all.lengths.size(); ++l)
-    entries.push_back(line_entry({.colour = colours[l], .width = 2 * line_width},
-                                 "L = " + short_number(all.lengths[l])));
+    entries.push_back(
+        line_entry({.colour = colours[l], .width = 2 * line_width}, length_title(all.lengths[l])));
   return entries;
 }
 
@@ -79,7 +79,8 @@ void draw_figure_energy(Canvas& canvas, const Options& options) {
   const Histories all = read_histories(options.directory / "energy.csv");
   const std::vector<Colour> colours = line_colours(all.lengths.size());
   std::vector<Points> points;
-  for (const auto& [key, h] : all.of) points.push_back(h.log_log(options.energy_shift));
+  for (const auto& [key, h] : all.of)
+    points.push_back(log_log(h.time, h.energy, options.energy_shift));
   const HistoryAxes axes = history_axes(points, options.energy_name());
   const auto legend = legend_of(all, colours);
 
@@ -106,14 +107,14 @@ void draw_figure_energy(Canvas& canvas, const Options& options) {
       if (volume != all.volumes[panel]) continue;
       const Colour colour =
           colours[std::size_t(std::ranges::find(all.lengths, length) - all.lengths.begin())];
-      const Points curve = h.log_log(options.energy_shift);
+      const Points curve = log_log(h.time, h.energy, options.energy_shift);
       if (in_3d)
         chart.markers(thinned(curve), is_ssh ? Marker::hollow : Marker::full, colour, 0.45 * text);
       else
         chart.curve(curve, {.colour = colour, .width = line_width, .dashed = is_ssh});
     }
-    canvas.text(inside.centre_x(), inside.top() + 1.0 * text,
-                "Vᵣ = " + short_number(all.volumes[panel]), {.size = text});
+    canvas.text(inside.centre_x(), inside.top() + 1.0 * text, volume_title(all.volumes[panel]),
+                {.size = text});
   }
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "energy");

@@ -1,9 +1,9 @@
-#include "tools/picture/canvas/csv.h"
-#include "tools/picture/canvas/frames.h"
+#include "studies/figures/tables.h"
 #include "tools/picture/canvas/image.h"
-#include "tools/picture/canvas/scan_table.h"
-#include "tools/picture/canvas/scene.h"
+#include "tools/picture/chart/axis.h"
 #include "tools/picture/figures/figures.h"
+#include "tools/picture/surface/frames.h"
+#include "tools/picture/surface/scene.h"
 
 #include <fmt/format.h>
 #include <vtkImageData.h>
@@ -38,27 +38,26 @@ struct Evolution {
 };
 
 Evolution read_evolution(const std::filesystem::path& file) {
-  const CsvTable table(file);
-  const std::size_t model = table.column("model"), frame = table.column("frame");
-  const auto instant = table.numbers("instant"), time = table.numbers("time"),
-             k0 = table.numbers("residual_stiffness");
+  const auto rows = studies::read_rows(studies::figures::evolution_columns(), file);
   Evolution all;
-  all.instants = instant;
+  for (const auto& row : rows) all.instants.push_back(row.instant);
   std::ranges::sort(all.instants);
   const auto repeated = std::ranges::unique(all.instants);
   all.instants.erase(repeated.begin(), repeated.end());
-  for (const char* name : {"SBEH", "SSH"}) {
-    Model3d one{name, name == std::string("SBEH"),
+  for (const model::Model model : {model::Model::SBEH, model::Model::SSH}) {
+    const char* name = model::name(model);
+    Model3d one{name, has_free_order(model),
                 std::vector<std::optional<Shape>>(all.instants.size())};
     bool any = false;
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-      if (table.text(row, model) != name) continue;
+    for (const auto& row : rows) {
+      if (row.model != model) continue;
       any = true;
-      if (k0[row] > 0) one.name = fmt::format("{} with k₀ = {:.4g}", name, k0[row]);
-      if (table.text(row, frame).empty()) continue;
-      auto& shape = one.shapes[std::size_t(std::ranges::find(all.instants, instant[row])
+      if (row.residual_stiffness > 0)
+        one.name = fmt::format("{} with k₀ = {:.4g}", name, row.residual_stiffness);
+      if (!row.nearest) continue;
+      auto& shape = one.shapes[std::size_t(std::ranges::find(all.instants, row.instant)
                                            - all.instants.begin())];
-      shape = Shape{time[row], read_state(file.parent_path() / table.text(row, frame))};
+      shape = Shape{row.nearest->time, read_state(file.parent_path() / row.nearest->frame)};
       const auto& nodes = shape->state.mesh.nodes;
       const Eigen::Vector3d middle = (nodes.rowwise().maxCoeff() + nodes.rowwise().minCoeff()) / 2;
       all.half_width =

@@ -1,7 +1,6 @@
-#include "tools/picture/canvas/csv.h"
-#include "tools/picture/canvas/history.h"
-#include "tools/picture/canvas/legend.h"
-#include "tools/picture/canvas/scan_table.h"
+#include "studies/figures/tables.h"
+#include "tools/picture/chart/history.h"
+#include "tools/picture/chart/legend.h"
 #include "tools/picture/figures/figures.h"
 
 #include <fmt/format.h>
@@ -15,18 +14,22 @@ namespace {
 
 const LineStyle sbeh_style{.colour = {0, 84, 159}, .width = 2.6};
 const LineStyle ssh_style{.colour = red, .width = 2.6, .dashed = true};
+
+using studies::figures::MeasureRow;
+
 // What is earlier looks like the start.
-double first_shown(const std::vector<double>& time) {
-  return time.empty() ? 0.0 : std::min(1e-2, std::ranges::max(time) / 100.0);
+double first_shown(const std::vector<MeasureRow>& rows) {
+  if (rows.empty()) return 0.0;
+  return std::min(1e-2, std::ranges::max(rows, {}, &MeasureRow::time).time / 100.0);
 }
 
 struct Panel {
-  const char* column;
+  double MeasureRow::*quantity;
   const char* title;
 };
-constexpr Panel panels[] = {{"energy", "energy U"},
-                            {"W2", "W₂ = ∫ H dS"},
-                            {"order_std", "standard deviation of the order β"}};
+constexpr Panel panels[] = {{&MeasureRow::energy, "energy U"},
+                            {&MeasureRow::W2, "W₂ = ∫ H dS"},
+                            {&MeasureRow::order_std, "standard deviation of the order β"}};
 
 struct Curve {
   std::string name;  // with k₀ where there is one
@@ -35,19 +38,18 @@ struct Curve {
 };
 
 std::vector<Curve> read_curves(const std::filesystem::path& file) {
-  const CsvTable table(file);
-  const std::size_t model = table.column("model");
-  const auto time = table.numbers("time"), k0 = table.numbers("residual_stiffness");
-  const double first = first_shown(time);
+  const auto rows = studies::read_rows(studies::figures::measure_columns(), file);
+  const double first = first_shown(rows);
   std::vector<Curve> curves;
-  for (const auto& [name, style] : {std::pair("SBEH", sbeh_style), std::pair("SSH", ssh_style)}) {
-    Curve curve{name, style, {}};
-    for (std::size_t row = 0; row < table.rows(); ++row) {
-      if (table.text(row, model) != name || !(time[row] >= first) || time[row] <= 0) continue;
-      if (k0[row] > 0) curve.name = fmt::format("{} with k₀ = {:.4g}", name, k0[row]);
+  for (const auto& [model, style] :
+       {std::pair(model::Model::SBEH, sbeh_style), std::pair(model::Model::SSH, ssh_style)}) {
+    Curve curve{name(model), style, {}};
+    for (const MeasureRow& row : rows) {
+      if (row.model != model || !(row.time >= first) || row.time <= 0) continue;
+      if (row.residual_stiffness > 0)
+        curve.name = fmt::format("{} with k₀ = {:.4g}", name(model), row.residual_stiffness);
       for (int i = 0; i < 3; ++i)
-        curve.points[i].push_back(
-            {std::log10(time[row]), table.number(row, table.column(panels[i].column))});
+        curve.points[i].push_back({std::log10(row.time), row.*panels[i].quantity});
     }
     if (curve.points[0].size() > 1) curves.push_back(std::move(curve));
   }

@@ -1,10 +1,10 @@
-#include "tools/picture/canvas/csv.h"
-#include "tools/picture/canvas/frames.h"
+#include "studies/figures/tables.h"
 #include "tools/picture/canvas/image.h"
-#include "tools/picture/canvas/legend.h"
-#include "tools/picture/canvas/scene.h"
+#include "tools/picture/chart/legend.h"
 #include "tools/picture/figures/figures.h"
-#include "tools/picture/scan/cut_matrix.h"
+#include "tools/picture/section/panels.h"
+#include "tools/picture/surface/frames.h"
+#include "tools/picture/surface/scene.h"
 
 #include <fmt/format.h>
 #include <vtkImageData.h>
@@ -35,16 +35,14 @@ struct Stationary {
 };
 
 void read_shapes(const std::filesystem::path& folder, Stationary& all) {
-  const CsvTable table(folder / "shapes.csv");
-  const std::size_t frame = table.column("frame");
-  const auto v = table.numbers("reduced_volume"), L = table.numbers("L");
-  const std::set<double> volumes(v.begin(), v.end()), lengths(L.begin(), L.end());
-  all.volumes.assign(volumes.begin(), volumes.end());
-  all.lengths.assign(lengths.begin(), lengths.end());
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    if (table.text(row, frame).empty()) continue;
-    studies::CurvedFile& state = all.in_3d[{v[row], L[row]}] =
-        read_state(folder / table.text(row, frame));
+  std::set<double> volumes, lengths;
+  for (const auto& row :
+       studies::read_rows(studies::figures::shape_columns(), folder / "shapes.csv")) {
+    volumes.insert(row.reduced_volume);
+    lengths.insert(row.L);
+    if (!row.in_3d) continue;
+    studies::CurvedFile& state = all.in_3d[{row.reduced_volume, row.L}] =
+        read_state(folder / row.in_3d->frame);
     const auto& nodes = state.mesh.nodes;
     const Eigen::Vector3d middle = (nodes.rowwise().maxCoeff() + nodes.rowwise().minCoeff()) / 2;
     all.half_width =
@@ -52,23 +50,21 @@ void read_shapes(const std::filesystem::path& folder, Stationary& all) {
     all.order_low = std::min(all.order_low, state.fields.at("order").minCoeff());
     all.order_high = std::max(all.order_high, state.fields.at("order").maxCoeff());
   }
+  all.volumes.assign(volumes.begin(), volumes.end());
+  all.lengths.assign(lengths.begin(), lengths.end());
 }
 
 void read_cuts(const std::filesystem::path& file, Stationary& all) {
-  const CsvTable table(file);
-  const std::size_t model = table.column("model"), solver = table.column("solver");
-  const auto v = table.numbers("reduced_volume"), L = table.numbers("L"), x = table.numbers("x"),
-             z = table.numbers("z"), order = table.numbers("order");
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const bool is_ssh = table.text(row, model) == "SSH";
-    if (is_ssh && L[row] != all.lengths.front()) continue;
+  for (const auto& row : studies::read_rows(studies::figures::cut_columns(), file)) {
+    const bool is_ssh = row.model == model::Model::SSH;
+    if (is_ssh && row.L != all.lengths.front()) continue;
     all.axisymmetric_cuts =
-        all.axisymmetric_cuts || (!is_ssh && table.text(row, solver) == "axisymmetric");
-    Cut& cut = is_ssh ? all.ssh[v[row]] : all.sbeh[{v[row], L[row]}];
-    cut.points.push_back({x[row], z[row]});
-    cut.order.push_back(order[row]);
-    cut.half_width = std::max(cut.half_width, std::abs(x[row]));
-    cut.half_height = std::max(cut.half_height, std::abs(z[row]));
+        all.axisymmetric_cuts || (!is_ssh && row.solver == studies::figures::Solver::axisymmetric);
+    Cut& cut = is_ssh ? all.ssh[row.reduced_volume] : all.sbeh[{row.reduced_volume, row.L}];
+    cut.points.push_back({row.x, row.z});
+    cut.order.push_back(row.order);
+    cut.half_width = std::max(cut.half_width, std::abs(row.x));
+    cut.half_height = std::max(cut.half_height, std::abs(row.z));
   }
   for (const auto& [point, cut] : all.sbeh) all.extent.include(cut);
   for (const auto& [point, cut] : all.ssh) all.extent.include(cut);

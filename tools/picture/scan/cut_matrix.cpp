@@ -1,5 +1,8 @@
 #include "tools/picture/scan/cut_matrix.h"
 
+#include "studies/states/profile_file.h"
+#include "tools/picture/chart/axis.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -12,13 +15,7 @@ constexpr std::size_t most_lengths = 7;
 
 }  // namespace
 
-std::string volume_title(double reduced_volume) {
-  return fmt::format("Vᵣ = {}", short_number(reduced_volume));
-}
-
-std::string length_title(double length) { return fmt::format("L = {}", short_number(length)); }
-
-CutMatrix::CutMatrix(const ScanTable& scan)
+CutMatrix::CutMatrix(const ScanGrid& scan)
     : scan_(scan),
       volumes_(evenly_spread(scan.reduced_volumes().size(), most_volumes)),
       lengths_(evenly_spread(scan.lengths().size(), most_lengths)),
@@ -26,9 +23,9 @@ CutMatrix::CutMatrix(const ScanTable& scan)
   for (const std::size_t volume : volumes_) {
     for (std::size_t length = 0; length < scan.lengths().size(); ++length) {
       for (const Model model : {Model::SBEH, Model::SSH}) {
-        const ScanPoint* point = scan.find(model, volume, length);
-        if (!point || !std::filesystem::exists(point->profile)) continue;
-        const Cut& cut = cuts_[point] = mirrored(read_profile(point->profile));
+        const PointResult* point = scan.find(model, volume, length);
+        if (!point || !std::filesystem::exists(scan.profile(*point))) continue;
+        const Cut& cut = cuts_[point] = mirrored(studies::read_profile(scan.profile(*point)));
         extent_.include(cut);
         if (model == Model::SBEH) orders_.include(cut);
       }
@@ -76,15 +73,15 @@ std::string CutMatrix::remark(std::size_t volume, std::size_t length) const {
   std::vector<std::string> remarks;
   for (const Model model : {Model::SBEH, Model::SSH}) {
     if (!scan_.has(model)) continue;
-    const char* name = model == Model::SBEH ? "SBEH" : "SSH";
-    const ScanPoint* point = scan_.find(model, volume, length);
+    const char* name = model::name(model);
+    const PointResult* point = scan_.find(model, volume, length);
     if (!point) {
       remarks.push_back(fmt::format("no {}", name));
-    } else if (point->status == Status::failed) {
+    } else if (point->status == PointStatus::failed) {
       remarks.push_back(fmt::format("{} failed", name));
     } else if (!cut(model, volume, length)) {
       remarks.push_back(fmt::format("no {} profile", name));
-    } else if (point->status == Status::unresolved) {
+    } else if (point->status == PointStatus::unresolved) {
       remarks.push_back(fmt::format("{} unresolved", name));
     }
   }

@@ -1,8 +1,8 @@
 // Which cuts of a scan are shown, and in which row and column.
 #pragma once
 
-#include "tools/picture/canvas/panels.h"
-#include "tools/picture/canvas/scan_table.h"
+#include "tools/picture/scan/scan_grid.h"
+#include "tools/picture/section/panels.h"
 
 #include <map>
 #include <string>
@@ -10,19 +10,16 @@
 
 namespace sbeh::picture {
 
-std::string volume_title(double reduced_volume);
-std::string length_title(double length);
-
 /// Rows are reduced volumes, columns are values of L; a larger scan is thinned out evenly. With a single
 /// L the reduced volumes stand side by side. Below follow the overlays, all L of one reduced volume in
 /// a cell. Reduced volumes and L are given by their index in the scan.
 class CutMatrix {
  public:
   /// Reads the profiles that are shown; throws InputError.
-  explicit CutMatrix(const ScanTable& scan);
+  explicit CutMatrix(const ScanGrid& scan);
 
   bool empty() const { return cuts_.empty(); }
-  const ScanTable& scan() const { return scan_; }
+  const ScanGrid& scan() const { return scan_; }
   const OrderRange& orders() const { return orders_; }  ///< of the cuts of SBEH
 
   std::size_t rows() const { return is_row_ ? 1 : volumes_.size(); }
@@ -52,11 +49,11 @@ class CutMatrix {
   std::vector<double> half_heights() const;
 
  private:
-  const ScanTable& scan_;
+  const ScanGrid& scan_;
   std::vector<std::size_t> volumes_;
   std::vector<std::size_t> lengths_;
   bool is_row_;
-  std::map<const ScanPoint*, Cut> cuts_;
+  std::map<const PointResult*, Cut> cuts_;
   Extent extent_;
   OrderRange orders_;
 };

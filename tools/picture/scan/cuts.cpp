@@ -1,6 +1,6 @@
 #include "tools/picture/scan/cuts.h"
 
-#include "tools/picture/canvas/legend.h"
+#include "tools/picture/chart/legend.h"
 #include "tools/picture/scan/cut_matrix.h"
 
 #include <fmt/format.h>
@@ -29,7 +29,7 @@ LineStyle overlay_style(std::size_t length, std::size_t count) {
 
 std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const std::optional<ColourMap>& colours,
                                    double text_size) {
-  const ScanTable& scan = matrix.scan();
+  const ScanGrid& scan = matrix.scan();
   std::vector<LegendEntry> entries;
   if (colours) {
     entries.push_back(
@@ -188,7 +188,7 @@ void draw_titles(Canvas& canvas, const CutMatrix& matrix, const Layout& at) {
 
 }  // namespace
 
-void draw_cuts_picture(Canvas& canvas, const ScanTable& scan, const Options& options) {
+void draw_cuts_picture(Canvas& canvas, const ScanGrid& scan, const Options& options) {
   const CutMatrix matrix(scan);
   if (matrix.empty()) {
     fmt::print("no cuts: there is no profile in {}\n", (options.directory / "points").string());

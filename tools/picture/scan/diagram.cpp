@@ -14,7 +14,7 @@ namespace {
 
 constexpr std::size_t most_table_cells = 30;
 
-std::vector<Quantity> quantities_of(const ScanTable& scan) {
+std::vector<Quantity> quantities_of(const ScanGrid& scan) {
   if (!scan.has(Model::SBEH)) {
     fmt::print("diagram: no SBEH rows, so neither energy gap nor smallest order\n");
     return {energy(scan, Model::SSH), largest_curvature(scan, Model::SSH)};
@@ -37,7 +37,7 @@ struct Contents {
 };
 
 // Whether any of its points is among the scan's.
-bool is_within(const DiagramLine& line, const ScanTable& scan) {
+bool is_within(const DiagramLine& line, const ScanGrid& scan) {
   const auto between = [](double value, const std::vector<double>& values) {
     return value >= values.front() && value <= values.back();
   };
@@ -46,7 +46,7 @@ bool is_within(const DiagramLine& line, const ScanTable& scan) {
   });
 }
 
-Contents contents_of(const ScanTable& scan, const Options& options) {
+Contents contents_of(const ScanGrid& scan, const Options& options) {
   Contents c{.branches = {},
              .quantities = quantities_of(scan),
              .colours = {},
@@ -73,7 +73,7 @@ Contents contents_of(const ScanTable& scan, const Options& options) {
   return c;
 }
 
-void draw_heat_maps(Canvas& canvas, const ScanTable& scan, const Options& options) {
+void draw_heat_maps(Canvas& canvas, const ScanGrid& scan, const Options& options) {
   const Contents contents = contents_of(scan, options);
   const double text = options.text_size();
   double bars = 0.0;  // the width that all bars take with their numbers
@@ -124,7 +124,7 @@ void draw_heat_maps(Canvas& canvas, const ScanTable& scan, const Options& option
 
 }  // namespace
 
-void draw_diagram_picture(Canvas& canvas, const ScanTable& scan, const Options& options) {
+void draw_diagram_picture(Canvas& canvas, const ScanGrid& scan, const Options& options) {
   const bool one_volume = scan.reduced_volumes().size() == 1;
   const bool one_length = scan.lengths().size() == 1;
   if (one_volume != one_length) {

@@ -2,12 +2,12 @@
 #pragma once
 
 #include "tools/picture/canvas/canvas.h"
-#include "tools/picture/canvas/options.h"
-#include "tools/picture/canvas/scan_table.h"
+#include "tools/picture/options.h"
+#include "tools/picture/scan/scan_grid.h"
 
 namespace sbeh::picture {
 
 /// Writes DIR/diagram.png and .svg: cells, or curves if only one of the two parameters varies.
-void draw_diagram_picture(Canvas& canvas, const ScanTable& scan, const Options& options);
+void draw_diagram_picture(Canvas& canvas, const ScanGrid& scan, const Options& options);
 
 }  // namespace sbeh::picture

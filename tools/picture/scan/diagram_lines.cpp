@@ -1,11 +1,12 @@
 #include "tools/picture/scan/diagram_lines.h"
 
-#include "tools/picture/canvas/csv.h"
+#include "studies/scan/beyond_fold_table.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <map>
-#include <optional>
 #include <utility>
 
 namespace sbeh::picture {
@@ -15,50 +16,47 @@ namespace fs = std::filesystem;
 
 constexpr Colour magenta{200, 0, 160};
 
-Colour fold_colour(const std::string& branch) {
-  if (branch == "prolate") return {205, 95, 0};
-  return branch == "stomatocyte" ? Colour{0, 120, 70} : red;
+Colour fold_colour(axisym::Branch branch) {
+  if (branch == axisym::Branch::prolate) return {205, 95, 0};
+  return branch == axisym::Branch::stomatocyte ? Colour{0, 120, 70} : red;
 }
 
 constexpr double line_width = 2.6, border = 2.0;
 constexpr double farthest = 2.0;  // ratio of L between neighbours on one line of folds
 
-std::optional<CsvTable> table_if_there(const fs::path& file) {
-  if (!fs::exists(file)) return {};
-  return CsvTable(file);
+template <class Row>
+std::vector<Row> rows_if_there(const studies::Columns<Row>& columns, const fs::path& file) {
+  return fs::exists(file) ? studies::read_rows(columns, file) : std::vector<Row>{};
 }
 
-void add_folds(const CsvTable& table, const std::string& branch, std::vector<DiagramLine>& lines) {
-  const std::size_t names = table.column("branch");
-  const auto volumes = table.numbers("reduced_volume"), L = table.numbers("L");
-  std::map<std::string, std::vector<Points>> by_branch;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    auto& pieces = by_branch[table.text(row, names)];
+void add_folds(const std::vector<studies::FoldRow>& folds, const std::string& branch,
+               std::vector<DiagramLine>& lines) {
+  std::map<axisym::Branch, std::vector<Points>> by_branch;
+  for (const studies::FoldRow& fold : folds) {
+    auto& pieces = by_branch[fold.branch];
     // Another fold, such as where the order melts at large L, is no continuation.
     const double before = pieces.empty() ? 0.0 : pieces.back().back()[1];
-    if (L[row] > farthest * before || before > farthest * L[row]) pieces.emplace_back();
-    pieces.back().push_back({volumes[row], L[row]});
+    if (fold.L > farthest * before || before > farthest * fold.L) pieces.emplace_back();
+    pieces.back().push_back({fold.reduced_volume, fold.L});
   }
-  for (const auto& [name, pieces] : by_branch)
-    if (branch.empty() || branch == name)
+  for (const auto& [own, pieces] : by_branch)
+    if (branch.empty() || branch == name(own))
       for (const Points& points : pieces)
-        lines.push_back(
-            {"fold, " + name, {.colour = fold_colour(name), .width = line_width}, points});
+        lines.push_back({std::string("fold, ") + name(own),
+                         {.colour = fold_colour(own), .width = line_width},
+                         points});
 }
 
 // At one L two branches may meet more than once: the k-th meetings make the k-th line.
-void add_equal_energies(const CsvTable& table, const std::string& branch,
+void add_equal_energies(const std::vector<studies::EqualEnergyRow>& rows, const std::string& branch,
                         std::vector<DiagramLine>& lines) {
-  const std::size_t firsts = table.column("first"), seconds = table.column("second");
-  const auto volumes = table.numbers("reduced_volume"), L = table.numbers("L");
   std::map<std::pair<std::string, std::size_t>, Points> meetings;
   std::map<std::pair<std::string, double>, std::size_t> counts;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::string first = table.text(row, firsts), second = table.text(row, seconds);
-    if (!branch.empty() && branch != first && branch != second) continue;
-    const std::string pair = first + " = " + second;
-    const std::size_t k = counts[{pair, L[row]}]++;
-    meetings[{pair, k}].push_back({volumes[row], L[row]});
+  for (const auto& [first, second, L, volume, energy] : rows) {
+    if (!branch.empty() && branch != name(first) && branch != name(second)) continue;
+    const std::string pair = fmt::format("{} = {}", name(first), name(second));
+    const std::size_t k = counts[{pair, L}]++;
+    meetings[{pair, k}].push_back({volume, L});
   }
   std::vector<std::string> pairs;
   for (const auto& [key, points] : meetings) {
@@ -70,63 +68,31 @@ void add_equal_energies(const CsvTable& table, const std::string& branch,
   }
 }
 
-void add_sharp_rims(const CsvTable& table, std::vector<DiagramLine>& lines) {
-  const std::size_t kinds = table.column("kind");
-  const auto volumes = table.numbers("reduced_volume"), L = table.numbers("L");
-  const std::array<std::pair<const char*, const char*>, 2> wanted{
-      {{"equal_energy", "equal energy, smooth = sharp rim"}, {"second_fold", "end of sharp rims"}}};
+void add_sharp_rims(const std::vector<axisym::RimRecord>& states, std::vector<DiagramLine>& lines) {
+  using axisym::RimKind;
+  constexpr std::array<std::pair<RimKind, const char*>, 2> wanted{
+      {{RimKind::equal_energy, "equal energy, smooth = sharp rim"},
+       {RimKind::second_fold, "end of sharp rims"}}};
   for (const auto& [kind, name] : wanted) {
     Points points;
-    for (std::size_t row = 0; row < table.rows(); ++row)
-      if (table.text(row, kinds) == kind) points.push_back({volumes[row], L[row]});
+    for (const axisym::RimRecord& state : states)
+      if (state.kind == kind) points.push_back({state.reduced_volume, state.L});
     lines.push_back(
         {name,
-         {.colour = magenta, .width = line_width, .dashed = std::string(kind) == "second_fold"},
+         {.colour = magenta, .width = line_width, .dashed = kind == RimKind::second_fold},
          points});
   }
-}
-
-// The part of a segment inside, by Liang and Barsky; empty when there is none.
-using Point = Points::value_type;
-std::optional<std::pair<Point, Point>> clipped(const Point& from, const Point& to,
-                                               const Rect& inside) {
-  double begin = 0, end = 1;
-  const auto limit = [&](double start, double change, double low, double high) {
-    if (change == 0) return start >= low && start <= high;
-    double enter = (low - start) / change, leave = (high - start) / change;
-    if (enter > leave) std::swap(enter, leave);
-    begin = std::max(begin, enter);
-    end = std::min(end, leave);
-    return begin < end;
-  };
-  const double dx = to[0] - from[0], dy = to[1] - from[1];
-  if (!limit(from[0], dx, inside.x, inside.right()) || !limit(from[1], dy, inside.y, inside.top()))
-    return {};
-  return std::pair(Point{from[0] + begin * dx, from[1] + begin * dy},
-                   Point{from[0] + end * dx, from[1] + end * dy});
-}
-
-std::vector<Points> clipped(const Points& line, const Rect& inside) {
-  std::vector<Points> pieces;
-  for (std::size_t i = 1; i < line.size(); ++i) {
-    const auto piece = clipped(line[i - 1], line[i], inside);
-    if (!piece) continue;
-    if (pieces.empty() || pieces.back().back() != piece->first) pieces.push_back({piece->first});
-    pieces.back().push_back(piece->second);
-  }
-  return pieces;
 }
 
 }  // namespace
 
 std::vector<DiagramLine> diagram_lines(const fs::path& directory, const std::string& branch) {
   std::vector<DiagramLine> lines;
-  if (const auto folds = table_if_there(directory / "folds.csv")) add_folds(*folds, branch, lines);
-  if (const auto meetings = table_if_there(directory / "equal_energy.csv"))
-    add_equal_energies(*meetings, branch, lines);
-  if (const auto states = table_if_there(directory / "beyond_fold.csv");
-      states && (branch.empty() || branch == "oblate"))
-    add_sharp_rims(*states, lines);
+  add_folds(rows_if_there(studies::fold_columns(), directory / "folds.csv"), branch, lines);
+  add_equal_energies(rows_if_there(studies::equal_energy_columns(), directory / "equal_energy.csv"),
+                     branch, lines);
+  if (branch.empty() || branch == "oblate")
+    add_sharp_rims(rows_if_there(studies::rim_columns(), directory / "beyond_fold.csv"), lines);
   std::erase_if(lines, [](const DiagramLine& line) { return line.points.size() < 2; });
   return lines;
 }

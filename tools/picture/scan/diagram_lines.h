@@ -1,7 +1,7 @@
 // The lines of a diagram over (reduced volume, L): folds and equal energies, from a scan's tables.
 #pragma once
 
-#include "tools/picture/canvas/heat_map.h"
+#include "tools/picture/scan/heat_map.h"
 
 #include <filesystem>
 

@@ -1,7 +1,7 @@
 #include "tools/picture/scan/energy.h"
 
-#include "tools/picture/canvas/history.h"
-#include "tools/picture/canvas/legend.h"
+#include "tools/picture/chart/history.h"
+#include "tools/picture/chart/legend.h"
 
 #include <fmt/format.h>
 
@@ -27,7 +27,7 @@ struct Histories {
   std::vector<Curve> curves;
 };
 
-Histories read_histories(const ScanTable& scan, const Options& options) {
+Histories read_histories(const ScanGrid& scan, const Options& options) {
   Histories all{.volumes = evenly_spread(scan.reduced_volumes().size(), most_panels),
                 .lengths = evenly_spread(scan.lengths().size(), most_lengths),
                 .colours = {},
@@ -36,9 +36,9 @@ Histories read_histories(const ScanTable& scan, const Options& options) {
   for (std::size_t panel = 0; panel < all.volumes.size(); ++panel) {
     for (std::size_t l = 0; l < all.lengths.size(); ++l) {
       for (const Model model : {Model::SBEH, Model::SSH}) {
-        const ScanPoint* point = scan.find(model, all.volumes[panel], all.lengths[l]);
-        if (!point || !std::filesystem::exists(point->series)) continue;
-        Points points = read_history(point->series, "energy").log_log(options.energy_shift);
+        const PointResult* point = scan.find(model, all.volumes[panel], all.lengths[l]);
+        if (!point || !std::filesystem::exists(scan.series(*point))) continue;
+        Points points = energy_over_time(scan.series(*point), options.energy_shift);
         if (points.size() < 2) continue;
         const LineStyle style{
             .colour = all.colours[l], .width = line_width, .dashed = model == Model::SSH};
@@ -49,19 +49,19 @@ Histories read_histories(const ScanTable& scan, const Options& options) {
   return all;
 }
 
-bool any_series(const ScanTable& scan) {
+bool any_series(const ScanGrid& scan) {
   for (std::size_t v = 0; v < scan.reduced_volumes().size(); ++v) {
     for (std::size_t l = 0; l < scan.lengths().size(); ++l) {
       for (const Model model : {Model::SBEH, Model::SSH}) {
-        const ScanPoint* point = scan.find(model, v, l);
-        if (point && std::filesystem::exists(point->series)) return true;
+        const PointResult* point = scan.find(model, v, l);
+        if (point && std::filesystem::exists(scan.series(*point))) return true;
       }
     }
   }
   return false;
 }
 
-std::vector<LegendEntry> legend_of(const ScanTable& scan, const Histories& all) {
+std::vector<LegendEntry> legend_of(const ScanGrid& scan, const Histories& all) {
   std::vector<LegendEntry> entries;
   if (scan.has(Model::SBEH)) {
     entries.push_back(line_entry({.colour = dark_grey, .width = line_width}, "SBEH"));
@@ -72,14 +72,14 @@ std::vector<LegendEntry> legend_of(const ScanTable& scan, const Histories& all) 
   }
   for (std::size_t l = 0; l < all.lengths.size(); ++l) {
     entries.push_back(line_entry({.colour = all.colours[l], .width = 2.0 * line_width},
-                                 "L = " + short_number(scan.lengths()[all.lengths[l]])));
+                                 length_title(scan.lengths()[all.lengths[l]])));
   }
   return entries;
 }
 
 }  // namespace
 
-void draw_energy_picture(Canvas& canvas, const ScanTable& scan, const Options& options) {
+void draw_energy_picture(Canvas& canvas, const ScanGrid& scan, const Options& options) {
   if (!any_series(scan)) {
     if (!options.only.empty()) fmt::print("no energy: the scan has left no energies over time\n");
     return;
@@ -124,7 +124,7 @@ void draw_energy_picture(Canvas& canvas, const ScanTable& scan, const Options& o
       if (curve.panel == panel) chart.curve(curve.points, curve.style);
     }
     canvas.text(inside.centre_x(), inside.top() + 1.0 * text,
-                "Vᵣ = " + short_number(scan.reduced_volumes()[all.volumes[panel]]), {.size = text});
+                volume_title(scan.reduced_volumes()[all.volumes[panel]]), {.size = text});
   }
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "energy");

@@ -1,8 +1,8 @@
 #include "tools/picture/scan/line_diagram.h"
 
-#include "tools/picture/canvas/chart.h"
-#include "tools/picture/canvas/legend.h"
-#include "tools/picture/canvas/quantity.h"
+#include "tools/picture/chart/chart.h"
+#include "tools/picture/chart/legend.h"
+#include "tools/picture/scan/quantity.h"
 
 #include <fmt/format.h>
 
@@ -36,7 +36,7 @@ struct Panel {
   std::vector<Series> series;
 };
 
-std::vector<Panel> panels_of(const ScanTable& scan) {
+std::vector<Panel> panels_of(const ScanGrid& scan) {
   const bool sbeh = scan.has(Model::SBEH), ssh = scan.has(Model::SSH);
   std::vector<Panel> panels;
   if (sbeh && ssh) {
@@ -109,21 +109,15 @@ std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
                                  [&](const Series& s) { return s.quantity.has(mark); });
     });
   };
-  const auto marker_entry = [](Marker marker, const char* text) {
-    const auto sample = [marker](Canvas& canvas, const Rect& r) {
-      const Axis unit{.low = 0.0, .high = 1.0, .title = {}, .ticks = {}, .labels = {}};
-      Chart(canvas, r, 1.0, unit, unit).markers({{0.5, 0.5}}, marker, dark_grey, 0.6 * r.height);
-    };
-    return LegendEntry{sample, text};
-  };
-  if (marked(Mark::unresolved)) entries.push_back(marker_entry(Marker::hollow, "unresolved"));
-  if (marked(Mark::failed)) entries.push_back(marker_entry(Marker::cross, "failed"));
+  if (marked(Mark::unresolved))
+    entries.push_back(marker_entry(Marker::hollow, dark_grey, "unresolved"));
+  if (marked(Mark::failed)) entries.push_back(marker_entry(Marker::cross, dark_grey, "failed"));
   return entries;
 }
 
 }  // namespace
 
-void draw_line_diagram(Canvas& canvas, const ScanTable& scan, const Options& options) {
+void draw_line_diagram(Canvas& canvas, const ScanGrid& scan, const Options& options) {
   const bool over_volume = scan.lengths().size() == 1;
   const std::vector<double>& parameter = over_volume ? scan.reduced_volumes() : scan.lengths();
   const std::vector<Panel> panels = panels_of(scan);
@@ -142,10 +136,10 @@ void draw_line_diagram(Canvas& canvas, const ScanTable& scan, const Options& opt
                             over_volume ? "reduced volume Vᵣ" : "elastic constant L");
 
   canvas.start(width, height);
-  canvas.text(0.5 * width, height - 1.4 * text,
-              over_volume ? "L = " + short_number(scan.lengths()[0])
-                          : "Vᵣ = " + short_number(scan.reduced_volumes()[0]),
-              {.size = 1.15 * text});
+  canvas.text(
+      0.5 * width, height - 1.4 * text,
+      over_volume ? length_title(scan.lengths()[0]) : volume_title(scan.reduced_volumes()[0]),
+      {.size = 1.15 * text});
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Rect inside{double(i) * width / count + left, below, inner_width, inner_height};
     const Axis y = value_axis(panels[i], inner_height, 3.0 * text);

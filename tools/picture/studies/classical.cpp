@@ -1,8 +1,8 @@
 #include "tools/picture/studies/classical.h"
 
-#include "tools/picture/canvas/chart.h"
-#include "tools/picture/canvas/csv.h"
-#include "tools/picture/canvas/legend.h"
+#include "studies/seifert/seifert_tables.h"
+#include "tools/picture/chart/chart.h"
+#include "tools/picture/chart/legend.h"
 
 #include <algorithm>
 #include <map>
@@ -10,33 +10,30 @@
 namespace sbeh::picture {
 namespace {
 
+using axisym::Branch;
+
 struct BranchCurve {
-  const char* name;
+  Branch branch;
   LineStyle style;
 };
 const std::vector<BranchCurve> branch_curves{
-    {"oblate", {.colour = {0, 84, 159}, .width = 2.6}},
-    {"prolate", {.colour = {213, 94, 0}, .width = 2.6}},
-    {"stomatocyte", {.colour = {0, 158, 115}, .width = 2.6}},
+    {Branch::oblate, {.colour = {0, 84, 159}, .width = 2.6}},
+    {Branch::prolate, {.colour = {213, 94, 0}, .width = 2.6}},
+    {Branch::stomatocyte, {.colour = {0, 158, 115}, .width = 2.6}},
 };
 
 // Points (V_r, F/8πκ) by witness and branch, V_r ascending; witnesses in the order of the file.
 struct Branches {
   std::vector<std::string> witnesses;
-  std::map<std::pair<std::string, std::string>, Points> points;
+  std::map<std::pair<std::string, Branch>, Points> points;
 };
 
 Branches read_branches(const std::filesystem::path& file) {
-  const CsvTable table(file);
-  const std::size_t witness = table.column("witness"), branch = table.column("branch");
-  const std::size_t volume = table.column("reduced_volume"),
-                    energy = table.column("energy_reduced");
   Branches all;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::string& who = table.text(row, witness);
-    if (std::ranges::find(all.witnesses, who) == all.witnesses.end()) all.witnesses.push_back(who);
-    all.points[{who, table.text(row, branch)}].push_back(
-        {table.number(row, volume), table.number(row, energy)});
+  for (const auto& [witness, shape] : studies::read_rows(studies::branch_columns(), file)) {
+    if (std::ranges::find(all.witnesses, witness) == all.witnesses.end())
+      all.witnesses.push_back(witness);
+    all.points[{witness, shape.branch}].push_back({shape.reduced_volume, shape.energy});
   }
   for (auto& [key, points] : all.points) std::ranges::sort(points);
   if (all.points.empty())
@@ -45,10 +42,9 @@ Branches read_branches(const std::filesystem::path& file) {
 }
 
 Points special_points(const std::filesystem::path& file) {
-  const CsvTable table(file);
-  const auto x = table.numbers("reduced_volume"), y = table.numbers("energy_reduced");
   Points points;
-  for (std::size_t i = 0; i < x.size(); ++i) points.push_back({x[i], y[i]});
+  for (const studies::PointRow& row : studies::read_rows(studies::point_columns(), file))
+    points.push_back({row.point.reduced_volume, row.point.energy});
   return points;
 }
 
@@ -60,7 +56,7 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
   const double text = options.text_size();
   std::vector<LegendEntry> legend;
   for (const BranchCurve& branch : branch_curves)
-    legend.push_back(line_entry(branch.style, branch.name));
+    legend.push_back(line_entry(branch.style, axisym::name(branch.branch)));
   std::string others;
   for (std::size_t i = 1; i < all.witnesses.size(); ++i)
     others += (i > 1 ? ", " : "") + all.witnesses[i];
@@ -86,7 +82,7 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
   Chart chart(canvas, inside, text, x, y);
   for (const BranchCurve& branch : branch_curves)
     for (std::size_t i = 0; i < all.witnesses.size(); ++i) {
-      const auto at = all.points.find({all.witnesses[i], branch.name});
+      const auto at = all.points.find({all.witnesses[i], branch.branch});
       if (at == all.points.end()) continue;
       if (i == 0)
         chart.curve(at->second, branch.style);

@@ -1,7 +1,7 @@
 // The classical diagram: reduced energy over reduced volume of the branches that `sbeh seifert` found.
 #pragma once
 
-#include "tools/picture/canvas/options.h"
+#include "tools/picture/options.h"
 
 namespace sbeh::picture {
 

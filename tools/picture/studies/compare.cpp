@@ -1,8 +1,8 @@
 #include "tools/picture/studies/compare.h"
 
-#include "tools/picture/canvas/chart.h"
-#include "tools/picture/canvas/csv.h"
-#include "tools/picture/canvas/legend.h"
+#include "studies/compare/compare_tables.h"
+#include "tools/picture/chart/chart.h"
+#include "tools/picture/chart/legend.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,51 +10,49 @@
 namespace sbeh::picture {
 namespace {
 
-struct Look {
-  const char* method;
-  LineStyle style;
-};
+using studies::Witness;
+
 // Wide below, narrow on top, so that all are seen where they agree.
-const std::vector<Look> looks{
-    {"newton", {.colour = {158, 202, 240}, .width = 9.0}},
-    {"shooting", {.colour = {230, 110, 20}, .width = 4.0}},
-    {"minimiser", {.colour = {0, 92, 70}, .width = 1.6}},
-    {"flow", {.colour = {138, 60, 220}, .width = 1.6, .dashed = true}},
-    {"surface3d", {.colour = {0, 0, 0}, .width = 1.0}},
-    {"harmonics", {.colour = {200, 30, 60}, .width = 1.0}},
-};
-// Methods whose nodes are no curve.
-bool has_nodes_only(const std::string& method) {
-  return method == "surface3d" || method == "harmonics";
+LineStyle style_of(Witness method) {
+  switch (method) {
+    case Witness::newton:
+      return {.colour = {158, 202, 240}, .width = 9.0};
+    case Witness::shooting:
+      return {.colour = {230, 110, 20}, .width = 4.0};
+    case Witness::minimiser:
+      return {.colour = {0, 92, 70}, .width = 1.6};
+    case Witness::flow:
+      return {.colour = {138, 60, 220}, .width = 1.6, .dashed = true};
+    case Witness::surface3d:
+      return {.colour = {0, 0, 0}, .width = 1.0};
+    case Witness::harmonics:
+      return {.colour = {200, 30, 60}, .width = 1.0};
+  }
+  return {};
 }
 
 // One method's points, in the order of the file.
 struct Curve {
-  std::string method;
+  Witness method;
   Points section{};   // (r, z)
   Points distance{};  // (arc length, |distance|)
   double largest = 0.0;
 
-  bool is_marked() const { return has_nodes_only(method); }
-  LineStyle style() const {
-    const auto at = std::ranges::find(looks, method, &Look::method);
-    return at == looks.end() ? LineStyle{} : at->style;
-  }
+  // Nodes, which are no curve.
+  bool is_marked() const { return method == Witness::surface3d || method == Witness::harmonics; }
+  LineStyle style() const { return style_of(method); }
 };
 
 std::vector<Curve> read_curves(const std::filesystem::path& file) {
-  const CsvTable table(file);
-  const std::size_t method = table.column("method");
-  const auto s = table.numbers("arc_length"), r = table.numbers("r"), z = table.numbers("z"),
-             d = table.numbers("distance");
   std::vector<Curve> curves;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const std::string& name = table.text(row, method);
-    if (curves.empty() || curves.back().method != name) curves.push_back({.method = name});
+  for (const studies::PlacedPoint& point : studies::read_rows(studies::placed_columns(), file)) {
+    if (curves.empty() || curves.back().method != point.method)
+      curves.push_back({.method = point.method});
     Curve& curve = curves.back();
-    curve.section.push_back({r[row], z[row]});
-    curve.distance.push_back({s[row], std::abs(d[row])});
-    curve.largest = std::max(curve.largest, std::abs(d[row]));
+    const double distance = std::abs(point.distance);
+    curve.section.push_back({point.r, point.z});
+    curve.distance.push_back({point.arc_length, distance});
+    curve.largest = std::max(curve.largest, distance);
   }
   if (curves.empty())
     throw InputError(file.string() + ": has no rows: no method has found a profile.");
@@ -139,8 +137,8 @@ void draw_compared_profiles(Canvas& canvas, const Options& options) {
   std::vector<LegendEntry> legend;
   for (const Curve& curve : curves)
     legend.push_back(curve.is_marked() ? marker_entry(Marker::full, curve.style().colour,
-                                                      curve.method + " (nodes)")
-                                       : line_entry(curve.style(), curve.method));
+                                                      std::string(name(curve.method)) + " (nodes)")
+                                       : line_entry(curve.style(), name(curve.method)));
   const Box box = box_of(curves);
   const double left = 5.6 * text, right = 1.6 * text, below = below_axis(text);
   const double width = options.size ? options.size->width : 1000.0;
@@ -164,7 +162,7 @@ void draw_compared_profiles(Canvas& canvas, const Options& options) {
   draw_section(canvas, section, text, axis(-box.r - margin, box.r + margin, "r"),
                axis(box.low - margin, box.high + margin, "z"), curves);
   const Axis s = linear_axis(0.0, box.length, lower.width, 5.0 * text,
-                             "arc length of " + curves.front().method);
+                             std::string("arc length of ") + name(curves.front().method));
   draw_distances(canvas, lower, text, cropped(s, 0.0, box.length), curves);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "profiles");

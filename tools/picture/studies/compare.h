@@ -1,7 +1,7 @@
 // The profiles that `sbeh compare` found, on top of each other, and their distances.
 #pragma once
 
-#include "tools/picture/canvas/options.h"
+#include "tools/picture/options.h"
 
 namespace sbeh::picture {
 

@@ -1,9 +1,9 @@
 #include "tools/picture/studies/stability.h"
 
-#include "tools/picture/canvas/chart.h"
-#include "tools/picture/canvas/csv.h"
-#include "tools/picture/canvas/grid_axis.h"
-#include "tools/picture/canvas/legend.h"
+#include "studies/stability/stability_table.h"
+#include "tools/picture/chart/chart.h"
+#include "tools/picture/chart/grid_axis.h"
+#include "tools/picture/chart/legend.h"
 
 #include <fmt/format.h>
 
@@ -16,36 +16,39 @@
 namespace sbeh::picture {
 namespace {
 
+using studies::Verdict;
+
 struct Look {
-  const char* verdict;
+  Verdict verdict;
   const char* meaning;
   Marker marker;
   Colour colour;
 };
 constexpr std::array<Look, 4> looks{
-    Look{"stays", "stays: the perturbation decays", Marker::full, {0, 84, 159}},
-    Look{"leaves", "leaves: it grows", Marker::hollow, {214, 28, 28}},
-    Look{"undecided", "undecided", Marker::hollow, {90, 90, 90}},
-    Look{"failed", "failed", Marker::cross, {90, 90, 90}},
+    Look{Verdict::stays, "stays: the perturbation decays", Marker::full, {0, 84, 159}},
+    Look{Verdict::leaves, "leaves: it grows", Marker::hollow, {214, 28, 28}},
+    Look{Verdict::undecided, "undecided", Marker::hollow, {90, 90, 90}},
+    Look{Verdict::failed, "failed", Marker::cross, {90, 90, 90}},
 };
 
 struct Run {
   double reduced_volume, L, rate, error;  // the last two of rate/κ; NaN where not known
-  std::string verdict, end_state;
+  Verdict verdict;
+  std::string end_state;
 
   std::string goal() const {
-    return verdict == "leaves" && !end_state.empty() ? "to " + end_state : "";
+    return verdict == Verdict::leaves && !end_state.empty() ? "to " + end_state : "";
   }
 };
 
 // The runs of one model, branch and mode.
 struct Panel {
-  std::tuple<std::string, std::string, int, int> key;
+  std::tuple<model::Model, axisym::Branch, int, int> key;  // and l, m
   std::vector<Run> runs;
 
   std::string title() const {
     const auto& [model, branch, l, m] = key;
-    return fmt::format("{} {}, l = {}, m = {}", model, branch, l, m);
+    return fmt::format("{} {}, l = {}, m = {}", name(model), name(branch), l, m);
   }
   std::vector<double> values(double Run::*member) const {
     std::set<double> all;
@@ -55,20 +58,16 @@ struct Panel {
 };
 
 std::vector<Panel> read_panels(const std::filesystem::path& file) {
-  const CsvTable table(file);
-  const auto v = table.numbers("reduced_volume"), L = table.numbers("L"), l = table.numbers("l"),
-             m = table.numbers("m"), rate = table.numbers("rate"),
-             error = table.numbers("rate_error"), reduced = table.numbers("reduced_rate");
-  const std::size_t model = table.column("model"), branch = table.column("branch"),
-                    verdict = table.column("verdict"), end = table.column("end_state");
   std::vector<Panel> panels;
-  for (std::size_t row = 0; row < table.rows(); ++row) {
-    const auto key =
-        std::tuple(table.text(row, model), table.text(row, branch), int(l[row]), int(m[row]));
+  for (const auto& row : studies::read_rows(studies::stability_columns(), file)) {
+    const studies::StabilityKey& k = row.key;
+    const auto key = std::tuple(k.model, k.branch, k.l, k.m);
     auto at = std::ranges::find(panels, key, &Panel::key);
     if (at == panels.end()) at = panels.insert(at, {.key = key, .runs = {}});
-    at->runs.push_back({v[row], L[row], reduced[row], error[row] * reduced[row] / rate[row],
-                        table.text(row, verdict), table.text(row, end)});
+    const double error =
+        row.growth ? row.growth->error * row.reduced_rate / row.growth->rate : studies::not_known;
+    at->runs.push_back(
+        {k.reduced_volume, k.L, row.reduced_rate, error, row.verdict, row.end_state});
   }
   if (panels.empty()) throw InputError(file.string() + ": has no rows yet.");
   std::ranges::sort(panels, {}, &Panel::key);

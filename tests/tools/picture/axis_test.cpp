@@ -1,0 +1,137 @@
+// The axes of pictures: ticks, labels, cells, and histories on logarithmic ones.
+#include "tools/picture/chart/axis.h"
+
+#include "tools/picture/chart/grid_axis.h"
+#include "tools/picture/chart/history.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace sbeh::picture {
+namespace {
+
+// ---- ticks --------------------------------------------------------------------------------------
+
+// A round step is 1, 2 or 5 times a power of ten.
+bool is_round(double step) {
+  const double mantissa = step / std::pow(10., std::floor(std::log10(step) + 1e-9));
+  for (const double digit : {1., 2., 5.})
+    if (std::abs(mantissa - digit) < 1e-6) return true;
+  return false;
+}
+
+TEST(LinearAxis, has_round_ticks_that_enclose_the_range) {
+  for (const auto& [low, high] :
+       {std::pair(0.6, 0.8), {-3.7, 12.1}, {1e-7, 3.3e-7}, {0., 1234.}, {-12.57, -11.9}}) {
+    const Axis axis = linear_axis(low, high, 600, 80, "x");
+    ASSERT_GT(axis.ticks.size(), 2u);
+    ASSERT_EQ(axis.ticks.size(), axis.labels.size());
+    const double step = axis.ticks[1] - axis.ticks[0];
+    EXPECT_TRUE(is_round(step)) << step;
+    EXPECT_LE(axis.low, low + 1e-9 * step);
+    EXPECT_GE(axis.high, high - 1e-9 * step);
+    EXPECT_LT(low - axis.low, step);
+    EXPECT_LT(axis.high - high, step);
+    for (std::size_t i = 0; i < axis.ticks.size(); ++i) {
+      EXPECT_NEAR(axis.ticks[i], axis.low + double(i) * step, 1e-6 * step);
+      EXPECT_NEAR(std::stod(axis.labels[i]), axis.ticks[i], 1e-6 * step);
+    }
+    EXPECT_NEAR(axis.ticks.back(), axis.high, 1e-6 * step);
+  }
+}
+
+TEST(LinearAxis, widens_a_range_of_no_width) {
+  for (const double value : {0., 3., -2e-5}) {
+    const Axis axis = linear_axis(value, value, 600, 80);
+    EXPECT_LT(axis.low, value);
+    EXPECT_GT(axis.high, value);
+  }
+}
+
+TEST(CroppedAxis, keeps_the_ticks_that_lie_in_it) {
+  const Axis axis = cropped(linear_axis(0, 1, 600, 120, "x"), 0.15, 0.6);
+  EXPECT_EQ(axis.low, 0.15);
+  EXPECT_EQ(axis.high, 0.6);
+  EXPECT_EQ(axis.labels, (std::vector<std::string>{"0.2", "0.4", "0.6"}));
+  EXPECT_EQ(axis.title, "x");
+}
+
+std::vector<std::string> shown(const Axis& axis) {
+  std::vector<std::string> labels;
+  for (const std::string& label : axis.labels)
+    if (!label.empty()) labels.push_back(label);
+  return labels;
+}
+
+TEST(DecadeAxis, labels_decades_and_on_shorter_axes_the_digits_between) {
+  EXPECT_EQ(shown(decade_axis(-5, 1, "t")),
+            (std::vector<std::string>{"10⁻⁵", "10⁻⁴", "0.001", "0.01", "0.1", "1", "10"}));
+  EXPECT_EQ(shown(decade_axis(0, 2, "t")),
+            (std::vector<std::string>{"1", "2", "5", "10", "20", "50", "100"}));
+  EXPECT_EQ(shown(decade_axis(std::log10(1.5), std::log10(4.5), "t")),
+            (std::vector<std::string>{"2", "3", "4"}));
+  const Axis axis = decade_axis(-2, 3, "t");
+  EXPECT_EQ(axis.ticks.size(), 5u * 9u + 1u);
+  EXPECT_EQ(axis.low, -2);
+  EXPECT_EQ(axis.high, 3);
+}
+
+// ---- cells --------------------------------------------------------------------------------------
+
+TEST(GridAxis, as_a_table_has_equal_cells_with_their_values) {
+  const std::vector<double> values{0.005, 0.01, 0.07};
+  const GridAxis grid = table_axis(values, "L");
+  EXPECT_EQ(grid.edges, (std::vector<double>{-0.5, 0.5, 1.5, 2.5}));
+  EXPECT_EQ(grid.axis.labels, (std::vector<std::string>{"0.005", "0.01", "0.07"}));
+  for (std::size_t i = 0; i < values.size(); ++i)
+    EXPECT_NEAR(share_of(grid, values[i]), (double(i) + 0.5) / 3, 1e-15);
+}
+
+TEST(GridAxis, has_its_edges_midway_between_values_that_are_evenly_spaced_in_one_scale) {
+  const GridAxis even = distance_axis({0.6, 0.7, 0.8}, "V", 500, 80);
+  const std::vector<double> edges{0.55, 0.65, 0.75, 0.85};
+  for (std::size_t i = 0; i < edges.size(); ++i) EXPECT_NEAR(even.edges[i], edges[i], 1e-15);
+  const GridAxis logarithmic = distance_axis({0.01, 0.1, 1}, "L", 500, 80);
+  for (std::size_t i = 0; i < 4; ++i) EXPECT_NEAR(logarithmic.edges[i], double(i) - 2.5, 1e-14);
+  EXPECT_EQ(shown(logarithmic.axis), (std::vector<std::string>{"0.01", "0.1", "1"}));
+  for (const GridAxis* grid : {&even, &logarithmic})
+    for (std::size_t i = 0; i < 3; ++i)
+      EXPECT_NEAR(share_of(*grid, grid->values[i]), (double(i) + 0.5) / 3, 1e-14);
+  EXPECT_NEAR(share_of(even, 0.85), 1, 1e-14);  // goes on beyond the last value
+}
+
+// ---- histories ----------------------------------------------------------------------------------
+
+TEST(History, leaves_out_what_has_no_logarithm_and_what_is_too_early_to_be_seen) {
+  const Points points = log_log({0, 1e-9, 0.1, 1, 10}, {5, 5, -20, 1, 10}, 0);
+  EXPECT_EQ(points, (Points{{0, 0}, {1, 1}}));
+  EXPECT_EQ(log_log({1, 10}, {-4, -4}, 5), (Points{{0, 0}, {1, 0}}));
+  EXPECT_TRUE(log_log({}, {}, 0).empty());
+}
+
+TEST(History, thins_points_too_close_to_tell_apart_and_keeps_the_last) {
+  std::vector<double> time, value;
+  for (int i = 0; i <= 100000; ++i) {
+    time.push_back(1 + 9e-5 * i);
+    value.push_back(2 + std::sin(time.back()));
+  }
+  const Points points = log_log(time, value, 0);
+  EXPECT_LT(points.size(), 1000u);
+  EXPECT_EQ(points.back()[0], std::log10(time.back()));
+  for (std::size_t i = 1; i < points.size(); ++i)  // no gap wider than the resolution and a step
+    EXPECT_LT(points[i][0] - points[i - 1][0], 0.0041);
+}
+
+TEST(History, has_one_pair_of_axes_for_all_curves) {
+  const HistoryAxes axes = history_axes({{{-3, 1}, {0, 2}}, {{-4, 0}, {1, 1}}}, "U");
+  EXPECT_EQ(axes.time.low, -4);
+  EXPECT_EQ(axes.time.high, 1);
+  EXPECT_NEAR(axes.energy.low, -0.08, 1e-15);  // 4 % of room
+  EXPECT_NEAR(axes.energy.high, 2.08, 1e-15);
+  EXPECT_EQ(axes.energy.title, "U");
+}
+
+}  // namespace
+}  // namespace sbeh::picture

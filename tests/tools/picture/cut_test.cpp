@@ -1,0 +1,87 @@
+// Cross sections, and which states of an evolution a picture shows.
+#include "tools/picture/section/cut.h"
+
+#include "tools/picture/surface/frames.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace sbeh::picture {
+namespace {
+
+using std::numbers::pi;
+
+// Half a circle around z = 3, its order growing from pole to pole.
+axisym::State half_circle(int points) {
+  axisym::State state{axisym::Nodes(2, points), axisym::Field(points)};
+  for (int i = 0; i < points; ++i) {
+    const double angle = pi * i / (points - 1);
+    state.X.col(i) << std::sin(angle), 3 + std::cos(angle);
+    state.beta[i] = i;
+  }
+  return state;
+}
+
+TEST(Cut, is_closed_and_centred) {
+  const Cut cut = mirrored(half_circle(31));
+  ASSERT_EQ(cut.points.size(), 61u);
+  EXPECT_EQ(cut.points.front()[1], cut.points.back()[1]);
+  for (std::size_t i = 0; i < 30; ++i) {
+    EXPECT_NEAR(std::hypot(cut.points[i][0], cut.points[i][1]), 1, 1e-15);
+    EXPECT_EQ(cut.points[i][0], -cut.points[60 - i][0]);
+    EXPECT_EQ(cut.order[i], cut.order[60 - i]);
+  }
+  EXPECT_NEAR(cut.half_width, 1, 1e-15);
+  EXPECT_NEAR(cut.half_height, 1, 1e-15);
+}
+
+TEST(Cut, thinned_keeps_some_of_its_points_their_order_and_its_ends) {
+  const Cut cut = mirrored(half_circle(2001));
+  const Cut thin = thinned(cut, 0.5);
+  EXPECT_LT(thin.points.size(), cut.points.size() / 4);
+  EXPECT_EQ(thin.points.front(), cut.points.front());
+  EXPECT_EQ(thin.points.back(), cut.points.back());
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < thin.points.size(); ++k, ++at) {
+    while (at < cut.points.size() && cut.points[at] != thin.points[k]) ++at;
+    ASSERT_LT(at, cut.points.size());
+    EXPECT_EQ(cut.order[at], thin.order[k]);
+  }
+}
+
+// It turns by 0.04 between two points, or is 0.15 of the spacing long: so far is a chord from the circle.
+TEST(Cut, thinned_does_not_leave_the_curve) {
+  for (const double spacing : {0.02, 0.2}) {
+    const Cut thin = thinned(mirrored(half_circle(4001)), spacing);
+    const double turn = std::max(0.04, 0.15 * spacing) + 2 * pi / 8000;
+    for (std::size_t k = 1; k < thin.points.size(); ++k) {
+      const double x = (thin.points[k][0] + thin.points[k - 1][0]) / 2,
+                   y = (thin.points[k][1] + thin.points[k - 1][1]) / 2;
+      EXPECT_LE(1 - std::hypot(x, y), turn * turn / 8);
+    }
+  }
+}
+
+TEST(Frames, that_are_shown_are_the_first_the_last_and_between_them_in_geometric_progression) {
+  std::vector<studies::FrameEntry> frames{{0, "0"}};
+  for (int i = 0; i <= 40; ++i) frames.push_back({std::pow(10., i / 10. - 3), std::to_string(i)});
+  const auto chosen = chosen_frames(frames, 6);
+  ASSERT_EQ(chosen.size(), 6u);
+  const std::vector<double> times{0, 1e-3, 1e-2, 0.1, 1, 10};
+  for (std::size_t k = 0; k < 6; ++k) EXPECT_NEAR(chosen[k].time, times[k], 1e-9) << k;
+  EXPECT_EQ(chosen_frames(frames, 100).size(), frames.size());
+}
+
+TEST(Frames, that_are_shown_are_different_ones) {
+  const std::vector<studies::FrameEntry> frames{
+      {0, "a"}, {1, "b"}, {1.1, "c"}, {1.2, "d"}, {100, "e"}};
+  const auto chosen = chosen_frames(frames, 4);
+  ASSERT_EQ(chosen.size(), 4u);
+  for (std::size_t k = 1; k < 4; ++k) EXPECT_GT(chosen[k].time, chosen[k - 1].time);
+  EXPECT_EQ(chosen.back().time, 100);
+}
+
+}  // namespace
+}  // namespace sbeh::picture

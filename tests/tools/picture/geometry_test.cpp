@@ -1,0 +1,104 @@
+// Lines in pictures: what of them lies in a rectangle, and contours.
+#include "tools/picture/canvas/geometry.h"
+
+#include "tools/picture/scan/contours.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+namespace sbeh::picture {
+namespace {
+
+constexpr Rect unit{0, 0, 1, 1};
+
+// ---- clipping -----------------------------------------------------------------------------------
+
+// Of numbers with few binary digits, so that nothing is rounded.
+TEST(Clipping, leaves_a_line_inside_as_it_is_and_nothing_of_one_outside) {
+  const Points inside{{0.125, 0.25}, {0.5, 0.875}, {0.75, 0.375}};
+  EXPECT_EQ(clipped(inside, unit), std::vector<Points>{inside});
+  EXPECT_TRUE(clipped({{-1, 2}, {2, 2}}, unit).empty());
+  EXPECT_TRUE(clipped({{-1, 0.5}, {0.5, 2.5}}, unit).empty());  // past a corner
+  EXPECT_TRUE(clipped({{2, -1}, {2, 3}}, unit).empty());        // parallel to a side
+}
+
+TEST(Clipping, cuts_at_the_sides) {
+  EXPECT_EQ(clipped({{-1, 0.5}, {3, 0.5}}, unit), (std::vector<Points>{{{0, 0.5}, {1, 0.5}}}));
+  EXPECT_EQ(clipped({{-1, -1}, {3, 3}}, unit), (std::vector<Points>{{{0, 0}, {1, 1}}}));
+  EXPECT_EQ(clipped({{0.5, 0.5}, {0.5, 2.5}}, unit), (std::vector<Points>{{{0.5, 0.5}, {0.5, 1}}}));
+}
+
+TEST(Clipping, makes_two_pieces_of_a_line_that_comes_back) {
+  const auto pieces = clipped({{0.5, 0.5}, {1.5, 0.5}, {1.5, 0.25}, {0.5, 0.25}}, unit);
+  EXPECT_EQ(pieces, (std::vector<Points>{{{0.5, 0.5}, {1, 0.5}}, {{1, 0.25}, {0.5, 0.25}}}));
+}
+
+// What is cut off by one cell of a tiling is in the others.
+TEST(Clipping, by_the_cells_of_a_tiling_keeps_the_length) {
+  Points spiral;
+  for (double t = 0; t < 40; t += 0.37)
+    spiral.push_back({2 + 0.045 * t * std::cos(t), 1.5 + 0.036 * t * std::sin(t)});
+  double length = 0;
+  for (int i = 0; i < 4; ++i)
+    for (int j = 0; j < 3; ++j)
+      for (const Points& piece : clipped(spiral, {double(i), double(j), 1, 1}))
+        length += length_of(piece);
+  EXPECT_NEAR(length, length_of(spiral), 1e-12 * length_of(spiral));
+}
+
+// ---- contours -----------------------------------------------------------------------------------
+
+struct Grid {
+  std::vector<double> x, y;
+  std::vector<std::vector<double>> values;
+};
+template <class Function>
+Grid sampled(int n, double half, Function f) {
+  Grid grid;
+  for (int i = 0; i <= n; ++i) grid.x.push_back(half * (2. * i / n - 1));
+  grid.y = grid.x;
+  for (const double x : grid.x) {
+    auto& column = grid.values.emplace_back();
+    for (const double y : grid.y) column.push_back(f(x, y));
+  }
+  return grid;
+}
+std::vector<Points> contours_of(const Grid& grid, double level) {
+  return contour_lines(grid.x, grid.y, grid.values, level);
+}
+
+TEST(Contours, of_a_linear_field_are_exact) {
+  const auto lines = contours_of(sampled(7, 1, [](double x, double y) { return x + 2 * y; }), 0.25);
+  ASSERT_EQ(lines.size(), 1u);
+  for (const auto& [x, y] : lines[0]) EXPECT_NEAR(x + 2 * y, 0.25, 1e-6);  // single precision
+  EXPECT_NEAR(length_of(lines[0]), std::sqrt(5), 1e-6);                    // from x = −1 to x = 1
+}
+
+// Linear between the points of the grid, at the distance h: off by h²/8 times the second derivative, which is
+// at most 1/r.
+TEST(Contours, of_a_circle_close_and_are_as_exact_as_linear_interpolation) {
+  for (const int n : {10, 20, 40, 80}) {
+    const auto lines = contours_of(sampled(n, 1.1, std::hypot<double, double>), 0.7);
+    ASSERT_EQ(lines.size(), 1u);
+    EXPECT_EQ(lines[0].front(), lines[0].back());
+    const double h = 2.2 / n, single_precision = 1e-6;
+    for (const auto& [x, y] : lines[0])
+      EXPECT_NEAR(std::hypot(x, y), 0.7, h * h / 8 / (0.7 - h) + single_precision);
+  }
+}
+
+TEST(Contours, do_not_enter_cells_without_a_value) {
+  Grid grid = sampled(10, 1, [](double x, double) { return x; });
+  for (std::size_t i = 0; i < grid.x.size(); ++i)
+    grid.values[i][5] = std::numeric_limits<double>::quiet_NaN();  // along y = 0
+  const auto lines = contours_of(grid, 0.1);
+  ASSERT_EQ(lines.size(), 2u);
+  for (const Points& line : lines)
+    for (const auto& [x, y] : line) EXPECT_GE(std::abs(y), 0.2 - 1e-6);
+  EXPECT_TRUE(contours_of(grid, 3).empty());
+}
+
+}  // namespace
+}  // namespace sbeh::picture

@@ -1,0 +1,85 @@
+// What a picture of a scan takes from its table.
+#include "tests/temporary_folder.h"
+#include "tools/picture/options.h"
+#include "tools/picture/scan/quantity.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+namespace sbeh::picture {
+namespace {
+
+using axisym::Branch;
+
+PointResult point(double volume, double L, Model model, Branch branch, double energy,
+                  PointStatus status = PointStatus::stationary) {
+  PointResult row{.key = {volume, L, model, branch}, .status = status, .diagnostics = {}};
+  if (status != PointStatus::failed) {
+    row.diagnostics.emplace();
+    row.diagnostics->energy.bending = energy;
+  }
+  return row;
+}
+
+class ScanGridTest : public testing::Test {
+ protected:
+  ScanGrid grid_of(const std::vector<PointResult>& rows, const std::string& branch = "") const {
+    studies::write_file(folder_.path() / "scan.csv",
+                        studies::table_text(studies::scan_columns(), rows));
+    return {folder_.path(), branch};
+  }
+  sbeh::test::TemporaryFolder folder_;
+};
+
+TEST_F(ScanGridTest, has_the_branch_of_lowest_energy_among_the_stationary_ones_or_the_chosen_one) {
+  const std::vector<PointResult> rows{
+      point(0.7, 0.05, Model::SSH, Branch::oblate, 3),
+      point(0.7, 0.05, Model::SSH, Branch::prolate, 2),
+      point(0.7, 0.05, Model::SSH, Branch::stomatocyte, 1, PointStatus::unresolved),
+      point(0.6, 0.05, Model::SSH, Branch::oblate, 5)};
+  const ScanGrid all = grid_of(rows);
+  EXPECT_EQ(all.reduced_volumes(), (std::vector<double>{0.6, 0.7}));
+  EXPECT_EQ(all.branches(), (std::vector<std::string>{"oblate", "prolate", "stomatocyte"}));
+  ASSERT_TRUE(all.find(Model::SSH, 1, 0));
+  EXPECT_EQ(all.find(Model::SSH, 1, 0)->key.branch, Branch::prolate);
+  EXPECT_FALSE(all.find(Model::SBEH, 1, 0));
+  EXPECT_FALSE(all.has(Model::SBEH));
+  EXPECT_EQ(grid_of(rows, "oblate").find(Model::SSH, 1, 0)->key.branch, Branch::oblate);
+  EXPECT_EQ(all.profile(*all.find(Model::SSH, 1, 0)),
+            folder_.path() / "points/SSH_prolate_v0.7_L0.05.csv");
+}
+
+TEST_F(ScanGridTest, is_refused_without_rows_or_without_the_branch) {
+  EXPECT_THROW(grid_of({}), InputError);
+  EXPECT_THROW(grid_of({point(0.7, 0.05, Model::SSH, Branch::oblate, 3)}, "prolate"), InputError);
+}
+
+TEST_F(ScanGridTest, gives_quantities_with_marks_and_regions) {
+  const ScanGrid grid =
+      grid_of({point(0.6, 0.01, Model::SSH, Branch::oblate, 5),
+               point(0.6, 0.01, Model::SBEH, Branch::oblate, 4),
+               point(0.6, 0.02, Model::SSH, Branch::oblate, 5),
+               point(0.6, 0.02, Model::SBEH, Branch::oblate, 3, PointStatus::unresolved),
+               point(0.7, 0.01, Model::SSH, Branch::oblate, 5),
+               point(0.7, 0.01, Model::SBEH, Branch::oblate, 0, PointStatus::failed),
+               point(0.7, 0.02, Model::SSH, Branch::oblate, 5)});
+  const Quantity gap = energy_gap(grid);
+  EXPECT_EQ(gap.marks, (std::vector<std::vector<Mark>>{{Mark::none, Mark::unresolved},
+                                                       {Mark::failed, Mark::absent}}));
+  EXPECT_EQ(gap.values[0], (std::vector<double>{1, 2}));
+  EXPECT_TRUE(std::isnan(gap.values[1][0]) && std::isnan(gap.values[1][1]));
+  EXPECT_EQ(gap.regions, (std::vector<std::vector<int>>{{0, -1}, {-1, -1}}));
+  EXPECT_TRUE(gap.has(Mark::failed));
+  EXPECT_EQ(gap.range(), std::pair(1., 1.));  // the unresolved one is far away
+}
+
+TEST(EvenlySpread, has_the_first_and_the_last) {
+  EXPECT_EQ(evenly_spread(3, 6), (std::vector<std::size_t>{0, 1, 2}));
+  EXPECT_EQ(evenly_spread(50, 6), (std::vector<std::size_t>{0, 10, 20, 29, 39, 49}));
+  EXPECT_EQ(evenly_spread(5, 1), std::vector<std::size_t>{0});
+  EXPECT_TRUE(evenly_spread(0, 3).empty());
+}
+
+}  // namespace
+}  // namespace sbeh::picture

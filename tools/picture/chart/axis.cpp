@@ -1,0 +1,85 @@
+#include "tools/picture/chart/axis.h"
+
+#include <fmt/format.h>
+#include <vtkAxis.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <utility>
+
+namespace sbeh::picture {
+namespace {
+
+std::string power_of_ten(int exponent) {
+  static constexpr std::array digits{"⁰", "¹", "²", "³", "⁴", "⁵", "⁶", "⁷", "⁸", "⁹"};
+  std::string text = exponent < 0 ? "10⁻" : "10";
+  for (const char digit : std::to_string(std::abs(exponent))) text += digits[digit - '0'];
+  return text;
+}
+
+std::string decade_label(int exponent, int factor) {
+  if (exponent >= -3 && exponent <= 3) {
+    return fmt::format("{:g}", factor * std::pow(10.0, exponent));
+  }
+  return factor == 1 ? power_of_ten(exponent)
+                     : fmt::format("{}·{}", factor, power_of_ten(exponent));
+}
+
+}  // namespace
+
+Axis linear_axis(double low, double high, double length, double spacing, std::string title) {
+  if (!(high > low)) {
+    const double margin = low == 0.0 ? 0.5 : 0.05 * std::abs(low);
+    low -= margin;
+    high += margin;
+  }
+  const double step = vtkAxis::NiceMinMax(low, high, float(length), float(spacing));
+  const int decimals = std::max(0, int(std::ceil(-std::log10(step) - 1e-6)));
+  Axis axis{.low = low, .high = high, .title = std::move(title), .ticks = {}, .labels = {}};
+  for (double tick = low; tick < high + 0.5 * step; tick += step) {
+    const double clean = std::abs(tick) < 1e-6 * step ? 0.0 : tick;
+    axis.ticks.push_back(clean);
+    axis.labels.push_back(fmt::format("{:.{}f}", clean, decimals));
+  }
+  return axis;
+}
+
+Axis cropped(const Axis& axis, double low, double high) {
+  const double rounding = 1e-9 * (high - low);
+  Axis result{.low = low, .high = high, .title = axis.title, .ticks = {}, .labels = {}};
+  for (std::size_t i = 0; i < axis.ticks.size(); ++i) {
+    if (axis.ticks[i] < low - rounding || axis.ticks[i] > high + rounding) continue;
+    result.ticks.push_back(axis.ticks[i]);
+    result.labels.push_back(axis.labels[i]);
+  }
+  return result;
+}
+
+Axis decade_axis(double log_low, double log_high, std::string title) {
+  if (log_high - log_low < 0.3) {  // less than a factor of 2
+    log_low -= 0.2;
+    log_high += 0.2;
+  }
+  const double decades = log_high - log_low;
+  Axis axis{.low = log_low, .high = log_high, .title = std::move(title), .ticks = {}, .labels = {}};
+  for (int exponent = int(std::floor(log_low)); exponent <= int(std::ceil(log_high)); ++exponent) {
+    for (int factor = 1; factor < 10; ++factor) {
+      const double tick = exponent + std::log10(double(factor));
+      if (tick < log_low - 1e-9 || tick > log_high + 1e-9) continue;
+      const bool labelled =
+          factor == 1 || (decades < 2.3 && (factor == 2 || factor == 5)) || decades < 0.8;
+      axis.ticks.push_back(tick);
+      axis.labels.push_back(labelled ? decade_label(exponent, factor) : "");
+    }
+  }
+  return axis;
+}
+
+std::string short_number(double value) { return fmt::format("{:.4g}", value); }
+
+std::string volume_title(double reduced_volume) { return "Vᵣ = " + short_number(reduced_volume); }
+
+std::string length_title(double length) { return "L = " + short_number(length); }
+
+}  // namespace sbeh::picture

@@ -1,0 +1,100 @@
+#include "tools/picture/chart/chart.h"
+
+#include "tools/picture/chart/coloured_line.h"
+
+#include <vtkAxis.h>
+#include <vtkChartXY.h>
+#include <vtkDoubleArray.h>
+#include <vtkFloatArray.h>
+#include <vtkNew.h>
+#include <vtkPen.h>
+#include <vtkPlotPoints.h>
+#include <vtkStringArray.h>
+#include <vtkTable.h>
+#include <vtkTextProperty.h>
+
+#include <array>
+
+namespace sbeh::picture {
+namespace {
+
+void set_axis(vtkAxis* axis, const Axis& wanted, double text_size) {
+  const bool visible = !wanted.ticks.empty() || !wanted.title.empty();
+  axis->SetVisible(visible);
+  axis->SetBehavior(vtkAxis::FIXED);
+  axis->SetRange(wanted.low, wanted.high);
+  axis->SetTitle(visible ? displayable(wanted.title) : "");
+  axis->SetGridVisible(false);
+  axis->GetPen()->SetColor(dark_grey.red, dark_grey.green, dark_grey.blue);
+  axis->GetPen()->SetWidth(1.2f);
+  set_font(axis->GetLabelProperties(), 0.85 * text_size);
+  set_font(axis->GetTitleProperties(), text_size);
+  vtkNew<vtkDoubleArray> positions;
+  vtkNew<vtkStringArray> labels;
+  for (std::size_t i = 0; i < wanted.ticks.size(); ++i) {
+    positions->InsertNextValue(wanted.ticks[i]);
+    labels->InsertNextValue(displayable(wanted.labels[i]));
+  }
+  axis->SetCustomTickPositions(positions, labels);
+}
+
+vtkNew<vtkTable> table_of(const Points& points) {
+  vtkNew<vtkTable> table;
+  std::array<vtkNew<vtkFloatArray>, 2> columns;
+  for (int c = 0; c < 2; ++c) {
+    columns[c]->SetName(c == 0 ? "x" : "y");
+    for (const auto& point : points) columns[c]->InsertNextValue(float(point[c]));
+    table->AddColumn(columns[c]);
+  }
+  return table;
+}
+
+}  // namespace
+
+double below_axis(double text_size) { return 2.5 * text_size + 18.0; }
+
+Chart::Chart(Canvas& canvas, const Rect& inside, double text_size, const Axis& x, const Axis& y) {
+  vtkNew<vtkChartXY> chart;
+  chart->SetAutoSize(false);
+  chart->SetAutoAxes(false);  // an axis without curves stays
+  chart->SetRenderEmpty(true);
+  chart->SetLayoutStrategy(vtkChart::AXES_TO_RECT);
+  chart->SetSize(
+      vtkRectf(float(inside.x), float(inside.y), float(inside.width), float(inside.height)));
+  canvas.add(chart);
+  chart_ = chart;
+  set_axis(chart->GetAxis(vtkAxis::BOTTOM), x, text_size);
+  set_axis(chart->GetAxis(vtkAxis::LEFT), y, text_size);
+}
+
+void Chart::curve(const Points& points, const LineStyle& style) {
+  if (points.size() < 2) return;
+  vtkNew<vtkPlotLine> plot;
+  plot->SetInputData(table_of(points), 0, 1);
+  plot->SetColor(style.colour.red, style.colour.green, style.colour.blue, 255);
+  plot->GetPen()->SetWidth(float(style.width));
+  plot->GetPen()->SetLineType(style.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
+  chart_->AddPlot(plot);
+}
+
+void Chart::coloured_curve(const Points& points, const std::vector<Colour>& colours, double width) {
+  if (points.size() < 2) return;
+  vtkNew<ColouredLine> plot;
+  plot->SetInputData(table_of(points), 0, 1);
+  plot->set_colours(colours);
+  plot->GetPen()->SetWidth(float(width));
+  chart_->AddPlot(plot);
+}
+
+void Chart::markers(const Points& points, Marker marker, Colour colour, double size) {
+  if (points.empty()) return;
+  vtkNew<vtkPlotPoints> plot;
+  plot->SetInputData(table_of(points), 0, 1);
+  plot->SetColor(colour.red, colour.green, colour.blue, 255);
+  plot->SetMarkerStyle(marker == Marker::cross ? vtkPlotPoints::CROSS : vtkPlotPoints::SQUARE);
+  plot->SetMarkerSize(float(size));
+  chart_->AddPlot(plot);
+  if (marker == Marker::hollow) markers(points, Marker::full, white, size - 4.0);
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,27 @@
+#include "tools/picture/options.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace sbeh::picture {
+
+bool Options::wants(const std::string& picture) const {
+  return only.empty() || std::ranges::find(only, picture) != only.end();
+}
+
+double Options::text_size() const {
+  constexpr double usual = 20.0;
+  if (!size) return usual;
+  return std::clamp(std::min(size->width / 80.0, size->height / 45.0), 9.0, 40.0);
+}
+
+std::string Options::energy_name() const {
+  if (energy_shift == 0.0) return "U";
+  if (std::abs(energy_shift - 4.0 * std::numbers::pi) < 1e-6) return "U + 4π";
+  return fmt::format("U {} {:.6g}", energy_shift > 0.0 ? "+" : "−", std::abs(energy_shift));
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,148 @@
+#include "tools/picture/scan/quantity.h"
+
+#include "studies/scan/branch_lines.h"
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <limits>
+#include <map>
+#include <utility>
+
+namespace sbeh::picture {
+namespace {
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+constexpr double infinity = std::numeric_limits<double>::infinity();
+
+Mark mark_of(const PointResult* point) {
+  if (!point) return Mark::absent;
+  switch (point->status) {
+    case PointStatus::stationary:
+      return Mark::none;
+    case PointStatus::unresolved:
+      return Mark::unresolved;
+    case PointStatus::failed:
+      break;
+  }
+  return Mark::failed;
+}
+
+struct Entry {
+  double value;
+  Mark mark;
+  int region;
+};
+using Value = std::function<Entry(std::size_t volume, std::size_t length)>;
+
+// Index of the point's branch; −1 where there is no stationary state of it.
+int branch_index(const ScanGrid& scan, const PointResult* point) {
+  if (mark_of(point) != Mark::none) return -1;
+  return int(std::ranges::find(scan.branches(), axisym::name(point->key.branch))
+             - scan.branches().begin());
+}
+
+Quantity tabulate(const ScanGrid& scan, std::string title, const Value& value) {
+  Quantity quantity{.title = std::move(title), .values = {}, .marks = {}, .regions = {}};
+  for (std::size_t volume = 0; volume < scan.reduced_volumes().size(); ++volume) {
+    auto& values = quantity.values.emplace_back();
+    auto& marks = quantity.marks.emplace_back();
+    auto& regions = quantity.regions.emplace_back();
+    for (std::size_t length = 0; length < scan.lengths().size(); ++length) {
+      auto [number, mark, region] = value(volume, length);
+      if (mark == Mark::none && !std::isfinite(number)) mark = Mark::failed;
+      values.push_back(mark == Mark::failed || mark == Mark::absent ? none : number);
+      marks.push_back(mark);
+      regions.push_back(mark == Mark::none ? region : -1);
+    }
+  }
+  return quantity;
+}
+
+// A quantity of the points that have a state.
+template <class Value>
+Quantity of_model(const ScanGrid& scan, Model model, std::string title, Value value) {
+  return tabulate(scan, std::move(title), [&](std::size_t volume, std::size_t length) {
+    const PointResult* point = scan.find(model, volume, length);
+    return Entry{point && point->diagnostics ? std::invoke(value, *point->diagnostics) : none,
+                 mark_of(point), branch_index(scan, point)};
+  });
+}
+
+std::string with_name(const char* title, Model model) {
+  return std::string(title) + (model == Model::SBEH ? " (SBEH)" : " (SSH)");
+}
+
+}  // namespace
+
+bool Quantity::has(Mark mark) const {
+  return std::ranges::any_of(
+      marks, [&](const auto& row) { return std::ranges::find(row, mark) != row.end(); });
+}
+
+std::pair<double, double> Quantity::range() const {
+  double low = infinity, high = -infinity;
+  const auto include = [&](Mark wanted, double from, double to) {
+    for (std::size_t i = 0; i < values.size(); ++i) {
+      for (std::size_t j = 0; j < values[i].size(); ++j) {
+        const double value = values[i][j];
+        if (marks[i][j] != wanted || !(value >= from && value <= to)) continue;
+        low = std::min(low, value);
+        high = std::max(high, value);
+      }
+    }
+  };
+  include(Mark::none, -infinity, infinity);
+  const double far = low <= high ? std::max(2.0 * (high - low), 0.5 * std::abs(high)) : infinity;
+  include(Mark::unresolved, low - far, high + far);
+  return low <= high ? std::pair(low, high) : std::pair(0.0, 1.0);
+}
+
+std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
+                                         const std::filesystem::path& directory, Model model) {
+  const std::filesystem::path file = directory / "lowest.csv";
+  if (!std::filesystem::exists(file)) return {};
+  BranchMap map{.quantity = {}, .names = scan.branches()};
+  std::map<std::pair<double, double>, int> lowest;
+  for (const studies::LowestRow& row : studies::read_rows(studies::lowest_columns(), file)) {
+    if (row.model != model) continue;
+    const auto place = std::ranges::find(map.names, row.branch);
+    lowest[{row.reduced_volume, row.L}] = int(place - map.names.begin());
+    if (place == map.names.end()) map.names.push_back(row.branch);
+  }
+  if (map.names.size() < 2) return {};
+  map.quantity = tabulate(
+      scan, with_name("lowest branch", model), [&](std::size_t volume, std::size_t length) {
+        const auto found = lowest.find({scan.reduced_volumes()[volume], scan.lengths()[length]});
+        if (found != lowest.end()) return Entry{double(found->second), Mark::none, found->second};
+        return Entry{none, mark_of(scan.find(model, volume, length)), -1};
+      });
+  return map;
+}
+
+Quantity energy_gap(const ScanGrid& scan) {
+  return tabulate(scan, "energy gap U(SSH) − U(SBEH)", [&](std::size_t volume, std::size_t length) {
+    const PointResult* ssh = scan.find(Model::SSH, volume, length);
+    const PointResult* sbeh = scan.find(Model::SBEH, volume, length);
+    const Mark mark = std::max(mark_of(ssh), mark_of(sbeh));
+    const int region =
+        branch_index(scan, sbeh) * int(scan.branches().size()) + branch_index(scan, ssh);
+    return Entry{ssh && sbeh ? energy_of(*ssh) - energy_of(*sbeh) : none, mark, region};
+  });
+}
+
+Quantity energy(const ScanGrid& scan, Model model) {
+  return of_model(scan, model, with_name("energy U", model),
+                  [](const axisym::Diagnostics& d) { return d.energy.total(); });
+}
+
+Quantity smallest_order(const ScanGrid& scan) {
+  return of_model(scan, Model::SBEH, with_name("smallest order β", Model::SBEH),
+                  &axisym::Diagnostics::order_min);
+}
+
+Quantity largest_curvature(const ScanGrid& scan, Model model) {
+  return of_model(scan, model, with_name("largest |H|", model), &axisym::Diagnostics::H_abs_max);
+}
+
+}  // namespace sbeh::picture

@@ -1,0 +1,50 @@
+#include "tools/picture/surface/frames.h"
+
+#include "studies/io/errors.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sbeh::picture {
+
+using studies::FrameEntry;
+
+std::vector<FrameEntry> read_frames(const std::filesystem::path& table) {
+  std::vector<FrameEntry> frames = studies::read_rows(studies::frame_columns(), table);
+  for (FrameEntry& frame : frames) frame.file = table.parent_path() / frame.file;
+  return frames;
+}
+
+std::vector<FrameEntry> chosen_frames(const std::vector<FrameEntry>& frames, std::size_t most) {
+  if (frames.size() <= most) return frames;
+  const std::size_t first =
+      std::ranges::find_if(frames, [](const FrameEntry& f) { return f.time > 0.0; })
+      - frames.begin();
+  std::vector<FrameEntry> chosen(1, frames.front());
+  std::size_t next = 1;
+  for (std::size_t i = 1; i < most; ++i) {
+    const double fraction = double(i - 1) / double(most - 2);
+    const double wanted =
+        frames[first].time * std::pow(frames.back().time / frames[first].time, fraction);
+    const std::size_t latest = frames.size() - (most - i);  // leaves one frame for each to come
+    while (next < latest
+           && std::abs(frames[next + 1].time - wanted) < std::abs(frames[next].time - wanted)) {
+      ++next;
+    }
+    chosen.push_back(frames[next]);
+    next = std::min(next + 1, latest + 1);
+  }
+  return chosen;
+}
+
+studies::CurvedFile read_state(const std::filesystem::path& frame) {
+  studies::MeshFile file = studies::read_mesh(frame);
+  if (auto* curved = std::get_if<studies::CurvedFile>(&file))
+    if (curved->fields.contains("order") && curved->fields.contains("mean_curvature"))
+      return std::move(*curved);
+  throw studies::InputError(fmt::format("{}: is no frame of a run", frame.string()));
+}
+
+}  // namespace sbeh::picture

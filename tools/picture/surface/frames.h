@@ -1,0 +1,23 @@
+// Which of the states of an evolution a picture shows, and what is in their files.
+#pragma once
+
+#include "studies/evolution/frame_file.h"
+#include "studies/mesh_files/mesh_file.h"
+
+#include <filesystem>
+#include <vector>
+
+namespace sbeh::picture {
+
+/// The rows of frames.csv or profiles.csv, with the file by its path. Throws OutputError.
+std::vector<studies::FrameEntry> read_frames(const std::filesystem::path& table);
+
+/// At most so many: the first, the last, and between them the frames nearest to times in geometric
+/// progression: an evolution is fast at first.
+std::vector<studies::FrameEntry> chosen_frames(const std::vector<studies::FrameEntry>& frames,
+                                               std::size_t most);
+
+/// The surface of a frame with its fields `order` and `mean_curvature`. Throws InputError.
+studies::CurvedFile read_state(const std::filesystem::path& frame);
+
+}  // namespace sbeh::picture
