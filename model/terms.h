@@ -131,13 +131,25 @@ S gauss_curvature(const ShapeOperator<S>& B) {
   return B(0, 0) * B(1, 1) - B(0, 1) * B(1, 0);
 }
 
-/// (B3) + (B4) + (B5): ∂(energy density)/∂β = (κ'/2)(H − H₀)² + κ_G' K + u'.
+/// (B3) (κ'/2)(H − H₀)², linear in β.
+template <class T>
+T bending_force(const Material& m, const T& beta, const T& H) {
+  const T excess = H - m.spontaneous_curvature;
+  return m.kappa_slope(beta) / 2. * excess * excess;
+}
+
+/// (B4) κ_G' K, linear in β.
+template <class T>
+T gaussian_force(const Material& m, const T& beta, const T& K) {
+  return m.kappa_gauss_slope(beta) * K;
+}
+
+/// ∂(energy density)/∂β.
 template <class T>
 T order_force(const Material& m, const T& beta, const T& H, const T& K) {
-  const T excess = H - m.spontaneous_curvature;
-  return m.kappa_slope(beta) / 2. * excess * excess  // (B3)
-       + m.kappa_gauss_slope(beta) * K               // (B4)
-       + m.potential.slope(beta);                    // (B5)
+  return bending_force(m, beta, H)   // (B3)
+       + gaussian_force(m, beta, K)  // (B4)
+       + m.potential.slope(beta);    // (B5) u'
 }
 
 }  // namespace sbeh::model

@@ -1,5 +1,7 @@
 #include "axisym/spectral/lagrangian.h"
 
+#include "model/terms.h"
+
 #include <Eigen/QR>
 #include <ceres/jet.h>
 
@@ -50,11 +52,9 @@ Point<T> energy_gradient(const model::Material& m, const Point<T>& q) {
   const T l = q[length], r = q[radius], beta = q[order];
   const T slope = q[dorder] / l, turn = sin(q[psi]) / r, turn_psi = cos(q[psi]) / r;
   const auto [H, K] = curvatures(q);
-  const T excess = H - m.spontaneous_curvature;
   const T e = density(m, q).total();
-  const T e_H = m.kappa(beta) * excess, e_K = m.kappa_gauss(beta);
-  const T e_beta = 0.5 * m.kappa_slope(beta) * excess * excess + m.kappa_gauss_slope(beta) * K
-                 + m.potential.slope(beta);
+  const T e_H = m.kappa(beta) * (H - m.spontaneous_curvature), e_K = m.kappa_gauss(beta);
+  const T e_beta = model::order_force(m, beta, H, K);
   const T e_slope = m.l1() * slope;
   const T e_turn = -e_H / l + e_K * q[dpsi] / (l * l);
   const T dA = area_density(q);
