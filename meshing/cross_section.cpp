@@ -35,8 +35,8 @@ struct Triangle {
   // Between two places on different sides of the plane.
   Crossing crossing(const Vector2d& above, const Vector2d& below) const {
     const auto between = [&](double t) -> Vector2d { return above + t * (below - above); };
-    const auto height = [&](double t) { return height_at(between(t)); };
-    const Eigen::VectorXd phi = element.values(between(model::root_between(height, 0, 1).middle()));
+    const auto along = [&](double t) { return height_at(between(t)); };
+    const Eigen::VectorXd phi = element.values(between(model::root_between(along, 0, 1).middle()));
     return {X * phi, field.dot(phi)};
   }
 

@@ -46,7 +46,7 @@ struct Parameter {
 template <class T, class Struct>
 concept maybe_const = std::same_as<std::remove_const_t<T>, Struct>;
 /// `Base`, constant where T is.
-template <class Base, class T>
+template <class Base, class T>  // NOLINTNEXTLINE(readability-identifier-naming): as in std
 using const_as = std::conditional_t<std::is_const_v<T>, const Base, Base>;
 
 /// Throws std::invalid_argument, "name = value: must be …", unless the number is finite and allowed.

@@ -1,15 +1,13 @@
 // Loops over triangles on all threads, with results that do not depend on how many there are.
 #pragma once
 
+#include "surface3d/linear/in_parallel.h"
 #include "surface3d/surface.h"
 
 #include <functional>
 #include <vector>
 
 namespace sbeh::surface3d {
-
-/// Calls visit(i) for 0 … count − 1, from several threads and in any order.
-void in_parallel(int count, const std::function<void(int)>& visit);
 
 /// Calls visit(e) for every triangle, from several threads; those with a node in common one after the
 /// other and always in the same order, so that visit may add to what belongs to the nodes of e.

@@ -1,9 +1,9 @@
 // Observer of an evolution: the rows of series.csv.
 #pragma once
 
-#include "studies/evolution/series_file.h"
 #include "studies/evolution/times.h"
 #include "studies/io/timed_table.h"
+#include "studies/states/series_file.h"
 
 namespace sbeh::studies {
 

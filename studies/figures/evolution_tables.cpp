@@ -1,7 +1,7 @@
 // The tables of the evolution from the perturbed sphere: figures 3 and 4.
 #include "studies/evolution/frame_file.h"
-#include "studies/evolution/series_file.h"
 #include "studies/figures/tables.h"
+#include "studies/states/series_file.h"
 #include "studies/witnesses/state.h"
 #include "surface3d/diagnostics.h"
 #include "surface3d/moments.h"

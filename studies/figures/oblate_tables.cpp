@@ -1,11 +1,11 @@
 // The tables of the stationary oblates: figures 1 and 2.
 #include "meshing/cross_section.h"
 #include "studies/evolution/frame_file.h"
-#include "studies/evolution/series_file.h"
 #include "studies/figures/tables.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/meridian.h"
 #include "studies/states/profile_file.h"
+#include "studies/states/series_file.h"
 #include "surface3d/diagnostics.h"
 
 #include <fmt/format.h>

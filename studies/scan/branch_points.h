@@ -7,8 +7,8 @@
 #include "axisym/flow.h"
 #include "axisym/stationary/branch_entry.h"
 #include "axisym/stationary/stationary_case.h"
-#include "studies/evolution/series_file.h"
 #include "studies/scan/scan_table.h"
+#include "studies/states/series_file.h"
 
 #include <optional>
 #include <vector>

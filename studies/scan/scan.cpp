@@ -1,6 +1,5 @@
 #include "studies/scan/scan.h"
 
-#include "studies/evolution/series_file.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
 #include "studies/io/results_folder.h"
@@ -9,6 +8,7 @@
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/branch_points.h"
 #include "studies/states/profile_file.h"
+#include "studies/states/series_file.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

@@ -1,6 +1,6 @@
 #include "surface3d/linear/gmres.h"
 
-#include "surface3d/parallel.h"
+#include "surface3d/linear/in_parallel.h"
 
 #include <Eigen/Jacobi>
 

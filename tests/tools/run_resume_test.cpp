@@ -94,7 +94,7 @@ TEST_F(ResumeRun, takes_no_notice_of_what_was_being_written) {
 }
 
 TEST_F(ResumeRun, takes_no_notice_of_rows_that_were_cut) {
-  for (const std::string rows : {many_rows, std::string("output = 0\nevery_step = true\n")}) {
+  for (const std::string& rows : {many_rows, std::string("output = 0\nevery_step = true\n")}) {
     input(start + rows + many_frames);
     for (const std::string table : {"out/series.csv", "out/frames.csv"}) {
       fs::remove_all(path("out"));

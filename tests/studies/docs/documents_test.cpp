@@ -2,11 +2,11 @@
 #include "studies/compare/compare_input.h"
 #include "studies/evolution/relax.h"
 #include "studies/evolution/run_start.h"
-#include "studies/evolution/series_file.h"
 #include "studies/io/csv.h"
 #include "studies/parameters/input_kind.h"
 #include "studies/scan/scan_input.h"
 #include "studies/stability/stability_input.h"
+#include "studies/states/series_file.h"
 #include "tests/studies/docs/document.h"
 #include "tests/studies/parameters/input_file.h"
 

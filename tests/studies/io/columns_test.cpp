@@ -1,7 +1,6 @@
 // Tables by their lists of columns: what stands in a file, and that it is read back as it was.
 #include "studies/compare/compare_tables.h"
 #include "studies/evolution/frame_file.h"
-#include "studies/evolution/series_file.h"
 #include "studies/figures/figures.h"
 #include "studies/io/growing_table.h"
 #include "studies/scan/beyond_fold_table.h"
@@ -9,6 +8,7 @@
 #include "studies/stability/stability_table.h"
 #include "studies/stability/stability_thresholds.h"
 #include "studies/states/profile_file.h"
+#include "studies/states/series_file.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>

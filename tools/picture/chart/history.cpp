@@ -1,6 +1,6 @@
 #include "tools/picture/chart/history.h"
 
-#include "studies/evolution/series_file.h"
+#include "studies/states/series_file.h"
 
 #include <algorithm>
 #include <cmath>

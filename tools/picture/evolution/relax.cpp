@@ -1,7 +1,7 @@
 #include "tools/picture/evolution/relax.h"
 
-#include "studies/evolution/series_file.h"
 #include "studies/states/profile_file.h"
+#include "studies/states/series_file.h"
 #include "tools/picture/chart/history.h"
 #include "tools/picture/chart/legend.h"
 #include "tools/picture/section/panels.h"

@@ -1,4 +1,4 @@
-#include "studies/evolution/series_file.h"
+#include "studies/states/series_file.h"
 
 namespace sbeh::studies {
 
