@@ -1,7 +1,5 @@
 #include "studies/evolution/event_log.h"
 
-#include "studies/io/csv.h"
-
 #include <fmt/format.h>
 
 #include <string>
@@ -10,17 +8,6 @@
 namespace sbeh::studies {
 
 namespace {
-
-constexpr const char* event_header =
-    "time,event,triangles,min_angle,mesh_quality,turn,curvature_gap,energy_change,area_change,"
-    "volume_change,distance";
-
-std::string event_line(double time, const char* event, int triangles,
-                       const surface3d::Resolution& r, const surface3d::RemeshReport& report) {
-  return fmt::format("{},{},{},{},{},{},{},{},{},{},{}", time, event, triangles, r.min_angle,
-                     r.mesh_quality, r.curvature, r.curvature_gap, report.energy_change,
-                     report.area_change, report.volume_change, report.distance);
-}
 
 // Which limits are passed.
 std::string reasons(const surface3d::Resolution& r) {
@@ -40,10 +27,41 @@ std::string reasons(const surface3d::Resolution& r) {
 
 }  // namespace
 
+const Columns<EventRow>& event_columns() {
+  using Row = EventRow;
+  using surface3d::RemeshReport, surface3d::Resolution;
+  const auto before = [](std::string name, double Resolution::*member) {
+    return column<Row>(std::move(name), inside(&Row::resolution, member));
+  };
+  const auto change = [](std::string name, double RemeshReport::*member) {
+    return column<Row>(std::move(name), inside(&Row::report, member));
+  };
+  static const Columns<Row> columns{
+      column("time", &Row::time),
+      column("event", &Row::event),
+      column("triangles", &Row::triangles),
+      before("min_angle", &Resolution::min_angle),
+      before("mesh_quality", &Resolution::mesh_quality),
+      before("turn", &Resolution::curvature),
+      before("curvature_gap", &Resolution::curvature_gap),
+      change("energy_change", &RemeshReport::energy_change),
+      change("area_change", &RemeshReport::area_change),
+      change("volume_change", &RemeshReport::volume_change),
+      change("distance", &RemeshReport::distance),
+  };
+  return columns;
+}
+
 EventLog::EventLog(const OutputFolder& folder, bool remesh, double until, ProgressLine& line)
-    : table_(folder / "events.csv", event_header, 0, until), remesh_(remesh), line_(line) {
-  for (const TimedRow& row : table_.kept())
-    if (!unresolved_from_ && split_csv(row.line)[1] == "unresolved") unresolved_from_ = row.time;
+    : table_(folder / "events.csv", header_of(event_columns()), until),
+      remesh_(remesh),
+      line_(line) {
+  for (const EventRow& row : rows_of(event_columns(), table_.kept()))
+    if (!unresolved_from_ && row.event == "unresolved") unresolved_from_ = row.time;
+}
+
+void EventLog::append(const EventRow& event) {
+  table_.append(event.time, line_of(event_columns(), event));
 }
 
 void EventLog::see(const surface3d::FlowRecord& record, const surface3d::StepView& view) {
@@ -54,7 +72,7 @@ void EventLog::see(const surface3d::FlowRecord& record, const surface3d::StepVie
   const bool may_change = remesh_ && !view.memory.remeshing_over;
   if (unresolved_from_ || may_change || surface3d::resolved(r)) return;
   unresolved_from_ = t;
-  table_.append(t, event_line(t, "unresolved", view.mesh->count(), r, {}));
+  append({t, "unresolved", view.mesh->count(), r, {}});
   line_.say(fmt::format("sbeh: unresolved from t = {:.6g}: {}{}", t, reasons(r),
                         remesh_ ? "" : "; more triangles, or [numerics] remesh = true, may help"));
 }
@@ -62,8 +80,7 @@ void EventLog::see(const surface3d::FlowRecord& record, const surface3d::StepVie
 void EventLog::see_new_mesh(double t, const surface3d::Resolution& before,
                             const surface3d::RemeshResult& made) {
   const surface3d::RemeshReport& report = made.report;
-  table_.append(t, event_line(t, made.mesh ? "remeshed" : "not-remeshed", report.triangles_before,
-                              before, report));
+  append({t, made.mesh ? "remeshed" : "not-remeshed", report.triangles_before, before, report});
   line_.say(made.mesh ? fmt::format(
                 "sbeh: t = {:.6g}: {}; {} new triangles for {}, smallest angle {:.0f} "
                 "degrees after {:.0f}, energy changed by {:.1e}",

@@ -7,8 +7,19 @@
 #include "surface3d/flow.h"
 
 #include <optional>
+#include <string>
 
 namespace sbeh::studies {
+
+/// A row of events.csv.
+struct EventRow {
+  double time;
+  std::string event;  ///< "unresolved", "remeshed" or "not-remeshed"
+  int triangles;
+  surface3d::Resolution resolution;  ///< before
+  surface3d::RemeshReport report;    ///< of new triangles
+};
+const Columns<EventRow>& event_columns();
 
 /// A mesh that is or is not replaced, and the first time at which a mesh that stays is too coarse.
 class EventLog {
@@ -22,6 +33,7 @@ class EventLog {
   const std::optional<double>& unresolved_from() const { return unresolved_from_; }
 
  private:
+  void append(const EventRow& event);
   void see_new_mesh(double time, const surface3d::Resolution& before,
                     const surface3d::RemeshResult& made);
 

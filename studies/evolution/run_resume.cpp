@@ -1,7 +1,6 @@
 #include "studies/evolution/run_resume.h"
 
 #include "studies/evolution/checkpoint.h"
-#include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/io/progress.h"
 #include "studies/io/results_folder.h"
@@ -31,7 +30,7 @@ std::string physics_of(const std::string& description) {
 std::string first_line(const std::string& text) { return text.substr(0, text.find('\n')); }
 
 // Whether a table that is to have rows at these times has those up to a time, and is not cut before.
-bool reaches(const std::vector<TimedRow>& rows, const std::vector<double>& times, double until) {
+bool reaches(const std::vector<TimedLine>& rows, const std::vector<double>& times, double until) {
   const double slack = model::same_time * until;
   const auto after = std::upper_bound(times.begin(), times.end(), until + slack);
   return after == times.begin() || (!rows.empty() && rows.back().time >= *(after - 1) - slack);
@@ -41,10 +40,10 @@ bool reaches(const std::vector<TimedRow>& rows, const std::vector<double>& times
 // empty when there is none yet. Throws OutputError when there are some and all are damaged.
 std::optional<Frame> newest_frame(const RunInput& input, const OutputFolder& folder) {
   std::vector<fs::path> candidates{folder / checkpoint_name};
-  const std::vector<TimedRow> series = timed_rows(folder / "series.csv", 0);
-  const std::vector<TimedRow> frames = timed_rows(folder / "frames.csv", 1);
-  for (std::size_t k = frames.size(); k-- > 0;)
-    candidates.push_back(folder / split_csv(frames[k].line)[2]);
+  const std::vector<TimedLine> series = timed_lines(folder / "series.csv"),
+                               frames = timed_lines(folder / "frames.csv");
+  for (const FrameEntry& frame : rows_of(frame_columns(), frames))
+    candidates.insert(candidates.begin() + 1, folder / frame.file);  // the newest first
   std::optional<Frame> newest;
   bool damaged = false;
   for (const fs::path& path : candidates) {

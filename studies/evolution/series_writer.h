@@ -11,7 +11,7 @@ class SeriesWriter {
  public:
   /// Keeps the rows up to `until` of an earlier run, by default none. Throws OutputError.
   SeriesWriter(const OutputFolder& folder, const Times& times, double until = -1)
-      : times_(times), table_(folder / "series.csv", header_of(series_columns()), 0, until) {}
+      : times_(times), table_(folder / "series.csv", header_of(series_columns()), until) {}
 
   /// A row where one is due, with what `diagnose()` gives.
   void see(const model::FlowRecord& record, bool exact, auto&& diagnose) {

@@ -12,9 +12,9 @@ StateFiles::StateFiles(const OutputFolder& folder, std::string kind, std::string
       kind_(std::move(kind)),
       extension_(std::move(extension)),
       times_(times),
-      index_(folder / (kind_ + ".csv"), header_of(frame_columns()), 1, until) {
+      index_(folder / (kind_ + ".csv"), header_of(frame_columns()), until),
+      entries_(rows_of(frame_columns(), index_.kept())) {
   make_folder(folder / kind_);
-  for (const TimedRow& row : index_.kept()) entries_.push_back({row.time, split_csv(row.line)[2]});
 }
 
 bool StateFiles::see(double time, bool exact, const Write& write) {

@@ -1,5 +1,6 @@
 #include "studies/figures/runs.h"
 
+#include "studies/evolution/event_log.h"
 #include "studies/evolution/frame_file.h"
 #include "studies/io/csv.h"
 #include "studies/io/errors.h"
@@ -64,9 +65,8 @@ std::string difference(const RunInput& run, const RunInput& plan, std::optional<
 
 std::optional<double> unresolved_from(const fs::path& run) {
   if (!fs::exists(run / "events.csv")) return {};
-  const CsvTable events = read_csv(run / "events.csv");
-  for (std::size_t row = 0; row < events.rows.size(); ++row)
-    if (events.text(row, "event") == "unresolved") return events.number(row, "time");
+  for (const EventRow& row : read_rows(event_columns(), run / "events.csv"))
+    if (row.event == "unresolved") return row.time;
   return {};
 }
 

@@ -1,8 +1,6 @@
 #include "studies/io/timed_table.h"
 
-#include "studies/io/csv.h"
-#include "studies/io/output.h"
-
+#include <algorithm>
 #include <sstream>
 
 namespace sbeh::studies {
@@ -10,37 +8,39 @@ namespace sbeh::studies {
 namespace {
 
 // Writes the table anew with the rows up to a time, which it returns.
-std::vector<TimedRow> keep_until(const std::filesystem::path& path, const std::string& header,
-                                 std::size_t time_column, double time) {
-  std::vector<TimedRow> rows = timed_rows(path, time_column);
-  std::erase_if(rows, [&](const TimedRow& row) { return !(row.time <= time); });
+std::vector<TimedLine> keep_until(const std::filesystem::path& path, const std::string& header,
+                                  double time) {
+  std::vector<TimedLine> rows = timed_lines(path);
+  std::erase_if(rows, [&](const TimedLine& row) { return !(row.time <= time); });
   std::string text = header + "\n";
-  for (const TimedRow& row : rows) text += row.line + "\n";
+  for (const TimedLine& row : rows) text += row.line + "\n";
   write_file(path, text);
   return rows;
 }
 
 }  // namespace
 
-std::vector<TimedRow> timed_rows(const std::filesystem::path& path, std::size_t time_column) {
-  std::vector<TimedRow> rows;
+std::vector<TimedLine> timed_lines(const std::filesystem::path& path) {
+  std::vector<TimedLine> rows;
   if (!std::filesystem::exists(path)) return rows;
   std::istringstream text(read_file(path));
-  std::string line, header;
-  std::getline(text, header);
-  const std::size_t columns = split_csv(header).size();
+  std::string line;
+  std::getline(text, line);
+  const std::vector<std::string> columns = split_csv(line);
+  const auto time_column = std::find(columns.begin(), columns.end(), "time") - columns.begin();
   while (std::getline(text, line)) {
     const auto fields = split_csv(line);
     double time = 0;
-    if (fields.size() != columns || text.eof() || !parse_number(fields[time_column], time)) break;
+    if (fields.size() != columns.size() || text.eof()
+        || !parse_number(fields.at(std::size_t(time_column)), time))
+      break;
     rows.push_back({time, line});
   }
   return rows;
 }
 
-TimedTable::TimedTable(const std::filesystem::path& path, const std::string& header,
-                       std::size_t time_column, double until)
-    : kept_(keep_until(path, header, time_column, until)),
+TimedTable::TimedTable(const std::filesystem::path& path, const std::string& header, double until)
+    : kept_(keep_until(path, header, until)),
       last_time_(kept_.empty() ? -1 : kept_.back().time),
       file_(path) {}
 
