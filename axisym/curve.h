@@ -5,6 +5,7 @@
 #pragma once
 
 #include "model/numerics/area_volume.h"
+#include "model/numerics/profile.h"
 
 #include <Eigen/Core>
 
@@ -19,13 +20,10 @@ using Nodes = Eigen::Matrix2Xd;
 /// A scalar in P3: one value per node.
 using Field = Eigen::VectorXd;
 
-inline int element_count(const Nodes& X) { return int(X.cols() - 1) / 3; }
+using model::element_count;
 
-/// The state that evolves: position and order. A value: copying it is a checkpoint.
-struct State {
-  Nodes X;
-  Field beta;  // nodes
-};
+/// The state that evolves: position and order at the nodes. A value: copying it is a checkpoint.
+using State = model::Profile;
 
 /// Shape functions of one element at one quadrature point; derivatives by the element's own
 /// coordinate in [0, 1].

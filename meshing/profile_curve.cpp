@@ -38,7 +38,8 @@ Cubic<Vector2d> element(const Eigen::Matrix2Xd& X, int e) {
 
 }  // namespace
 
-void Profile::validate() const {
+void validate(const Profile& profile) {
+  const auto& [X, beta] = profile;
   const Eigen::Index nodes = X.cols();
   if (nodes < 4 || nodes % 3 != 1)
     throw std::invalid_argument(
@@ -58,8 +59,8 @@ void Profile::validate() const {
 }
 
 ProfileCurve::ProfileCurve(const Profile& profile) : profile_(profile) {
-  profile_.validate();
-  const int count = samples_per_element * profile_.element_count();
+  validate(profile_);
+  const int count = samples_per_element * model::element_count(profile_.X);
   samples_.resize(2, count + 1);
   area_ = Eigen::VectorXd::Zero(count + 1);
   for (int k = 0; k <= count; ++k) samples_.col(k) = at(double(k) / samples_per_element);
@@ -71,20 +72,20 @@ ProfileCurve::ProfileCurve(const Profile& profile) : profile_(profile) {
 }
 
 Vector2d ProfileCurve::at(double t) const {
-  const int e = std::clamp(int(t), 0, profile_.element_count() - 1);
+  const int e = std::clamp(int(t), 0, model::element_count(profile_.X) - 1);
   Vector2d x = element(profile_.X, e).value(t - e);
-  if (t <= 0 || t >= profile_.element_count()) x[0] = 0;  // not rounded
+  if (t <= 0 || t >= model::element_count(profile_.X)) x[0] = 0;  // not rounded
   return x;
 }
 
 double ProfileCurve::beta_at(double t) const {
-  const int e = std::clamp(int(t), 0, profile_.element_count() - 1);
+  const int e = std::clamp(int(t), 0, model::element_count(profile_.X) - 1);
   const auto& b = profile_.beta;
   return Cubic<double>(b[3 * e], b[3 * e + 1], b[3 * e + 2], b[3 * e + 3]).value(t - e);
 }
 
 double ProfileCurve::nearest_between(double low, double high, const Vector2d& x) const {
-  const int e = std::min(int((low + high) / 2), profile_.element_count() - 1);
+  const int e = std::min(int((low + high) / 2), model::element_count(profile_.X) - 1);
   const auto curve = element(profile_.X, e);
   // Half the derivative of the squared distance, and its derivative.
   const auto slope = [&](double t) {
@@ -120,7 +121,7 @@ double ProfileCurve::nearest(const Vector2d& x) const {
 
 double ProfileCurve::at_area(double fraction) const {
   if (fraction <= 0) return 0;
-  if (fraction >= 1) return profile_.element_count();
+  if (fraction >= 1) return model::element_count(profile_.X);
   const auto* above = std::upper_bound(area_.data(), area_.data() + area_.size(), fraction);
   const auto k = Eigen::Index(above - area_.data());
   const double part = (fraction - area_[k - 1]) / (area_[k] - area_[k - 1]);

@@ -1,22 +1,19 @@
 // The generating curve of a surface of revolution: P3 elements in the half-plane (r, z).
 #pragma once
 
+#include "model/numerics/profile.h"
+
 #include <Eigen/Core>
 
 #include <vector>
 
 namespace sbeh::meshing {
 
-/// Nodes from pole to pole, 3 elements + 1 columns; element e owns the nodes 3e … 3e + 3.
-struct Profile {
-  Eigen::Matrix2Xd X;    ///< row 0: r >= 0, 0 at both ends; row 1: z
-  Eigen::VectorXd beta;  ///< order at the nodes; may be empty
+using model::Profile;
 
-  int element_count() const { return int(X.cols() - 1) / 3; }
-  /// Throws std::invalid_argument naming the node: not finite, r < 0, r > 0 at a pole, r = 0
-  /// elsewhere, a number of nodes that fits no elements, or β of another size.
-  void validate() const;
-};
+/// Throws std::invalid_argument naming the node unless the points are those of P3 elements: not finite, r < 0,
+/// r > 0 at a pole, r = 0 elsewhere, a number of nodes that fits no elements, or β of another size.
+void validate(const Profile& profile);
 
 /// A profile prepared for searching. Places on it are numbers t in [0, elements]: element ⌊t⌋ at
 /// its own coordinate.

@@ -12,7 +12,7 @@ using Eigen::Vector3d;
 RevolvedMesh revolved(const Profile& profile, const Resolution& resolution) {
   resolution.validate();
   Profile down = profile;  // from the north pole to the south pole
-  down.validate();
+  validate(down);
   if (down.X(1, 0) < down.X(1, down.X.cols() - 1)) {
     down.X = down.X.rowwise().reverse().eval();
     down.beta = down.beta.reverse().eval();

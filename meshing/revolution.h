@@ -15,7 +15,7 @@ struct RevolvedMesh {
 /// The profile revolved about the z axis, all nodes on it, a vertex of the mesh at each pole; a
 /// five-fold axis of the mesh along z as long as no new triangles are needed for good angles.
 /// Outward whichever way the profile runs. Throws std::invalid_argument for a profile that is none
-/// (Profile::validate).
+/// (see validate).
 RevolvedMesh revolved(const Profile& profile, const Resolution& resolution);
 
 }  // namespace sbeh::meshing

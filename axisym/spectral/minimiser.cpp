@@ -80,13 +80,12 @@ OrderedMinimum report(double reduced_volume, const Problem& problem, const Criti
                      .pressure = -state.multipliers[1],
                      .tension = state.multipliers[0],
                      .stiffness = state.stiffness,
-                     .profile = profile(curve, profile_intervals),
-                     .order = {}};
-  const Index points = out.profile.cols();
-  out.order = VectorXd::Constant(points, c[0]);
+                     .profile = {profile(curve, profile_intervals), {}}};
+  const Index points = out.profile.X.cols();
+  VectorXd& order = out.profile.beta = VectorXd::Constant(points, c[0]);
   for (Index j = 0; j < points; ++j)
     for (std::size_t i = 0; i < B.k.size(); ++i)
-      out.order[j] +=
+      order[j] +=
           c[Index(i) + 1] * std::cos(B.k[i] * std::numbers::pi * double(j) / double(points - 1));
   return out;
 }

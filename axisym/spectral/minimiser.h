@@ -9,6 +9,7 @@
 
 #include "axisym/classical_shape.h"
 #include "model/energy_density.h"
+#include "model/numerics/profile.h"
 
 #include <optional>
 #include <span>
@@ -41,8 +42,7 @@ struct OrderedMinimum {
   double pressure;                     ///< P = ∂U/∂V at fixed area
   double tension;                      ///< Σ = −∂U/∂A at fixed volume
   double stiffness;                    ///< smallest eigenvalue of the second variation, > 0
-  Eigen::Matrix2Xd profile;            // 2 x n: r, z along the whole curve
-  Eigen::VectorXd order;               // n: β there
+  model::Profile profile;              ///< along the whole curve
 };
 
 /// The minimum next to the classical shape of the branch with β = 2/3, directly or in steps of the elastic

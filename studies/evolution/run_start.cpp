@@ -75,8 +75,7 @@ Start make(const MeshFileStart& start, const RunInput&) {
 
 Start make(const ScanRow& row, const RunInput& input) {
   const axisym::State profile = state_of(row);
-  meshing::RevolvedMesh revolved =
-      meshing::revolved({profile.X, profile.beta}, {.triangles = input.triangles});
+  meshing::RevolvedMesh revolved = meshing::revolved(profile, {.triangles = input.triangles});
   return {std::move(revolved.mesh), std::move(revolved.beta)};
 }
 

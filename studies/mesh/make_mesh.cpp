@@ -127,8 +127,7 @@ void make(const ProfileShape& shape, const MeshRequest& request, MadeMesh& made)
   const axisym::State state =
       read_profile(shape.file, "must be a table of nodes as a scan leaves them in points/");
   try {
-    const meshing::RevolvedMesh revolved =
-        meshing::revolved({.X = state.X, .beta = state.beta}, resolution_of(request));
+    const meshing::RevolvedMesh revolved = meshing::revolved(state, resolution_of(request));
     made.mesh = revolved.mesh;
     made.fields["order"] = revolved.beta.transpose();
   } catch (const std::invalid_argument& error) {

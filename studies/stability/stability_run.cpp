@@ -116,8 +116,7 @@ struct Start {
 
 Start perturbed(const axisym::State& profile, const StabilityInput& input,
                 const StabilityKey& key) {
-  meshing::RevolvedMesh revolved =
-      meshing::revolved({profile.X, profile.beta}, {.triangles = input.triangles});
+  meshing::RevolvedMesh revolved = meshing::revolved(profile, {.triangles = input.triangles});
   try {
     perturb(revolved.mesh, {perturbation_of(input, key)});
   } catch (const std::invalid_argument& error) {

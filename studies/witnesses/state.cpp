@@ -169,7 +169,7 @@ WitnessState minimiser_state(const StationaryCase& of) {
   }
   const auto minimum = axisym::minimise_ordered(of.material, of.reduced_volume, branch);
   if (!minimum) return failed(Witness::minimiser, none);
-  const Meridian curve(minimum->profile, minimum->order);
+  const Meridian curve(minimum->profile.X, minimum->profile.beta);
   WitnessState found{
       .witness = Witness::minimiser,
       .measures = {.energy = minimum->energy,

@@ -47,7 +47,7 @@ Rest start_of(const StationaryCase& of, const SurfaceMethod& method,
               const std::optional<axisym::State>& profile) {
   const meshing::Resolution resolution{.triangles = method.triangles};
   if (method.revolved && profile) {
-    meshing::RevolvedMesh revolved = meshing::revolved({profile->X, profile->beta}, resolution);
+    meshing::RevolvedMesh revolved = meshing::revolved(*profile, resolution);
     return {.mesh = std::move(revolved.mesh), .beta = std::move(revolved.beta)};
   }
   Rest start{.mesh = meshing::ellipsoid(of.reduced_volume, of.branch == axisym::Branch::prolate,

@@ -30,8 +30,6 @@ const axisym::StationaryState& state_of(Model model) {
   return model == Model::SBEH ? sbeh : ssh;
 }
 
-Profile profile_of(const axisym::State& state) { return {.X = state.X, .beta = state.beta}; }
-
 TEST(RevolvedState, has_its_one_dimensional_energy_to_the_fourth_order) {
   const model::Material material = axisym::test::paper_material(0.05);
   for (const Model m : {Model::SBEH, Model::SSH}) {
@@ -39,7 +37,7 @@ TEST(RevolvedState, has_its_one_dimensional_energy_to_the_fourth_order) {
     const double exact = axisym::test::energy_of(material, s).total();
     sbeh::test::OrderTable table(std::string("energy of the revolved state, ") + name(m), "h");
     for (const int count : {320, 1280, 5120}) {
-      const RevolvedMesh r = revolved(profile_of(s.state), {.triangles = count});
+      const RevolvedMesh r = revolved(s.state, {.triangles = count});
       table.add(std::sqrt(20. / count), energy_of(material, r) - exact);
     }
     EXPECT_GT(table.print(), 3.5);
@@ -48,8 +46,8 @@ TEST(RevolvedState, has_its_one_dimensional_energy_to_the_fourth_order) {
 
 TEST(RevolvedState, lies_on_the_profile_with_the_order_of_the_profile) {
   const axisym::State& state = state_of(Model::SBEH).state;
-  const RevolvedMesh r = revolved(profile_of(state), {.triangles = 320});
-  const ProfileCurve curve(profile_of(state));
+  const RevolvedMesh r = revolved(state, {.triangles = 320});
+  const ProfileCurve curve(state);
   for (int i = 0; i < r.mesh.node_count(); ++i) {
     const Eigen::Vector3d x = r.mesh.nodes.col(i);
     const Eigen::Vector2d rz(std::hypot(x[0], x[1]), x[2]);
@@ -63,7 +61,7 @@ TEST(RevolvedState, lies_on_the_profile_with_the_order_of_the_profile) {
 
 TEST(RevolvedState, has_the_area_and_volume_of_the_profile_or_those_asked_for) {
   const axisym::State& state = state_of(Model::SBEH).state;
-  CurvedMesh mesh = revolved(profile_of(state), {.triangles = 5120}).mesh;
+  CurvedMesh mesh = revolved(state, {.triangles = 5120}).mesh;
   EXPECT_NEAR(area(mesh) / axisym::area(state.X), 1, 3e-6);
   EXPECT_NEAR(volume(mesh) / axisym::volume(state.X), 1, 3e-6);
   ASSERT_TRUE(correct_area_volume(mesh, 4 * test::pi, 0.8));
@@ -72,7 +70,7 @@ TEST(RevolvedState, has_the_area_and_volume_of_the_profile_or_those_asked_for) {
 }
 
 TEST(RevolvedState, is_outward_whichever_way_the_profile_runs) {
-  const Profile down = profile_of(state_of(Model::SBEH).state);
+  const Profile down = state_of(Model::SBEH).state;
   const Profile up{.X = down.X.rowwise().reverse(), .beta = down.beta.reverse()};
   const RevolvedMesh a = revolved(down, {.triangles = 320}), b = revolved(up, {.triangles = 320});
   EXPECT_GT(volume(b.mesh), 0);
@@ -81,7 +79,7 @@ TEST(RevolvedState, is_outward_whichever_way_the_profile_runs) {
 }
 
 TEST(Profile, that_is_none_is_refused) {
-  const Profile good = profile_of(state_of(Model::SBEH).state);
+  const Profile good = state_of(Model::SBEH).state;
   const auto refused = [&](auto&& change) {
     Profile bad = good;
     change(bad);

@@ -227,9 +227,9 @@ TEST(OrderedMinimiser, order_lowers_the_energy_and_is_smallest_where_the_shape_b
       const double gap = 16 * pi * L * fixed.energy - 8 * pi * L - 4 * pi - m.energy;
       EXPECT_GT(gap, gap_before) << v << " " << L;
       gap_before = gap;
-      const Eigen::Index equator = m.order.size() / 2;
-      EXPECT_NEAR(m.order[equator], m.order_min, 1e-9) << v << " " << L;
-      EXPECT_LT(m.order.maxCoeff(), model::full_order);
+      const Eigen::Index equator = m.profile.beta.size() / 2;
+      EXPECT_NEAR(m.profile.beta[equator], m.order_min, 1e-9) << v << " " << L;
+      EXPECT_LT(m.profile.beta.maxCoeff(), model::full_order);
       EXPECT_GT(m.stiffness, 0);
     }
   }
