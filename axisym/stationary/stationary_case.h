@@ -11,8 +11,8 @@ struct StationaryCase {
   model::Model model = model::Model::SBEH;  ///< SBEH or SSH
   Branch branch = Branch::oblate;
   double reduced_volume = 0;  ///< 0 < V_r <= 1
-  model::Material material;
-  Numerics numerics;
+  model::Material material{};
+  Numerics numerics{};
 
   /// Of the one-constant approximation.
   double L() const { return material.L1; }

@@ -253,7 +253,8 @@ TEST(OrderedMinimiser, of_stomatocytes_ends_in_the_fold_that_the_finite_elements
   const double a = squared(first), b = squared(second);
   const double fold = (first * b - second * a) / (b - a);
   const Material material = Material{}.with_L(1e-5);
-  const Numerics numerics{.elements = 96};
+  Numerics numerics;
+  numerics.elements = 96;
   const auto entry = enter_branch(Branch::stomatocyte, material, numerics);
   ASSERT_TRUE(entry);
   const FollowResult ssh = follow(material, model::Model::SSH, entry->state, {v, 1e-5}, numerics);
