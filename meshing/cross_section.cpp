@@ -4,6 +4,7 @@
 #include "model/numerics/root.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <optional>
@@ -21,7 +22,7 @@ struct Crossing {
   double value;
 };
 struct Segment {
-  Crossing ends[2];
+  std::array<Crossing, 2> ends;
 };
 
 // One curved triangle, its height above the plane at each node.

@@ -49,7 +49,7 @@ T area_density(const Point<T>& q) {
 template <class T>
 Point<T> energy_gradient(const model::Material& m, const Point<T>& q) {
   using std::cos, std::sin;
-  const T l = q[length], r = q[radius], beta = q[order];
+  const T &l = q[length], &r = q[radius], &beta = q[order];
   const T slope = q[dorder] / l, turn = sin(q[psi]) / r, turn_psi = cos(q[psi]) / r;
   const auto [H, K] = curvatures(q);
   const T e = density(m, q).total();
@@ -70,7 +70,8 @@ Point<T> energy_gradient(const model::Material& m, const Point<T>& q) {
 template <class T>
 std::array<Point<T>, 3> measure_gradients(const Point<T>& q) {
   using std::cos, std::sin;
-  const T l = q[length], r = q[radius], s = sin(q[psi]), zero(0.);
+  const T &l = q[length], &r = q[radius];
+  const T s = sin(q[psi]), zero(0.);
   return {{{zero, zero, 2 * pi * l * l, zero, zero, 4 * pi * l * r},
            {pi * l * l * l * r * r * cos(q[psi]), zero, 2 * pi * l * l * l * r * s, zero, zero,
             3 * pi * l * l * r * r * s},

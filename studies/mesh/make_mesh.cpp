@@ -186,7 +186,7 @@ std::string name_of(const MeshRequest& request) {
 meshing::Quality quality_of_sound(const meshing::CurvedMesh& mesh) {
   if (!mesh.nodes.allFinite())
     throw std::invalid_argument("a coordinate of a node is no finite number");
-  const meshing::Quality q = meshing::quality_of(mesh);
+  meshing::Quality q = meshing::quality_of(mesh);
   if (!(q.min_jacobian > 0))
     throw std::invalid_argument(fmt::format(
         "triangle {} folds over when it is curved; take more triangles, or the surface is not "

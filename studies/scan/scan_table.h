@@ -17,7 +17,7 @@ struct PointKey {
   double L;
   model::Model model;
   axisym::Branch branch;
-  auto operator<=>(const PointKey&) const = default;
+  auto operator<=>(const PointKey&) const = default;  // NOLINT(modernize-use-nullptr): false alarm
 };
 /// That of a case, with its L.
 PointKey key_of(const axisym::StationaryCase& of);

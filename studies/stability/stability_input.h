@@ -42,7 +42,8 @@ struct StabilityKey {
   model::Model model;
   axisym::Branch branch;
   int l, m;
-  auto operator<=>(const StabilityKey&) const = default;
+  auto operator<=>(const StabilityKey&) const =
+      default;  // NOLINT(modernize-use-nullptr): false alarm
 };
 /// Name of the run's files without ending, such as SBEH_oblate_v0.8_L0.05_Y22.
 std::string stem(const StabilityKey& key);

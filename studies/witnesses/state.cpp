@@ -33,7 +33,7 @@ void take_curve(WitnessState& found, const Meridian& curve, const std::array<dou
 }
 
 WitnessState classical_state(const model::Material& material, Witness witness,
-                             const ClassicalShape& shape, Meridian curve) {
+                             const ClassicalShape& shape, const Meridian& curve) {
   WitnessState found{.witness = witness};
   found.measures = classical_measures(material, shape.energy, shape.pressure, shape.tension);
   take_curve(found, curve, {shape.H_pole, shape.H_pole});

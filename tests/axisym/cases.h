@@ -22,7 +22,9 @@
 namespace sbeh::axisym {
 
 // Words instead of bytes in GoogleTest's messages.
-inline void PrintTo(FlowStop stop, std::ostream* out) { *out << describe(stop); }
+inline void PrintTo(FlowStop stop, std::ostream* out) {  // NOLINT: GoogleTest's name
+  *out << describe(stop);
+}
 
 }  // namespace sbeh::axisym
 

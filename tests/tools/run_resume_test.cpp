@@ -32,7 +32,7 @@ class ResumeRun : public Workplace {
   }
   static std::vector<std::string> resumed(const std::string& results) {
     auto arguments = into(results, "run");
-    arguments.push_back("--resume");
+    arguments.emplace_back("--resume");
     return arguments;
   }
   void must_end_as_the_whole() const {
@@ -95,7 +95,8 @@ TEST_F(ResumeRun, takes_no_notice_of_what_was_being_written) {
 
 TEST_F(ResumeRun, takes_no_notice_of_rows_that_were_cut) {
   for (const std::string& rows : {many_rows, std::string("output = 0\nevery_step = true\n")}) {
-    input(start + rows + many_frames);
+    std::string text = start;
+    input(text.append(rows).append(many_frames));
     for (const std::string table : {"out/series.csv", "out/frames.csv"}) {
       fs::remove_all(path("out"));
       kill_when(into("out", "run"), [&] { return lines(table) > 6; });

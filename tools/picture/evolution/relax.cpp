@@ -52,6 +52,7 @@ void draw_relaxation_energy(Canvas& canvas, const Options& options) {
   const auto series =
       studies::read_rows(studies::series_columns(), options.directory / "series.csv");
   std::vector<double> time;
+  time.reserve(series.size());
   for (const studies::SeriesRow& row : series) time.push_back(row.record.time);
 
   std::vector<Points> curves;
