@@ -27,12 +27,13 @@ std::vector<TimedLine> timed_lines(const std::filesystem::path& path) {
   std::string line;
   std::getline(text, line);
   const std::vector<std::string> columns = split_csv(line);
-  const auto time_column = std::find(columns.begin(), columns.end(), "time") - columns.begin();
+  const auto time_column =
+      std::size_t(std::find(columns.begin(), columns.end(), "time") - columns.begin());
+  if (time_column == columns.size()) return rows;
   while (std::getline(text, line)) {
     const auto fields = split_csv(line);
     double time = 0;
-    if (fields.size() != columns.size() || text.eof()
-        || !parse_number(fields.at(std::size_t(time_column)), time))
+    if (fields.size() != columns.size() || text.eof() || !parse_number(fields[time_column], time))
       break;
     rows.push_back({time, line});
   }

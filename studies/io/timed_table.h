@@ -16,7 +16,7 @@ struct TimedLine {
 };
 
 /// The rows of a CSV file with their times, up to the first that is cut off; none where there is no
-/// file. Throws OutputError when it cannot be read.
+/// file, or no such column. Throws OutputError when it cannot be read.
 std::vector<TimedLine> timed_lines(const std::filesystem::path& path);
 
 /// A table that grows, and goes on where an earlier run left it.
