@@ -2,6 +2,8 @@
 // the finite elements, shooting and minimisation must agree.
 #pragma once
 
+#include "model/names.h"
+
 #include <Eigen/Core>
 
 #include <array>
@@ -12,11 +14,7 @@ namespace sbeh::axisym {
 /// The branches of Seifert, Berndl and Lipowsky, Phys. Rev. A 44 (1991) 1182, without spontaneous
 /// curvature. Oblates and prolates are symmetric top to bottom, stomatocytes are not.
 enum class Branch { oblate, prolate, stomatocyte };
-constexpr auto values_of(Branch) {
-  return std::array{Branch::oblate, Branch::prolate, Branch::stomatocyte};
-}
-/// "oblate", "prolate" or "stomatocyte".
-const char* name(Branch branch);
+constexpr auto names(Branch) { return std::array{"oblate", "prolate", "stomatocyte"}; }
 
 /// One shape, in the units of the sphere of the same area: R = 1, A = 4π.
 struct ClassicalShape {

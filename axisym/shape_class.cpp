@@ -8,20 +8,6 @@
 
 namespace sbeh::axisym {
 
-const char* name(ShapeClass shape) {
-  switch (shape) {
-    case ShapeClass::oblate:
-      return "oblate";
-    case ShapeClass::prolate:
-      return "prolate";
-    case ShapeClass::stomatocyte:
-      return "stomatocyte";
-    case ShapeClass::pear:
-      return "pear";
-  }
-  return "";
-}
-
 namespace {
 
 constexpr int pieces = 9;  // of an element

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/curve.h"
+#include "model/names.h"
 
 namespace sbeh::axisym {
 
@@ -11,8 +12,7 @@ enum class ShapeClass {
   stomatocyte,  ///< not symmetric, the poles nearer than the width
   pear          ///< not symmetric, elongated
 };
-/// "oblate", "prolate", "stomatocyte" or "pear".
-const char* name(ShapeClass shape);
+constexpr auto names(ShapeClass) { return std::array{"oblate", "prolate", "stomatocyte", "pear"}; }
 
 /// Largest difference of r at equal arc length from either pole, in radii of the sphere of equal area.
 double asymmetry(const Nodes& X);

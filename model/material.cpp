@@ -6,20 +6,6 @@
 
 namespace sbeh::model {
 
-const char* name(Model model) {
-  switch (model) {
-    case Model::SBEH:
-      return "SBEH";
-    case Model::SSH:
-      return "SSH";
-    case Model::HelfrichLocal:
-      return "Helfrich-local";
-    case Model::HelfrichGlobal:
-      return "Helfrich-global";
-  }
-  return "";
-}
-
 Material effective(const Material& material, Model model) {
   Material copy = material;
   if (!has_own_drag(model)) return copy;

@@ -1,6 +1,7 @@
 // The physics of one membrane: elastic moduli, potential, viscosities, frictions.
 #pragma once
 
+#include "model/names.h"
 #include "model/parameter.h"
 #include "model/potential.h"
 
@@ -11,12 +12,9 @@ namespace sbeh::model {
 /// Which equations of motion. SBEH has a free order β; the others keep β = 2/3 and have the same states
 /// of rest: SSH (surface Stokes–Helfrich) and the two L² flows of the Helfrich energy.
 enum class Model { SBEH, SSH, HelfrichLocal, HelfrichGlobal };
-constexpr auto values_of(Model) {
-  return std::array{Model::SBEH, Model::SSH, Model::HelfrichLocal, Model::HelfrichGlobal};
+constexpr auto names(Model) {
+  return std::array{"SBEH", "SSH", "Helfrich-local", "Helfrich-global"};
 }
-
-/// "SBEH", "SSH", "Helfrich-local" or "Helfrich-global".
-const char* name(Model model);
 
 inline bool has_free_order(Model model) { return model == Model::SBEH; }
 

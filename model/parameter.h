@@ -5,9 +5,7 @@
 
 #include <concepts>
 #include <limits>
-#include <optional>
 #include <string>
-#include <string_view>
 #include <type_traits>
 
 namespace sbeh::model {
@@ -26,15 +24,6 @@ inline constexpr Interval any_number{};
 constexpr Interval above(double low) { return {.low = low, .low_open = true}; }
 constexpr Interval at_least(double low) { return {.low = low}; }
 constexpr Interval between(double low, double high) { return {.low = low, .high = high}; }
-
-/// The value of an enumeration that has this name; empty for another word. An enumeration that stands in
-/// files has functions name(value) and values_of(value), of which the latter lists all.
-template <class E>
-std::optional<E> value_named(std::string_view word) {
-  for (const E value : values_of(E{}))
-    if (word == name(value)) return value;
-  return {};
-}
 
 struct Parameter {
   const char* name;     ///< in files; that of the member

@@ -28,8 +28,6 @@ std::variant<Monolithic, Split> chosen(Scheme scheme, const Triangulation& mesh)
 
 }  // namespace
 
-const char* name(Scheme scheme) { return scheme == Scheme::split ? "split" : "monolithic"; }
-
 Scheme stable_scheme(const model::Material& material, model::AreaConstraint area, Scheme wanted) {
   const bool damped = material.viscosity > 0 || area == model::AreaConstraint::global;
   return damped ? wanted : Scheme::monolithic;

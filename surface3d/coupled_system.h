@@ -10,6 +10,7 @@
 // fields along the node normals, one speed v for each node, and to a number as pressure.
 #pragma once
 
+#include "model/names.h"
 #include "surface3d/curvature.h"
 #include "surface3d/element_system.h"
 #include "surface3d/monolithic.h"
@@ -21,9 +22,7 @@
 namespace sbeh::surface3d {
 
 enum class Scheme { split, monolithic };
-constexpr auto values_of(Scheme) { return std::array{Scheme::split, Scheme::monolithic}; }
-/// "split" or "monolithic".
-const char* name(Scheme scheme);
+constexpr auto names(Scheme) { return std::array{"split", "monolithic"}; }
 /// The scheme that is used where another may be wanted: without viscosity, which damps tangential flow at the
 /// scale of the mesh, the split one was seen to be unstable; see README.md.
 Scheme stable_scheme(const model::Material& material, model::AreaConstraint area, Scheme wanted);

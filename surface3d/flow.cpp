@@ -132,10 +132,6 @@ void Numerics::validate() const {
         "order");
 }
 
-const char* name(Integrator integrator) {
-  return integrator == Integrator::two_step ? "two-step" : "step-doubling";
-}
-
 FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
                     const model::Material& material, model::Model model, const FlowStart& start,
                     const Target& target, const Numerics& numerics, const FlowSchedule& schedule,

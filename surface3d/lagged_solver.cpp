@@ -24,10 +24,6 @@ bool is_empty(const LinearSystem& system) { return system.matrix.rows() == 0; }
 
 }  // namespace
 
-const char* name(Factorisation factorisation) {
-  return factorisation == Factorisation::lagged ? "lagged" : "every-step";
-}
-
 LaggedSolver::LaggedSolver(Factorisation factorisation, double tolerance)
     : factorisation_(factorisation),
       tolerance_(allowed(factorisation, tolerance)),

@@ -2,6 +2,7 @@
 // that is cheaper, and a few iterations from a guess that earlier solutions give.
 #pragma once
 
+#include "model/names.h"
 #include "surface3d/linear/gmres.h"
 #include "surface3d/surface.h"
 
@@ -17,11 +18,7 @@ enum class Factorisation {
   lagged,     ///< factors of an earlier step, refactored when that is cheaper
   every_step  ///< the reference: exact solutions
 };
-constexpr auto values_of(Factorisation) {
-  return std::array{Factorisation::lagged, Factorisation::every_step};
-}
-/// "lagged" or "every-step".
-const char* name(Factorisation factorisation);
+constexpr auto names(Factorisation) { return std::array{"lagged", "every-step"}; }
 
 inline constexpr double default_solver_tolerance = 1e-5;
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "meshing/resolution.h"
+#include "model/names.h"
 #include "model/time/time_control.h"
 #include "surface3d/time_step.h"
 
@@ -13,11 +14,7 @@ enum class Integrator {
   two_step,      ///< second order for one solve a step, see model/time/two_step.h
   step_doubling  ///< three solves a step, see model/time/step_doubling.h
 };
-constexpr auto values_of(Integrator) {
-  return std::array{Integrator::two_step, Integrator::step_doubling};
-}
-/// "two-step" or "step-doubling".
-const char* name(Integrator integrator);
+constexpr auto names(Integrator) { return std::array{"two-step", "step-doubling"}; }
 
 /// How the 3D solver steps in time. The mesh is chosen with the start.
 struct Numerics : model::TimeControl {

@@ -20,22 +20,6 @@ using Eigen::Index;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
-const char* name(RimKind kind) {
-  switch (kind) {
-    case RimKind::fold:
-      return "fold";
-    case RimKind::saddle:
-      return "saddle";
-    case RimKind::second_fold:
-      return "second_fold";
-    case RimKind::sharp:
-      return "sharp";
-    case RimKind::equal_energy:
-      return "equal_energy";
-  }
-  return "";
-}
-
 namespace {
 
 constexpr double smallest_L = 1e-3;  // below, the layer of width √L needs more elements inside

@@ -7,6 +7,7 @@
 
 #include "axisym/curve.h"
 #include "model/material.h"
+#include "model/names.h"
 
 #include <array>
 #include <span>
@@ -21,12 +22,9 @@ enum class RimKind {
   sharp,        ///< a minimum with a sharp rim
   equal_energy  ///< the sharp state at the L at which the smooth one has its energy
 };
-constexpr auto values_of(RimKind) {
-  return std::array{RimKind::fold, RimKind::saddle, RimKind::second_fold, RimKind::sharp,
-                    RimKind::equal_energy};
+constexpr auto names(RimKind) {
+  return std::array{"fold", "saddle", "second_fold", "sharp", "equal_energy"};
 }
-/// "fold", "saddle", "second_fold", "sharp" or "equal_energy".
-const char* name(RimKind kind);
 
 /// A stationary state with its rim; lengths in radii of the sphere of equal area.
 struct RimRecord {

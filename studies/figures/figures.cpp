@@ -83,7 +83,7 @@ double seconds_for(Figure figure, const Inputs& inputs, const fs::path& folder) 
 
 void write_findings(const Inputs& inputs, const fs::path& folder) {
   std::vector<FigureRow> rows;
-  for (const Figure figure : all_figures)
+  for (const Figure figure : values_of(Figure{}))
     for (const Finding& finding : findings_of(figure, folder))
       rows.push_back({.figure = number(figure),
                       .command = fmt::format("sbeh figures {}", name(figure)),
@@ -93,11 +93,6 @@ void write_findings(const Inputs& inputs, const fs::path& folder) {
 }
 
 }  // namespace
-
-const char* name(Agreement agreement) {
-  constexpr const char* names[] = {"yes", "no", "–"};
-  return names[int(agreement)];
-}
 
 const Columns<FigureRow>& figure_columns() {
   using Row = FigureRow;

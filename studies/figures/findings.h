@@ -1,6 +1,7 @@
 // What came out, beside what the paper says.
 #pragma once
 
+#include "model/names.h"
 #include "studies/figures/tables.h"
 
 #include <string>
@@ -9,11 +10,7 @@
 namespace sbeh::studies::figures {
 
 enum class Agreement { yes, no, open };  ///< open: the paper does not say, or the runs cannot tell
-constexpr auto values_of(Agreement) {
-  return std::array{Agreement::yes, Agreement::no, Agreement::open};
-}
-/// "yes", "no" or "–".
-const char* name(Agreement agreement);
+constexpr auto names(Agreement) { return std::array{"yes", "no", "–"}; }
 
 struct Finding {
   std::string result;  ///< numbers from the tables

@@ -29,15 +29,10 @@ void require(bool holds, const fs::path& file, const char* what) {
 
 }  // namespace
 
-const char* name(Figure figure) {
-  constexpr const char* names[] = {"energy", "shapes", "evolution", "measures"};
-  return names[int(figure)];
-}
-
 int number(Figure figure) { return int(figure) + 1; }
 
 std::optional<Figure> figure_of(std::string_view word) {
-  for (const Figure figure : all_figures)
+  for (const Figure figure : values_of(Figure{}))
     if (word == name(figure) || word == std::to_string(number(figure))) return figure;
   return {};
 }
@@ -69,9 +64,8 @@ Inputs read_inputs(const fs::path& folder, std::optional<int> triangles) {
 bool needs_scan(Figure figure) { return figure == Figure::energy || figure == Figure::shapes; }
 
 PlannedRun oblate_run(const Inputs& inputs, Model model, double reduced_volume, double L) {
-  PlannedRun run{
-      fmt::format("oblates_3d/{}_v{:.6g}_L{:.6g}", model::name(model), reduced_volume, L),
-      inputs.oblate_3d};
+  PlannedRun run{fmt::format("oblates_3d/{}_v{:.6g}_L{:.6g}", sbeh::name(model), reduced_volume, L),
+                 inputs.oblate_3d};
   run.input.model = model;
   run.input.material = run.input.material.with_L(L);
   std::get<Ellipsoid>(run.input.start).reduced_volume = reduced_volume;
@@ -79,7 +73,7 @@ PlannedRun oblate_run(const Inputs& inputs, Model model, double reduced_volume, 
 }
 
 PlannedRun evolution_run(const Inputs& inputs, Model model) {
-  return {fmt::format("evolution/{}", model::name(model)),
+  return {fmt::format("evolution/{}", sbeh::name(model)),
           model == Model::SBEH ? inputs.sbeh : inputs.ssh};
 }
 

@@ -1,6 +1,7 @@
 // The paper's figures 1 to 4: what each of them is drawn from.
 #pragma once
 
+#include "model/names.h"
 #include "studies/evolution/run_input.h"
 #include "studies/scan/scan_input.h"
 
@@ -19,11 +20,7 @@ enum class Figure {
   evolution,  ///< 3: shapes from the perturbed sphere on
   measures    ///< 4: energy, W₂ and spread of the order over time in these runs
 };
-inline constexpr std::array all_figures{Figure::energy, Figure::shapes, Figure::evolution,
-                                        Figure::measures};
-
-/// "energy", "shapes", "evolution" or "measures".
-const char* name(Figure figure);
+constexpr auto names(Figure) { return std::array{"energy", "shapes", "evolution", "measures"}; }
 /// As in the paper: 1 … 4.
 int number(Figure figure);
 /// By name or number; empty for another word.

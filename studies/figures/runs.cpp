@@ -50,7 +50,7 @@ std::string difference(const RunInput& run, const RunInput& plan, std::optional<
     return fmt::format("its {} is {}, that of the figure is {}", what, a, b);
   };
   if (run.model != plan.model)
-    return differ("model", model::name(run.model), model::name(plan.model));
+    return differ("model", sbeh::name(run.model), sbeh::name(plan.model));
   if (start_text(run) != start_text(plan))
     return differ("start", start_text(run), start_text(plan));
   if (run.perturbation != plan.perturbation) return "its perturbation is not that of the figure";

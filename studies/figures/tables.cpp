@@ -17,8 +17,6 @@ Column<EnergyRow> at_rest_column() {
 
 }  // namespace
 
-const char* name(Solver solver) { return solver == Solver::axisymmetric ? "axisymmetric" : "3D"; }
-
 const Columns<EnergyRow>& energy_columns() {
   using Row = EnergyRow;
   static const Columns<Row> columns{

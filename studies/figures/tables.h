@@ -1,6 +1,7 @@
 // The numbers of the figures, from the runs that are there.
 #pragma once
 
+#include "model/names.h"
 #include "studies/figures/runs.h"
 #include "studies/io/columns.h"
 
@@ -18,9 +19,7 @@ struct Sources {
 };
 
 enum class Solver { axisymmetric, in_3d };
-constexpr auto values_of(Solver) { return std::array{Solver::axisymmetric, Solver::in_3d}; }
-/// "axisymmetric" or "3D".
-const char* name(Solver solver);
+constexpr auto names(Solver) { return std::array{"axisymmetric", "3D"}; }
 
 /// energy.csv: the energies of the oblates over time.
 struct EnergyRow {

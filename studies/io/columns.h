@@ -5,7 +5,7 @@
 // From such a list follow the header, a row's line, and a row read back.
 #pragma once
 
-#include "model/parameter.h"
+#include "model/names.h"
 #include "studies/io/csv.h"
 #include "studies/io/output.h"
 
@@ -54,7 +54,7 @@ inline bool read_field(std::string& value, const std::string& field) { return va
 template <class E>
 requires std::is_enum_v<E>
 bool read_field(E& value, const std::string& field) {
-  const auto named = model::value_named<E>(field);
+  const auto named = value_named<E>(field);
   if (named) value = *named;
   return named.has_value();
 }

@@ -40,11 +40,11 @@ class TomlTable {
   /// A list of known words in the order of the file, not empty, none twice.
   std::vector<std::string> words(std::string_view key, const std::vector<std::string>& known,
                                  std::optional<std::vector<std::string>> absent = {}) const;
-  /// The value of an enumeration (model/parameter.h) with that name, out of `known`.
+  /// The value of an enumeration (model/names.h) with that name, out of `known`.
   template <class Known, class E = typename Known::value_type>
   E choice(std::string_view key, const Known& known, std::optional<E> absent = {}) const {
     const auto absent_word = absent ? std::optional<std::string>(name(*absent)) : std::nullopt;
-    return *model::value_named<E>(word(key, names_of(known), absent_word));
+    return *value_named<E>(word(key, names_of(known), absent_word));
   }
   /// The same for a list, not empty, none twice.
   template <class Known, class E = typename Known::value_type>
@@ -53,7 +53,7 @@ class TomlTable {
     if (absent && !has(key)) return *absent;
     std::vector<E> values;
     for (const std::string& one : words(key, names_of(known)))
-      values.push_back(*model::value_named<E>(one));
+      values.push_back(*value_named<E>(one));
     return values;
   }
   /// A list of numbers in the order of the file, not empty.

@@ -32,7 +32,6 @@ struct Table {
 // What each kind of folder holds. The first tables tell the kind, and must be there.
 struct Contents {
   ResultsKind kind;
-  const char* name;
   std::vector<const char*> required;
   std::vector<Picture> pictures;
   std::vector<Table> tables;
@@ -40,7 +39,6 @@ struct Contents {
 const std::vector<Contents>& all_contents() {
   static const std::vector<Contents> all{
       {ResultsKind::scan,
-       "scan",
        {"scan.csv"},
        {{"diagram", "The stationary shapes over reduced volume and L"},
         {"cuts", "Cross sections"},
@@ -51,33 +49,28 @@ const std::vector<Contents>& all_contents() {
         {"beyond_fold.csv", "Beyond the fold"},
         {"scan.csv", "All points"}}},
       {ResultsKind::compare,
-       "compare",
        {"compare.csv", "methods.csv"},
        {{"profiles", "Profiles on top of each other, and their distance from the first method's"}},
        {{"methods.csv", "What each method finds"},
         {"compare.csv", "All pairs of methods"},
         {"histories.csv", "Energies over time"}}},
       {ResultsKind::stability,
-       "stability",
        {"stability.csv"},
        {{"stability",
          "Which states are stable in 3D, with the rates at which perturbations grow or decay"}},
        {{"thresholds.csv", "Where a state changes from stable to unstable"},
         {"stability.csv", "All runs"}}},
       {ResultsKind::seifert,
-       "seifert",
        {"branches.csv", "points.csv"},
        {{"branches", "Reduced energy of the branches"}},
        {{"points.csv", "Special points"},
         {"differences.csv", "Largest differences of the witnesses"},
         {"branches.csv", "Shapes"}}},
       {ResultsKind::run,
-       "run",
        {"series.csv", "frames.csv"},
        {{"energy", "Energy over time"}, {"shapes", "Shapes"}},
        {{"frames.csv", "Frames"}, {"series.csv", "History"}}},
       {ResultsKind::relax,
-       "relax",
        {"series.csv", "profiles.csv"},
        {{"energy", "Energy over time"}, {"shapes", "Shapes"}},
        {{"profiles.csv", "Profiles"}, {"series.csv", "History"}}},
@@ -114,7 +107,7 @@ std::string pictures_of(const fs::path& folder, const Contents& contents) {
     text += fmt::format(
         "<p class=\"note\">Not drawn: {}. To draw: <code>sbeh picture {} {}</code>, then make this "
         "report again.</p>\n",
-        fmt::join(missing, ", "), contents.name, html::escaped(folder.string()));
+        fmt::join(missing, ", "), name(contents.kind), html::escaped(folder.string()));
   return text;
 }
 
@@ -205,22 +198,22 @@ std::string input_of(const fs::path& folder) {
 }
 
 std::string how_to_run(const fs::path& folder, const Contents& contents, bool has_input) {
-  const std::string name = folder.string();
+  const std::string results = folder.string();
   if (!has_input)
     return contents.kind == ResultsKind::seifert
              ? html::element("pre", "sbeh seifert -o NEW_FOLDER")
              : "<p>The folder has no run.toml, so that the input is not known.</p>\n";
-  std::string text =
-      html::element("pre", fmt::format("sbeh {} {}/run.toml -o NEW_FOLDER", contents.name, name));
+  std::string text = html::element(
+      "pre", fmt::format("sbeh {} {}/run.toml -o NEW_FOLDER", name(contents.kind), results));
   text += fmt::format(
       "<p>Or save the input above as <code>input.toml</code> and run <code>sbeh {} input.toml -o "
       "NEW_FOLDER</code>; files and folders that it names must be there.</p>\n",
-      contents.name);
+      name(contents.kind));
   if (contents.kind == ResultsKind::run)
     text += fmt::format(
         "<p>An interrupted run goes on by <code>sbeh run {0}/run.toml -o {0} "
         "--resume</code>.</p>\n",
-        html::escaped(name));
+        html::escaped(results));
   return text;
 }
 
@@ -231,8 +224,6 @@ bool is_own_report(const fs::path& file) {
 }
 
 }  // namespace
-
-const char* name(ResultsKind kind) { return contents_of(kind).name; }
 
 ResultsKind kind_of_results(const fs::path& folder) {
   std::error_code ignored;
@@ -245,7 +236,7 @@ ResultsKind kind_of_results(const fs::path& folder) {
   std::string wanted;
   for (const Contents& contents : all_contents())
     wanted += fmt::format("{}{} (sbeh {})", wanted.empty() ? "" : ", ",
-                          fmt::join(contents.required, " and "), contents.name);
+                          fmt::join(contents.required, " and "), name(contents.kind));
   throw InputError(fmt::format("{}: holds no results to report; missing is one of: {}",
                                folder.string(), wanted));
 }
@@ -278,7 +269,7 @@ ReportSummary write_report(const fs::path& folder, std::string_view version) {
   std::string body = "<header>\n" + html::element("h1", numbers.title);
   body +=
       fmt::format("<p class=\"note\">{}, results of <code>sbeh {}</code>; page by sbeh {}</p>\n",
-                  html::escaped(where.empty() ? folder.string() : where), contents.name,
+                  html::escaped(where.empty() ? folder.string() : where), name(contents.kind),
                   html::escaped(version));
   body += "</header>\n<main>\n" + html::section("Key numbers", html::facts(numbers.facts));
   const std::string pictures = pictures_of(folder, contents);

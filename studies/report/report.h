@@ -1,6 +1,7 @@
 // A folder of results as one page of HTML that needs nothing but itself.
 #pragma once
 
+#include "model/names.h"
 #include "studies/report/html.h"
 
 #include <filesystem>
@@ -12,8 +13,9 @@ namespace sbeh::studies {
 
 /// What a folder holds, by the command that made it.
 enum class ResultsKind { scan, run, relax, seifert, compare, stability };
-/// "scan", "run", "relax", "seifert", "compare" or "stability".
-const char* name(ResultsKind kind);
+constexpr auto names(ResultsKind) {
+  return std::array{"scan", "run", "relax", "seifert", "compare", "stability"};
+}
 
 /// Told by the tables in the folder. Throws InputError, naming what is missing, when it is none.
 ResultsKind kind_of_results(const std::filesystem::path& folder);

@@ -80,8 +80,8 @@ auto measured(Member member) {
 KeyNumbers of_scan(const fs::path& folder) {
   const auto points = rows_of(scan_columns(), folder / "scan.csv");
   const auto key = [](auto member) { return inside(&PointResult::key, member); };
-  const auto model = [](const PointResult& row) { return model::name(row.key.model); };
-  const auto branch = [](const PointResult& row) { return axisym::name(row.key.branch); };
+  const auto model = [](const PointResult& row) { return sbeh::name(row.key.model); };
+  const auto branch = [](const PointResult& row) { return sbeh::name(row.key.branch); };
   KeyNumbers numbers{.title = fmt::format("Stationary shapes: {} over {} points",
                                           fmt::join(words_of(points, model), ", "), points.size()),
                      .facts = {}};
@@ -190,8 +190,8 @@ KeyNumbers of_compare(const fs::path& folder) {
 KeyNumbers of_stability(const fs::path& folder) {
   const auto runs = rows_of(stability_columns(), folder / "stability.csv");
   const auto key = [](auto member) { return inside(&StabilityResult::key, member); };
-  const auto model = [](const StabilityResult& row) { return model::name(row.key.model); };
-  const auto branch = [](const StabilityResult& row) { return axisym::name(row.key.branch); };
+  const auto model = [](const StabilityResult& row) { return sbeh::name(row.key.model); };
+  const auto branch = [](const StabilityResult& row) { return sbeh::name(row.key.branch); };
   KeyNumbers numbers{
       .title = fmt::format("Stability in 3D: {} {}", fmt::join(words_of(runs, model), ", "),
                            fmt::join(words_of(runs, branch), ", ")),
@@ -208,7 +208,7 @@ KeyNumbers of_stability(const fs::path& folder) {
   auto thresholds = read_rows(threshold_columns(), folder / "thresholds.csv");
   thresholds.resize(std::min<std::size_t>(thresholds.size(), 8));
   for (const Threshold& t : thresholds)
-    facts.push_back({fmt::format("rate 0 of {} {}, L = {}, m = {}", model::name(t.below.model),
+    facts.push_back({fmt::format("rate 0 of {} {}, L = {}, m = {}", sbeh::name(t.below.model),
                                  name(t.below.branch), t.below.L, t.below.m),
                      "V_r = " + text_of(t.reduced_volume)});
   return numbers;

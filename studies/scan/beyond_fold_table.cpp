@@ -52,7 +52,7 @@ const Columns<RimRecord>& rim_columns() {
 }
 
 std::string stem(const RimRecord& row) {
-  return fmt::format("{}_v{}_L{}", axisym::name(row.kind), row.reduced_volume, row.L);
+  return fmt::format("{}_v{}_L{}", sbeh::name(row.kind), row.reduced_volume, row.L);
 }
 
 std::string profile_text(const axisym::State& state) {

@@ -34,7 +34,7 @@ PointOutcome stationary(const StationaryCase& of, const State& state) {
   PointResult& row = point.row;
   const axisym::Diagnostics& d = *row.diagnostics;
   const axisym::ShapeClass shape = axisym::classify(state.X);
-  row.shape = axisym::name(shape);
+  row.shape = sbeh::name(shape);
   row.self_contact = axisym::crosses_itself(state.X);
   if (d.resolution > axisym::resolution_limit) {
     row.status = PointStatus::unresolved;

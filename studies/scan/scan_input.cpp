@@ -10,8 +10,6 @@
 
 namespace sbeh::studies {
 
-const char* name(Method method) { return method == Method::newton ? "newton" : "flow"; }
-
 std::size_t point_count(const ScanInput& input) {
   return input.reduced_volume.size() * input.L.size() * input.models.size() * input.branches.size();
 }

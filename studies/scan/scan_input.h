@@ -4,6 +4,7 @@
 #include "axisym/classical_shape.h"
 #include "axisym/options.h"
 #include "model/material.h"
+#include "model/names.h"
 
 #include <array>
 #include <filesystem>
@@ -18,10 +19,7 @@ enum class Method {
   newton,  ///< Newton's method and continuation from point to point
   flow     ///< the equations of motion in time, from an ellipsoid
 };
-constexpr auto values_of(Method) { return std::array{Method::newton, Method::flow}; }
-
-/// "newton" or "flow".
-const char* name(Method method);
+constexpr auto names(Method) { return std::array{"newton", "flow"}; }
 
 /// The input of a scan: table [scan], optional [material] and [numerics], all keys as the members.
 /// The points are all combinations of reduced_volume, L, models and branches, a million at most.

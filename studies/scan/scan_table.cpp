@@ -6,11 +6,6 @@ using axisym::Diagnostics;
 using axisym::Energy;
 using model::Model;
 
-const char* name(PointStatus status) {
-  constexpr const char* names[] = {"stationary", "unresolved", "failed"};
-  return names[int(status)];
-}
-
 const Columns<PointResult>& scan_columns() {
   using Row = PointResult;
   const auto measure = [](std::string name, auto member) {
@@ -62,7 +57,7 @@ PointKey key_of(const axisym::StationaryCase& of) {
 }
 
 std::string stem(const PointKey& key) {
-  return fmt::format("{}_{}_v{}_L{}", model::name(key.model), name(key.branch), key.reduced_volume,
+  return fmt::format("{}_{}_v{}_L{}", sbeh::name(key.model), name(key.branch), key.reduced_volume,
                      key.L);
 }
 

@@ -3,6 +3,7 @@
 
 #include "axisym/diagnostics.h"
 #include "axisym/stationary/stationary_case.h"
+#include "model/names.h"
 #include "studies/io/growing_table.h"
 #include "studies/scan/scan_input.h"
 
@@ -29,11 +30,7 @@ enum class PointStatus {
   unresolved,  ///< there is none to be had here, or not at this resolution: see the reason
   failed       ///< the numerics failed
 };
-constexpr auto values_of(PointStatus) {
-  return std::array{PointStatus::stationary, PointStatus::unresolved, PointStatus::failed};
-}
-/// "stationary", "unresolved" or "failed".
-const char* name(PointStatus status);
+constexpr auto names(PointStatus) { return std::array{"stationary", "unresolved", "failed"}; }
 
 /// A row. The diagnostics are of the stationary state, or of the sharpest resolved one.
 struct PointResult {

@@ -172,7 +172,7 @@ std::string table_of(const SeifertSummary& summary) {
                       "H_pole", "pressure", "tension");
   for (const Disagreement& d : summary.disagreements)
     text += fmt::format("  {:<22} {:<12} {:>14.1e} {:>10.1e} {:>10.1e} {:>10.1e}\n",
-                        d.first + " - " + d.second, axisym::name(d.branch), d.energy, d.H_pole,
+                        d.first + " - " + d.second, sbeh::name(d.branch), d.energy, d.H_pole,
                         d.pressure, d.tension);
   text += "\nspecial points (the error covers what the witnesses disagree in)\n";
   for (const NamedPoint& p : special_point_names()) {

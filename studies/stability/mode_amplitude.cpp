@@ -33,18 +33,6 @@ double mode_amplitude(const surface3d::Triangulation& mesh, const surface3d::Nod
   return std::hypot(cosine, sine) / total;
 }
 
-const char* name(Roundness roundness) {
-  switch (roundness) {
-    case Roundness::oblate:
-      return "oblate";
-    case Roundness::prolate:
-      return "prolate";
-    case Roundness::triaxial:
-      return "triaxial";
-  }
-  return "";
-}
-
 Roundness roundness_of(const surface3d::Triangulation& mesh, const surface3d::Nodes& X) {
   const Vector3d w = moments_of(samples_of(mesh, X)).principal;
   const double range = w[2] - w[0];

@@ -1,6 +1,7 @@
 // How far a surface is from one of revolution about z, mode by mode.
 #pragma once
 
+#include "model/names.h"
 #include "surface3d/surface.h"
 
 namespace sbeh::studies {
@@ -18,7 +19,7 @@ enum class Roundness {
   prolate,  ///< two small ones are equal
   triaxial  ///< no two
 };
-const char* name(Roundness roundness);
+constexpr auto names(Roundness) { return std::array{"oblate", "prolate", "triaxial"}; }
 /// Two moments count as equal when they differ by less than 5 % of the range of all three.
 Roundness roundness_of(const surface3d::Triangulation& mesh, const surface3d::Nodes& X);
 

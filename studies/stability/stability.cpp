@@ -112,7 +112,7 @@ std::string table_of(const StabilitySummary& summary) {
   for (const StabilityResult& row : summary.rows) {
     const StabilityKey& k = row.key;
     text += fmt::format("{:<6}{:>6}{:>8}  {:<8}{} {:<3}{:<10}{:<10}{:<22}{:.8g} → {:.8g}{}\n",
-                        model::name(k.model), k.reduced_volume, k.L, name(k.branch), k.l, k.m,
+                        sbeh::name(k.model), k.reduced_volume, k.L, name(k.branch), k.l, k.m,
                         name(row.verdict), row.end_state.empty() ? "–" : row.end_state,
                         rate_text(row), row.energy_axisymmetric, row.energy_end,
                         row.end_state.empty() ? "; " + row.stop_reason : "");
@@ -120,7 +120,7 @@ std::string table_of(const StabilitySummary& summary) {
   for (const Threshold& t : summary.thresholds)
     text += fmt::format(
         "{} {}, L = {}, l = {}, m = {}: the rate is 0 at V_r = {:.4f} ± {:.1g}{}\n",
-        model::name(t.below.model), name(t.below.branch), t.below.L, t.below.l, t.below.m,
+        sbeh::name(t.below.model), name(t.below.branch), t.below.L, t.below.l, t.below.m,
         t.reduced_volume, t.error,
         std::isnan(t.harmonics) ? "" : fmt::format("; spherical harmonics: {:.4f}", t.harmonics));
   return text;

@@ -71,7 +71,7 @@ StabilityInput::StabilityInput() {
 }
 
 std::string stem(const StabilityKey& key) {
-  return fmt::format("{}_{}_v{}_L{}_Y{}{}", model::name(key.model), name(key.branch),
+  return fmt::format("{}_{}_v{}_L{}_Y{}{}", sbeh::name(key.model), name(key.branch),
                      key.reduced_volume, key.L, key.l, key.m);
 }
 

@@ -128,20 +128,6 @@ Start perturbed(const axisym::State& profile, const StabilityInput& input,
 
 }  // namespace
 
-const char* name(Verdict verdict) {
-  switch (verdict) {
-    case Verdict::stays:
-      return "stays";
-    case Verdict::leaves:
-      return "leaves";
-    case Verdict::undecided:
-      return "undecided";
-    case Verdict::failed:
-      return "failed";
-  }
-  return "";
-}
-
 std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
                                               const StabilityKey& key) {
   const Stopwatch watch;

@@ -1,6 +1,7 @@
 // One perturbed state in 3D: what becomes of it.
 #pragma once
 
+#include "model/names.h"
 #include "studies/io/csv.h"
 #include "studies/stability/growth_rate.h"
 #include "studies/stability/mode_amplitude.h"
@@ -19,10 +20,7 @@ enum class Verdict {
   undecided,  ///< neither can be said before the end time
   failed      ///< there is no state, or the run broke off before anything could be said
 };
-constexpr auto values_of(Verdict) {
-  return std::array{Verdict::stays, Verdict::leaves, Verdict::undecided, Verdict::failed};
-}
-const char* name(Verdict verdict);
+constexpr auto names(Verdict) { return std::array{"stays", "leaves", "undecided", "failed"}; }
 
 /// One time of a run.
 struct PerturbedAt {

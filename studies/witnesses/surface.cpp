@@ -106,8 +106,8 @@ void require_same_case(const fs::path& folder, const RunInput& run, const Statio
     throw InputError(fmt::format("{}: is a run of another case: {}", folder.string(), what));
   };
   if (model::rest_model(run.model) != of.model)
-    fail(fmt::format("its model is {}, that of the comparison {}", model::name(run.model),
-                     model::name(of.model)));
+    fail(fmt::format("its model is {}, that of the comparison {}", sbeh::name(run.model),
+                     sbeh::name(of.model)));
   if (const auto other = difference(run.material, of.material, parameters_of_motion))
     fail(fmt::format("its {} is {}, that of the comparison {}", other->name, other->first,
                      other->second));

@@ -1,6 +1,7 @@
 // The methods that find a stationary state independently of each other.
 #pragma once
 
+#include "model/names.h"
 #include "surface3d/options.h"
 
 #include <array>
@@ -17,12 +18,9 @@ enum class Witness {
   surface3d,  ///< the 3D solver, in time, to rest
   harmonics   ///< spherical harmonics without an axis, Ceres and Newton; SSH, V_r >= 0.65
 };
-constexpr auto values_of(Witness) {
-  return std::array{Witness::newton, Witness::shooting,  Witness::minimiser,
-                    Witness::flow,   Witness::surface3d, Witness::harmonics};
+constexpr auto names(Witness) {
+  return std::array{"newton", "shooting", "minimiser", "flow", "surface3d", "harmonics"};
 }
-/// "newton", "shooting", "minimiser", "flow", "surface3d" or "harmonics".
-const char* name(Witness witness);
 
 /// How the 3D solver is used: table [surface3d].
 struct SurfaceMethod {
@@ -31,7 +29,10 @@ struct SurfaceMethod {
   int triangles = 320;    ///< about so many
   double end_time = 20;   ///< key `end`, > 0: a flow that is not at rest ends here
   surface3d::Numerics numerics;  ///< keys `tolerance` (1e-3) and `rest_speed` (1e-5)
-  SurfaceMethod();
+  SurfaceMethod() {
+    numerics.tolerance = 1e-3;
+    numerics.rest_speed = 1e-5;
+  }
 
   bool operator==(const SurfaceMethod&) const = default;
 };

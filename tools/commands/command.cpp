@@ -62,11 +62,11 @@ Command add_study(CLI::App& program, const char* name, const char* text,
 void complain(std::string_view what) { studies::tell(fmt::format("sbeh: {}\n", what)); }
 
 void draw_results(studies::ResultsKind kind, const fs::path& folder) {
-  if (draw({studies::name(kind), folder.string()}) != 0)
+  if (draw({sbeh::name(kind), folder.string()}) != 0)
     complain(
         fmt::format("no pictures; the tables in {0} are complete. "
                     "Try again with: sbeh picture {1} {0}",
-                    folder.string(), studies::name(kind)));
+                    folder.string(), sbeh::name(kind)));
 }
 
 int exit_code_of_interrupt() { return 128 + studies::interrupt_signal(); }

@@ -13,7 +13,7 @@ int compare(const Study& study) {
   const studies::CompareInput input = studies::read_compare(study.input);
   const std::filesystem::path folder = study.results();
   const studies::CompareSummary s = studies::run_compare(input, folder, SBEH_VERSION);
-  fmt::print("{} {}, reduced volume {}, L = {}\n{}tables in {}\n", model::name(input.state.model),
+  fmt::print("{} {}, reduced volume {}, L = {}\n{}tables in {}\n", sbeh::name(input.state.model),
              name(input.state.branch), input.state.reduced_volume, input.state.L(),
              studies::table_of(s), folder.string());
   if (!study.no_pictures) draw_results(studies::ResultsKind::compare, folder);
@@ -33,7 +33,7 @@ void check_compare(const std::string& file) {
   // Measured on one core of 2026, from an ellipsoid with V_r = 0.8 to rest.
   const double seconds = 1 + (runs_3d ? 0.08 * input.surface3d.triangles : 0);
   fmt::print("{}: {} {} with reduced volume {} and L = {} by {} methods, about {:.0f} s\n\n{}",
-             file, model::name(input.state.model), name(input.state.branch),
+             file, sbeh::name(input.state.model), name(input.state.branch),
              input.state.reduced_volume, input.state.L(), input.methods.size(), seconds,
              studies::describe(input, SBEH_VERSION));
 }

@@ -30,7 +30,8 @@ struct Words {
 };
 
 std::vector<Figure> figures_of(const std::vector<std::string>& words) {
-  if (words.empty()) return {figures::all_figures.begin(), figures::all_figures.end()};
+  constexpr std::array all = values_of(Figure{});
+  if (words.empty()) return {all.begin(), all.end()};
   std::vector<Figure> wanted;
   for (const std::string& word : words) {
     const auto figure = figures::figure_of(word);
@@ -47,7 +48,7 @@ bool draw_all(const figures::Summary& summary, const fs::path& folder) {
   std::vector<std::string> arguments{"figures", folder.string()};
   bool all = true;
   for (const auto& [figure, missing] : summary.missing) {
-    const std::string name = figures::name(figure);
+    const std::string name = sbeh::name(figure);
     if (fs::exists(folder / (name + ".csv"))) {
       arguments.insert(arguments.end(), {"--only", name});
       continue;

@@ -44,7 +44,7 @@ void check_relax(const std::string& file) {
   fmt::print(
       "{}: an evolution of {} to t = {}, from reduced volume {:.6g}, energy {:.6g}; "
       "{} lines of history{}, {} profiles\n\n{}",
-      file, model::name(input.model), input.times.end, d.reduced_volume, d.energy.total(),
+      file, sbeh::name(input.model), input.times.end, d.reduced_volume, d.energy.total(),
       input.times.rows.size(), beside_times(input.times.every_step), input.times.states.size(),
       studies::describe(input, SBEH_VERSION));
 }

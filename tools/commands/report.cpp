@@ -15,7 +15,7 @@ int report(const std::filesystem::path& folder, bool no_pictures) {
   const studies::ResultsKind kind = studies::kind_of_results(folder);
   if (!no_pictures)
     for (const std::string& picture : studies::missing_pictures(folder, kind))
-      if (draw({studies::name(kind), folder.string(), "--only", picture}) != 0)
+      if (draw({sbeh::name(kind), folder.string(), "--only", picture}) != 0)
         complain(fmt::format("{}: cannot be drawn; the report is without it", picture));
   const studies::ReportSummary s = studies::write_report(folder, SBEH_VERSION);
   fmt::print("{} {}\n", s.replaced ? "replaced the earlier report" : "wrote", s.file.string());

@@ -72,7 +72,7 @@ void check_run(const std::string& file) {
       "{}: a 3D run of {} to t = {}, reduced volume {:.6g}, {} triangles, {} unknowns; about "
       "{:.2g} s "
       "a step and {:.0f} MB of memory; {} lines of history{}, {} frames of {:.2f} MB\n\n{}",
-      file, model::name(input.model), input.times.end,
+      file, sbeh::name(input.model), input.times.end,
       surface3d::reduced_volume(start.target.area, start.target.volume), triangles, cost.unknowns,
       cost.seconds_per_step, cost.megabytes, input.times.rows.size(),
       beside_times(input.times.every_step), input.times.states.size(), cost.frame_megabytes,

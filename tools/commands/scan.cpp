@@ -38,7 +38,7 @@ void check_scan(const std::string& file) {
   // About 10 ms a point by Newton, 1 s by the flow, on one core of 2026; 20 kB a profile.
   const double seconds = double(points) * (input.method == studies::Method::newton ? 0.01 : 1);
   fmt::print("{}: a scan of {} points by {}, about {:.0f} s of one core and {:.1f} MB\n\n{}", file,
-             points, studies::name(input.method), std::max(1., seconds), double(points) * 0.02,
+             points, sbeh::name(input.method), std::max(1., seconds), double(points) * 0.02,
              studies::describe(input, SBEH_VERSION));
 }
 

@@ -16,7 +16,7 @@ using model::Model;
 // ---- plan ---------------------------------------------------------------------------------------
 
 TEST(FiguresPlan, knows_figures_by_name_and_by_number) {
-  for (const Figure figure : all_figures) {
+  for (const Figure figure : values_of(Figure{})) {
     EXPECT_EQ(figure_of(name(figure)), figure);
     EXPECT_EQ(figure_of(std::to_string(number(figure))), figure);
   }

@@ -17,8 +17,7 @@ namespace sbeh::studies {
 namespace {
 
 enum class Colour { red, green };
-constexpr auto values_of(Colour) { return std::array{Colour::red, Colour::green}; }
-const char* name(Colour colour) { return colour == Colour::red ? "red" : "green"; }
+constexpr auto names(Colour) { return std::array{"red", "green"}; }
 
 struct Part {
   double value = 0, error = 0;

@@ -68,7 +68,7 @@ TEST(Harmonics, converge_geometrically_to_the_axisymmetric_energies) {
                       {Branch::prolate, 0.65, {8, 12, 16, 20}, 3e-7}};
   for (const Row& row : rows) {
     const auto exact = exact_shape(row.branch, row.reduced_volume);
-    std::printf("%-8s %.2f", axisym::name(row.branch), row.reduced_volume);
+    std::printf("%-8s %.2f", sbeh::name(row.branch), row.reduced_volume);
     double before = 0;
     for (const int degree : row.degrees) {
       const HarmonicShape shape = minimise_harmonics(

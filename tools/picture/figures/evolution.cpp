@@ -45,7 +45,7 @@ Evolution read_evolution(const std::filesystem::path& file) {
   const auto repeated = std::ranges::unique(all.instants);
   all.instants.erase(repeated.begin(), repeated.end());
   for (const model::Model model : {model::Model::SBEH, model::Model::SSH}) {
-    const char* name = model::name(model);
+    const char* name = sbeh::name(model);
     Model3d one{name, has_free_order(model),
                 std::vector<std::optional<Shape>>(all.instants.size())};
     bool any = false;

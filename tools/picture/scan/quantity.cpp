@@ -38,7 +38,7 @@ using Value = std::function<Entry(std::size_t volume, std::size_t length)>;
 // Index of the point's branch; −1 where there is no stationary state of it.
 int branch_index(const ScanGrid& scan, const PointResult* point) {
   if (mark_of(point) != Mark::none) return -1;
-  return int(std::ranges::find(scan.branches(), axisym::name(point->key.branch))
+  return int(std::ranges::find(scan.branches(), sbeh::name(point->key.branch))
              - scan.branches().begin());
 }
 

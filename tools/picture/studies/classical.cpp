@@ -56,7 +56,7 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
   const double text = options.text_size();
   std::vector<LegendEntry> legend;
   for (const BranchCurve& branch : branch_curves)
-    legend.push_back(line_entry(branch.style, axisym::name(branch.branch)));
+    legend.push_back(line_entry(branch.style, sbeh::name(branch.branch)));
   std::string others;
   for (std::size_t i = 1; i < all.witnesses.size(); ++i)
     others += (i > 1 ? ", " : "") + all.witnesses[i];
