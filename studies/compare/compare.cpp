@@ -1,7 +1,6 @@
 #include "studies/compare/compare.h"
 
 #include "model/time/schedule.h"
-#include "studies/compare/compare_tables.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
@@ -20,17 +19,20 @@ namespace {
 
 // ---- the methods --------------------------------------------------------------------------------
 
+// What the first state that has such a part has of it; null where none has.
+template <class Part>
+const Part* first_of(const std::vector<WitnessState>& states,
+                     std::optional<Part> WitnessState::*part) {
+  for (const WitnessState& state : states)
+    if (state.*part) return &*(state.*part);
+  return nullptr;
+}
+
 WitnessState state_of(Witness witness, const CompareInput& input,
-                      const std::vector<WitnessState>& before, std::optional<axisym::State>& newton,
-                      const fs::path& frame) {
-  const auto by_newton = [&] {
-    NewtonState found = newton_state(input.state);
-    if (found.state) newton = found.state->state;
-    return found.found;
-  };
+                      const std::vector<WitnessState>& before, const fs::path& frame) {
   switch (witness) {
     case Witness::newton:
-      return by_newton();
+      return newton_state(input.state);
     case Witness::shooting:
       return shooting_state(input.state);
     case Witness::minimiser:
@@ -38,26 +40,19 @@ WitnessState state_of(Witness witness, const CompareInput& input,
     case Witness::flow:
       return flow_state(input.state, history_times(input.surface3d));
     case Witness::surface3d:
-      if (input.surface3d.revolved && !newton) by_newton();
-      if (input.surface3d.revolved && !newton)
-        return {.witness = witness, .failure = "newton has no state to revolve"};
-      return surface_state(input.state, input.surface3d, newton, frame);
-    case Witness::harmonics: {
-      const auto start =
-          std::find_if(before.begin(), before.end(), [](const auto& s) { return s.mesh; });
-      return harmonic_state(input.state, input.harmonics,
-                            start == before.end() ? std::nullopt : start->mesh);
-    }
+      return surface_state(input.state, input.surface3d, first_of(before, &WitnessState::profile),
+                           frame);
+    case Witness::harmonics:
+      return harmonic_state(input.state, input.harmonics, first_of(before, &WitnessState::mesh));
   }
   return {};
 }
 
 std::vector<WitnessState> states_of(const CompareInput& input, const fs::path& frame) {
   std::vector<WitnessState> states;
-  std::optional<axisym::State> newton;
   for (const Witness witness : input.methods) {
     const Stopwatch watch;
-    states.push_back(state_of(witness, input, states, newton, frame));
+    states.push_back(state_of(witness, input, states, frame));
     states.back().seconds = watch.seconds();
     if (interrupt_signal()) throw Interrupted("interrupted");
   }
@@ -66,11 +61,9 @@ std::vector<WitnessState> states_of(const CompareInput& input, const fs::path& f
 
 // ---- profiles -----------------------------------------------------------------------------------
 
-// The first curve there is: what the others are measured from.
+// What the others are measured from.
 const Meridian* reference_of(const std::vector<WitnessState>& states) {
-  for (const WitnessState& state : states)
-    if (state.meridian) return &*state.meridian;
-  return nullptr;
+  return first_of(states, &WitnessState::meridian);
 }
 
 // Moves points along the axis to where they are nearest to the curve, by least squares.
@@ -90,15 +83,7 @@ void align(Eigen::Matrix2Xd& points, const Meridian& curve) {
 
 double distance_of(const WitnessState& a, const WitnessState& b) {
   if (a.meridian && b.meridian) return distance(*a.meridian, *b.meridian);
-  const WitnessState& curve = a.meridian ? a : b;
-  const WitnessState& nodes = a.meridian ? b : a;
-  double largest = curve.meridian && nodes.points.size() > 0 ? 0 : not_known;
-  if (curve.meridian)
-    for (const auto x : nodes.points.colwise()) {
-      const double t = curve.meridian->nearest(x);
-      largest = std::max(largest, (curve.meridian->at(t) - x).norm());
-    }
-  return largest;
+  return a.meridian ? distance(b.points, *a.meridian) : distance(a.points, *b.meridian);
 }
 
 // Largest difference at the times that both have; not_known where there are none.
@@ -111,6 +96,7 @@ double history_difference(const WitnessState& a, const WitnessState& b) {
   return largest;
 }
 
+// Nodes by their arc length, which are in no order of their own.
 std::vector<PlacedPoint> placed(const WitnessState& state, const Meridian& reference) {
   std::vector<PlacedPoint> points;
   for (Eigen::Index i = 0; i < state.points.cols(); ++i) {
@@ -120,10 +106,7 @@ std::vector<PlacedPoint> placed(const WitnessState& state, const Meridian& refer
     points.push_back({state.witness, reference.arc_length(t), x[0], x[1], state.order[i],
                       own ? 0 : reference.normal_distance(t, x)});
   }
-  if (!state.meridian)
-    std::sort(points.begin(), points.end(), [](const PlacedPoint& a, const PlacedPoint& b) {
-      return a.arc_length < b.arc_length;
-    });
+  if (!state.meridian) std::ranges::sort(points, {}, &PlacedPoint::arc_length);
   return points;
 }
 
@@ -140,24 +123,22 @@ std::optional<double> tolerance_of(const CompareInput& input, const Comparison& 
 std::vector<Comparison> compare(const CompareInput& input, const WitnessState& a,
                                 const WitnessState& b) {
   std::vector<Comparison> all;
+  const auto add = [&](const char* quantity) -> Comparison& {
+    return all.emplace_back(
+        Comparison{.quantity = quantity, .first = a.witness, .second = b.witness});
+  };
   for (const Quantity& quantity : quantities()) {
-    Comparison one{.quantity = quantity.name, .first = a.witness, .second = b.witness};
+    Comparison& one = add(quantity.name);
     one.first_value = a.measures.*quantity.value;
     one.second_value = b.measures.*quantity.value;
     one.difference = std::abs(one.first_value - one.second_value);
     if (quantity.is_energy) one.relative_difference = one.difference / std::abs(a.measures.energy);
-    all.push_back(one);
   }
-  if (a.meridian || b.meridian) {
-    Comparison profiles{.quantity = "distance", .first = a.witness, .second = b.witness};
-    profiles.difference = distance_of(a, b);
-    all.push_back(profiles);
-  }
+  if (a.meridian || b.meridian) add("distance").difference = distance_of(a, b);
   if (!a.history.empty() && !b.history.empty()) {
-    Comparison history{.quantity = "history", .first = a.witness, .second = b.witness};
+    Comparison& history = add("history");
     history.difference = history_difference(a, b);
     history.relative_difference = history.difference / std::abs(a.measures.energy);
-    all.push_back(history);
   }
   for (Comparison& one : all) one.tolerance = tolerance_of(input, one);
   return all;

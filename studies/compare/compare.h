@@ -2,13 +2,8 @@
 #pragma once
 
 #include "studies/compare/compare_input.h"
+#include "studies/io/columns.h"
 #include "studies/witnesses/state.h"
-
-#include <filesystem>
-#include <optional>
-#include <string>
-#include <string_view>
-#include <vector>
 
 namespace sbeh::studies {
 
@@ -35,6 +30,29 @@ struct CompareSummary {
   std::vector<Comparison> comparisons;
   bool agrees() const;  ///< every method found its state, no tolerance is missed
 };
+
+/// compare.csv: a row per quantity and pair of methods; `agrees` is yes, no, or empty where no tolerance is
+/// stated.
+const Columns<Comparison>& comparison_columns();
+
+/// methods.csv: a row per method; `status` is found or failed, `remark` then the reason.
+const Columns<WitnessState>& method_columns();
+
+/// profiles.csv: a point of a method's meridian, or of surface3d and harmonics a node.
+struct PlacedPoint {
+  Witness method;
+  double arc_length;  ///< of the nearest point of the first method's curve
+  double r, z, order;
+  double distance;  ///< from that curve along its outward normal; 0 for the first method itself
+};
+const Columns<PlacedPoint>& placed_columns();
+
+/// histories.csv, of flow and of surface3d from the ellipsoid.
+struct HistoryRow {
+  Witness method;
+  EnergyAt at;
+};
+const Columns<HistoryRow>& history_columns();
 
 /// Runs the methods one after the other and leaves run.toml (the input, resolved), compare.csv,
 /// methods.csv, profiles.csv, histories.csv and, of a 3D run of its own, surface3d.vtu in the folder. A folder that

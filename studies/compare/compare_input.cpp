@@ -1,9 +1,6 @@
 #include "studies/compare/compare_input.h"
 
 #include "meshing/resolution.h"
-#include "studies/io/spelling.h"
-#include "studies/io/toml_reader.h"
-#include "studies/io/toml_text.h"
 #include "studies/parameters/material_input.h"
 #include "studies/witnesses/state.h"
 
@@ -37,7 +34,7 @@ void read_case(const TomlTable& table, CompareInput& input) {
   axisym::StationaryCase& state = input.state;
   state.model = table.choice("model", rest_models);
   read_value(table, "branch", state.branch);
-  state.reduced_volume = table.number("reduced_volume", {.low = 0, .high = 1, .low_open = true});
+  state.reduced_volume = table.number("reduced_volume", reduced_volumes);
   if (state.reduced_volume == 1)
     table.fail("reduced_volume", "must be < 1: there is only the sphere, and nothing to compare");
   state.material = state.material.with_L(table.number("L", above(0)));
@@ -148,19 +145,16 @@ CompareInput read_compare(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const TomlTable cases = file.table("compare"), material = file.table("material"),
                   numerics = file.table("numerics");
-  const bool has_surface = file.has("surface3d"), has_harmonics = file.has("harmonics"),
-             has_tolerance_3d = file.has("tolerance_3d");
   const TomlTable surface = file.table("surface3d"), harmonics = file.table("harmonics"),
-                  tolerance = file.table("tolerance"), tolerance_3d = file.table("tolerance_3d");
+                  tolerance_3d = file.table("tolerance_3d"), tolerance = file.table("tolerance");
   file.reject_unknown_keys();
   CompareInput input;
   read_case(cases, input);
   const bool in_3d = input.has(Witness::surface3d), by_harmonics = input.has(Witness::harmonics);
-  if (!in_3d && has_surface)
-    file.refuse("surface3d", "has no place without \"surface3d\" among the methods");
-  if (!by_harmonics && has_harmonics)
+  if (!in_3d) file.refuse("surface3d", "has no place without \"surface3d\" among the methods");
+  if (!by_harmonics)
     file.refuse("harmonics", "has no place without \"harmonics\" among the methods");
-  if (!in_3d && !by_harmonics && has_tolerance_3d)
+  if (!in_3d && !by_harmonics)
     file.refuse("tolerance_3d",
                 "has no place without \"surface3d\" or \"harmonics\" among the methods");
   input.state.material =

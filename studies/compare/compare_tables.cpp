@@ -1,4 +1,5 @@
-#include "studies/compare/compare_tables.h"
+// The tables that a comparison leaves.
+#include "studies/compare/compare.h"
 
 namespace sbeh::studies {
 

@@ -1,5 +1,5 @@
 // The findings of the evolution from the perturbed sphere: figures 3 and 4.
-#include "studies/figures/findings.h"
+#include "studies/figures/figures.h"
 #include "studies/figures/history.h"
 
 #include <fmt/format.h>
@@ -15,8 +15,6 @@ using model::Model;
 namespace {
 
 constexpr std::array models{Model::SBEH, Model::SSH};
-
-Agreement agrees(bool it_does) { return it_does ? Agreement::yes : Agreement::no; }
 
 template <class Row>
 const Row* first_of(const std::vector<Row>& rows, Model model) {

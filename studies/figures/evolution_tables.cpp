@@ -35,7 +35,7 @@ double energy_of_oblate(const RunInput& input, double reduced_volume, double res
                                 .material = input.material,
                                 .numerics = {}};
   oblate.material.residual_stiffness = residual_stiffness;
-  return newton_state(oblate).found.measures.energy;
+  return newton_state(oblate).measures.energy;
 }
 
 // Energies of the stationary oblate: with the run's residual stiffness and with none.
@@ -108,8 +108,7 @@ std::vector<std::string> write_measures(const Sources& sources) {
   for (const Model model : {Model::SBEH, Model::SSH}) {
     const PlannedRun plan = evolution_run(sources.inputs, model);
     const auto found = sources.find(plan);
-    if (!found || !found->ended)
-      missing.push_back(plan.folder + (found ? ": " + found->ending : ""));
+    if (!found || !found->ended) missing.push_back(missing_run(plan, found));
     if (!found || !fs::exists(found->folder / "series.csv")) continue;
     for (const SeriesRow& at : read_rows(series_columns(), found->folder / "series.csv"))
       rows.push_back({.model = model,

@@ -1,7 +1,7 @@
 // The paper's figures from their inputs: the runs that are missing, tables, and what came out.
 #pragma once
 
-#include "studies/figures/findings.h"
+#include "studies/figures/tables.h"
 
 namespace sbeh::studies::figures {
 
@@ -26,6 +26,28 @@ struct Summary {
 /// tables (tables.h), and figures.csv, a row for each finding of every figure whose table is there. Progress on standard error. Throws InputError and
 /// OutputError.
 Summary make_figures(const Request& request, std::string_view version);
+
+// ---- what came out, beside what the paper says --------------------------------------------------
+
+enum class Agreement { yes, no, open };  ///< open: the paper does not say, or the runs cannot tell
+constexpr auto values_of(Agreement) {
+  return std::array{Agreement::yes, Agreement::no, Agreement::open};
+}
+/// "yes", "no" or "–".
+const char* name(Agreement agreement);
+inline Agreement agrees(bool it_does) { return it_does ? Agreement::yes : Agreement::no; }
+
+struct Finding {
+  std::string result;  ///< numbers from the tables
+  std::string paper;   ///< what it says of that; empty where it says nothing
+  Agreement agreement;
+};
+
+/// From the tables of the figures (tables.h); a finding whose numbers are not there is left out.
+std::vector<Finding> energy_findings(const std::vector<EnergyRow>& energy);
+std::vector<Finding> shapes_findings(const std::vector<ShapeRow>& shapes);
+std::vector<Finding> evolution_findings(const std::vector<EvolutionRow>& evolution);
+std::vector<Finding> measures_findings(const std::vector<MeasureRow>& measures);
 
 /// A row of figures.csv.
 struct FigureRow {

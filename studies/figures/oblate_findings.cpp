@@ -1,5 +1,5 @@
 // The findings of the stationary oblates: figures 1 and 2.
-#include "studies/figures/findings.h"
+#include "studies/figures/figures.h"
 #include "studies/figures/history.h"
 
 #include <fmt/format.h>
@@ -30,8 +30,6 @@ std::map<Key, History> histories_of(const std::vector<EnergyRow>& energy) {
   }
   return histories;
 }
-
-Agreement agrees(bool it_does) { return it_does ? Agreement::yes : Agreement::no; }
 
 // How often a quantity over the grid grows from one L to the next, and from one V_r to the next smaller.
 struct Growth {

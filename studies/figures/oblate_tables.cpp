@@ -21,22 +21,11 @@ using model::Model;
 
 namespace {
 
-fs::path point_file(const Sources& sources, Model model, double v, double L, const char* ending) {
-  return sources.folder / scan_folder / "points"
-       / (stem(PointKey{v, L, model, axisym::Branch::oblate}) + ending);
+fs::path point_file(const Sources& sources, const PointKey& key, const char* ending) {
+  return sources.folder / scan_folder / "points" / (stem(key) + ending);
 }
 
-template <class Visit>
-void for_each_point(const ScanInput& scan, Visit&& visit) {
-  for (const double v : scan.reduced_volume)
-    for (const double L : scan.L) visit(v, L);
-}
-
-std::string missing_run(const PlannedRun& plan, const std::optional<FoundRun>& found) {
-  return plan.folder + (found ? ": " + found->ending : "");
-}
-
-// The rows of the scan by point.
+// The rows of the scan by point; of one that it lacks, one that is not known.
 class Scan {
  public:
   explicit Scan(const Sources& sources) {
@@ -44,13 +33,12 @@ class Scan {
     if (fs::exists(file))
       for (const PointResult& row : read_rows(scan_columns(), file)) rows_[row.key] = row;
   }
-  bool is_stationary(Model model, double v, double L) const {
-    const auto at = rows_.find({v, L, model, axisym::Branch::oblate});
+  bool is_stationary(const PointKey& key) const {
+    const auto at = rows_.find(key);
     return at != rows_.end() && at->second.status == PointStatus::stationary;
   }
-  /// Numbers that are not known where there is none.
-  axisym::Diagnostics measured(Model model, double v, double L) const {
-    const auto at = rows_.find({v, L, model, axisym::Branch::oblate});
+  axisym::Diagnostics measured(const PointKey& key) const {
+    const auto at = rows_.find(key);
     if (at != rows_.end() && at->second.diagnostics) return *at->second.diagnostics;
     axisym::Diagnostics none{};
     none.energy.bending = none.order_min = none.order_max = none.H_abs_max = not_known;
@@ -77,8 +65,8 @@ bool add_history(std::vector<EnergyRow>& rows, const fs::path& file, EnergyRow r
 
 // ---- shapes -------------------------------------------------------------------------------------
 
-std::optional<axisym::State> profile(const Sources& sources, Model model, double v, double L) {
-  const fs::path file = point_file(sources, model, v, L, ".csv");
+std::optional<axisym::State> profile(const Sources& sources, const PointKey& key) {
+  const fs::path file = point_file(sources, key, ".csv");
   if (!fs::exists(file)) return {};
   return read_profile(file);
 }
@@ -96,30 +84,34 @@ void add_cut(std::vector<CutRow>& rows, CutRow row, const Meridian& meridian) {
   for (Eigen::Index i = count - 1; i-- > 0;) add(i, -1);
 }
 
-// What a 3D run has come to.
+// What a 3D run has come to, its centre in the origin.
 struct Rest3d {
   Snapshot frame;
-  double time;
-  std::string file, ending;
-  surface3d::Diagnostics diagnostics;
+  ShapeIn3d shape;
 };
 
-std::optional<Rest3d> rest_of(const std::optional<FoundRun>& found, const fs::path& folder) {
+std::optional<Rest3d> rest_of(const std::optional<FoundRun>& found, const fs::path& folder,
+                              const Meridian& profile) {
   if (!found || !found->ended) return {};
   const FrameEntry last = read_rows(frame_columns(), found->folder / "frames.csv").back();
   const fs::path file = found->folder / last.file;
   Snapshot frame = read_snapshot(file);
-  const auto diagnostics = surface3d::diagnose(
-      surface3d::Triangulation(frame.mesh), found->input.material, {frame.mesh.nodes, frame.beta});
-  return Rest3d{std::move(frame), last.time, file.lexically_relative(folder).string(),
-                found->ending, diagnostics};
-}
-
-// The centre in the origin; these surfaces keep the axis of their ellipsoid, z.
-void centre(meshing::CurvedMesh& mesh) {
-  const Eigen::Vector3d middle =
-      (mesh.nodes.rowwise().maxCoeff() + mesh.nodes.rowwise().minCoeff()) / 2;
-  mesh.nodes.colwise() -= middle;
+  Eigen::Matrix3Xd& X = frame.mesh.nodes;
+  const auto d = surface3d::diagnose(surface3d::Triangulation(frame.mesh), found->input.material,
+                                     {X, frame.beta});
+  const Eigen::Vector3d middle = (X.rowwise().maxCoeff() + X.rowwise().minCoeff()) / 2;
+  X.colwise() -= middle;
+  Eigen::Matrix2Xd rz(2, X.cols());  // the surface keeps the axis of its ellipsoid, z
+  for (Eigen::Index i = 0; i < X.cols(); ++i) rz.col(i) << std::hypot(X(0, i), X(1, i)), X(2, i);
+  const ShapeIn3d shape{.triangles = frame.mesh.triangle_count(),
+                        .time = last.time,
+                        .ending = found->ending,
+                        .energy = d.energy.total(),
+                        .order_min = d.order_min,
+                        .H_abs_max = d.H_abs_max,
+                        .distance = distance(rz, profile),
+                        .frame = file.lexically_relative(folder).string()};
+  return Rest3d{std::move(frame), shape};
 }
 
 double nine_digits(double value) {
@@ -128,12 +120,11 @@ double nine_digits(double value) {
 }
 
 // Through the axis, at an angle at which no mesh has a plane of symmetry.
-void add_cut(std::vector<CutRow>& rows, CutRow row, const Rest3d& rest) {
+void add_cut(std::vector<CutRow>& rows, CutRow row, const Snapshot& frame) {
   constexpr double angle = 0.3;
   const Eigen::Vector3d along(std::cos(angle), std::sin(angle), 0);
-  for (const meshing::CrossSection& curve :
-       meshing::cross_section(rest.frame.mesh, rest.frame.beta, Eigen::Vector3d::Zero(),
-                              along.cross(Eigen::Vector3d::UnitZ())))
+  for (const meshing::CrossSection& curve : meshing::cross_section(
+           frame.mesh, frame.beta, Eigen::Vector3d::Zero(), along.cross(Eigen::Vector3d::UnitZ())))
     for (Eigen::Index i = 0; i < curve.values.size(); ++i) {
       row.x = nine_digits(along.dot(curve.points.col(i)));
       row.z = nine_digits(curve.points(2, i));
@@ -142,65 +133,40 @@ void add_cut(std::vector<CutRow>& rows, CutRow row, const Rest3d& rest) {
     }
 }
 
-double distance_of_nodes(const meshing::CurvedMesh& mesh, const Meridian& meridian) {
-  double largest = 0;
-  for (const auto x : mesh.nodes.colwise()) {
-    const Eigen::Vector2d rz(std::hypot(x[0], x[1]), x[2]);
-    largest = std::max(largest, (meridian.at(meridian.nearest(rz)) - rz).norm());
-  }
-  return largest;
-}
-
 double order_min_radius(const axisym::State& state) {
   Eigen::Index least = 0;
   state.beta.minCoeff(&least);
   return state.X(0, least) / state.X.row(0).maxCoeff();
 }
 
-std::optional<ShapeIn3d> shape_of(const std::optional<Rest3d>& rest, const Meridian& meridian) {
-  if (!rest) return {};
-  return ShapeIn3d{.triangles = rest->frame.mesh.triangle_count(),
-                   .time = rest->time,
-                   .ending = rest->ending,
-                   .energy = rest->diagnostics.energy.total(),
-                   .order_min = rest->diagnostics.order_min,
-                   .H_abs_max = rest->diagnostics.H_abs_max,
-                   .distance = distance_of_nodes(rest->frame.mesh, meridian),
-                   .frame = rest->file};
-}
-
 }  // namespace
 
 std::vector<std::string> write_energy(const Sources& sources) {
   std::vector<EnergyRow> rows;
-  const Scan scan(sources);
   std::vector<std::string> missing;
-  const std::vector<PlannedRun> wanted = runs_for(Figure::energy, sources.inputs);
-  for_each_point(sources.inputs.oblates, [&](double v, double L) {
-    for (const Model model : {Model::SBEH, Model::SSH}) {
-      EnergyRow row{.solver = Solver::axisymmetric,
-                    .model = model,
-                    .reduced_volume = v,
-                    .L = L,
-                    .triangles = {},
-                    .at_rest = scan.is_stationary(model, v, L)};
-      const fs::path series = point_file(sources, model, v, L, ".series.csv");
-      if (!add_history(rows, series, row))
-        missing.push_back(series.lexically_relative(sources.folder).string());
-      const PlannedRun plan = oblate_run(sources.inputs, model, v, L);
-      const auto found = sources.find(plan);
-      if (found) {
-        row.solver = Solver::in_3d;
-        row.triangles = found->input.triangles;
-        row.at_rest =
-            found->ended ? std::optional(found->ending.starts_with("at rest")) : std::nullopt;
-        add_history(rows, found->folder / "series.csv", row);
-      }
-      const bool is_wanted = std::any_of(
-          wanted.begin(), wanted.end(), [&](const auto& run) { return run.folder == plan.folder; });
-      if (is_wanted && !(found && found->ended)) missing.push_back(missing_run(plan, found));
+  const Scan scan(sources);
+  for (const PointKey& key : points_of(sources.inputs.oblates)) {
+    EnergyRow row{.solver = Solver::axisymmetric,
+                  .model = key.model,
+                  .reduced_volume = key.reduced_volume,
+                  .L = key.L,
+                  .triangles = {},
+                  .at_rest = scan.is_stationary(key)};
+    const fs::path series = point_file(sources, key, ".series.csv");
+    if (!add_history(rows, series, row))
+      missing.push_back(series.lexically_relative(sources.folder).string());
+    const PlannedRun plan = oblate_run(sources.inputs, key);
+    const auto found = sources.find(plan);
+    if (found) {
+      row.solver = Solver::in_3d;
+      row.triangles = found->input.triangles;
+      row.at_rest =
+          found->ended ? std::optional(found->ending.starts_with("at rest")) : std::nullopt;
+      add_history(rows, found->folder / "series.csv", row);
     }
-  });
+    if (needs_run(Figure::energy, key) && !(found && found->ended))
+      missing.push_back(missing_run(plan, found));
+  }
   if (!rows.empty()) write_file(sources.folder / "energy.csv", table_text(energy_columns(), rows));
   return missing;
 }
@@ -210,42 +176,45 @@ std::vector<std::string> write_shapes(const Sources& sources) {
   std::vector<CutRow> cuts;
   std::vector<std::string> missing;
   const Scan scan(sources);
-  for_each_point(sources.inputs.oblates, [&](double v, double L) {
-    const PlannedRun plan = oblate_run(sources.inputs, Model::SBEH, v, L);
+  for (const PointKey& key : points_of(sources.inputs.oblates)) {
+    if (!needs_run(Figure::shapes, key)) continue;
+    const PlannedRun plan = oblate_run(sources.inputs, key);
     const auto found = sources.find(plan);
     if (!(found && found->ended)) missing.push_back(missing_run(plan, found));
-    const auto sbeh = profile(sources, Model::SBEH, v, L), ssh = profile(sources, Model::SSH, v, L),
-               first = profile(sources, Model::SSH, v, sources.inputs.oblates.L.front());
+    PointKey ssh_key = key, first_key = key;
+    ssh_key.model = first_key.model = Model::SSH;
+    first_key.L = sources.inputs.oblates.L.front();
+    const auto sbeh = profile(sources, key), ssh = profile(sources, ssh_key),
+               first = profile(sources, first_key);
     if (!sbeh || !ssh || !first) {
-      missing.push_back(fmt::format("{}: V_r = {}, L = {}", scan_folder, v, L));
-      return;
+      missing.push_back(
+          fmt::format("{}: V_r = {}, L = {}", scan_folder, key.reduced_volume, key.L));
+      continue;
     }
     const Meridian own = Meridian(*sbeh).centred(), classical = Meridian(*ssh).centred();
-    std::optional<Rest3d> rest = rest_of(found, sources.folder);
-    if (rest) centre(rest->frame.mesh);
-    const axisym::Diagnostics d = scan.measured(Model::SBEH, v, L);
-    rows.push_back({.reduced_volume = v,
-                    .L = L,
+    const std::optional<Rest3d> rest = rest_of(found, sources.folder, own);
+    const axisym::Diagnostics d = scan.measured(key);
+    rows.push_back({.reduced_volume = key.reduced_volume,
+                    .L = key.L,
                     .energy = d.energy.total(),
-                    .energy_SSH = scan.measured(Model::SSH, v, L).energy.total(),
+                    .energy_SSH = scan.measured(ssh_key).energy.total(),
                     .order_min = d.order_min,
                     .order_max = d.order_max,
                     .H_abs_max = d.H_abs_max,
                     .order_min_radius = order_min_radius(*sbeh),
                     .distance_from_SSH = distance(own, classical),
                     .SSH_distance = distance(classical, Meridian(*first).centred()),
-                    .in_3d = shape_of(rest, own)});
-    const CutRow cut{
-        .model = Model::SBEH, .solver = Solver::axisymmetric, .reduced_volume = v, .L = L};
+                    .in_3d = rest ? std::optional(rest->shape) : std::nullopt});
+    CutRow cut{Model::SBEH, Solver::axisymmetric, key.reduced_volume, key.L};
     CutRow cut_3d = cut, cut_ssh = cut;
     cut_3d.solver = Solver::in_3d;
     cut_ssh.model = Model::SSH;
     if (rest)
-      add_cut(cuts, cut_3d, *rest);
+      add_cut(cuts, cut_3d, rest->frame);
     else
       add_cut(cuts, cut, own);
     add_cut(cuts, cut_ssh, classical);
-  });
+  }
   if (!rows.empty()) {
     write_file(sources.folder / "shapes.csv", table_text(shape_columns(), rows));
     write_file(sources.folder / "cuts.csv", table_text(cut_columns(), cuts));

@@ -13,16 +13,6 @@ using model::Model;
 
 namespace {
 
-// Where figure 1 has the 3D solver's energies.
-struct Point {
-  double reduced_volume, L;
-};
-constexpr Point energies_in_3d[] = {{0.7, 0.05}, {0.8, 0.05}};
-
-bool contains(const std::vector<double>& values, double value) {
-  return std::find(values.begin(), values.end(), value) != values.end();
-}
-
 void require(bool holds, const fs::path& file, const char* what) {
   if (!holds) throw InputError(fmt::format("{}: {}", file.string(), what));
 }
@@ -63,12 +53,13 @@ Inputs read_inputs(const fs::path& folder, std::optional<int> triangles) {
 
 bool needs_scan(Figure figure) { return figure == Figure::energy || figure == Figure::shapes; }
 
-PlannedRun oblate_run(const Inputs& inputs, Model model, double reduced_volume, double L) {
-  PlannedRun run{fmt::format("oblates_3d/{}_v{:.6g}_L{:.6g}", sbeh::name(model), reduced_volume, L),
+PlannedRun oblate_run(const Inputs& inputs, const PointKey& key) {
+  PlannedRun run{fmt::format("oblates_3d/{}_v{:.6g}_L{:.6g}", model::name(key.model),
+                             key.reduced_volume, key.L),
                  inputs.oblate_3d};
-  run.input.model = model;
-  run.input.material = run.input.material.with_L(L);
-  std::get<Ellipsoid>(run.input.start).reduced_volume = reduced_volume;
+  run.input.model = key.model;
+  run.input.material = run.input.material.with_L(key.L);
+  std::get<Ellipsoid>(run.input.start).reduced_volume = key.reduced_volume;
   return run;
 }
 
@@ -77,17 +68,16 @@ PlannedRun evolution_run(const Inputs& inputs, Model model) {
           model == Model::SBEH ? inputs.sbeh : inputs.ssh};
 }
 
+bool needs_run(Figure figure, const PointKey& key) {
+  if (figure == Figure::energy)
+    return (key.reduced_volume == 0.7 || key.reduced_volume == 0.8) && key.L == 0.05;
+  return figure == Figure::shapes && key.model == Model::SBEH;
+}
+
 std::vector<PlannedRun> runs_for(Figure figure, const Inputs& inputs) {
   std::vector<PlannedRun> runs;
-  const ScanInput& scan = inputs.oblates;
-  if (figure == Figure::energy)
-    for (const auto& [v, L] : energies_in_3d)
-      if (contains(scan.reduced_volume, v) && contains(scan.L, L))
-        for (const Model model : {Model::SBEH, Model::SSH})
-          runs.push_back(oblate_run(inputs, model, v, L));
-  if (figure == Figure::shapes)
-    for (const double v : scan.reduced_volume)
-      for (const double L : scan.L) runs.push_back(oblate_run(inputs, Model::SBEH, v, L));
+  for (const PointKey& key : points_of(inputs.oblates))
+    if (needs_run(figure, key)) runs.push_back(oblate_run(inputs, key));
   if (figure == Figure::evolution || figure == Figure::measures)
     for (const Model model : {Model::SBEH, Model::SSH})
       runs.push_back(evolution_run(inputs, model));

@@ -45,11 +45,13 @@ struct PlannedRun {
   std::string folder;
   RunInput input;
 };
-PlannedRun oblate_run(const Inputs& inputs, model::Model model, double reduced_volume, double L);
+PlannedRun oblate_run(const Inputs& inputs, const PointKey& key);
 PlannedRun evolution_run(const Inputs& inputs, model::Model model);
 
-/// The 3D runs without which a figure is not complete. In 3D the energies are asked for at two points of
-/// the scan only; of others they are shown where there are runs.
+/// Whether a figure is not complete without the 3D run of a point of the scan. The energies are asked for at
+/// two reduced volumes and L only; of others they are shown where there are runs.
+bool needs_run(Figure figure, const PointKey& key);
+/// The 3D runs without which a figure is not complete.
 std::vector<PlannedRun> runs_for(Figure figure, const Inputs& inputs);
 
 /// The instants of figure 3. The paper names 0.6, 2.1 and 2.4 among its ten.

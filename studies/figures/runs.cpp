@@ -2,9 +2,6 @@
 
 #include "studies/evolution/event_log.h"
 #include "studies/evolution/frame_file.h"
-#include "studies/io/csv.h"
-#include "studies/io/errors.h"
-#include "studies/io/output.h"
 #include "studies/io/progress.h"
 #include "studies/io/stopwatch.h"
 #include "studies/mesh_files/mesh_file.h"
@@ -86,15 +83,17 @@ std::optional<FoundRun> find_run(const fs::path& folder, const PlannedRun& plan,
   const auto frames = read_rows(frame_columns(), place / "frames.csv");
   if (frames.empty()) return found;
   const double time = frames.back().time;
-  std::optional<model::FlowStop> end;
-  if (time >= found.input.times.end * (1 - model::same_time))
-    end = model::FlowStop::end_time;
-  else
-    end = read_frame(place / frames.back().file).record.ends;
+  const std::optional<model::FlowStop> end = time >= found.input.times.end * (1 - model::same_time)
+                                               ? model::FlowStop::end_time
+                                               : read_frame(place / frames.back().file).record.ends;
   found.ended = end.has_value();
   found.ending = end ? fmt::format("{} at t = {:.6g}", model::describe(*end), time)
                      : fmt::format("not finished, its last frame at t = {:.6g}", time);
   return found;
+}
+
+std::string missing_run(const PlannedRun& plan, const std::optional<FoundRun>& found) {
+  return plan.folder + (found ? ": " + found->ending : "");
 }
 
 Snapshot read_snapshot(const fs::path& frame) {

@@ -21,6 +21,9 @@ struct FoundRun {
 std::optional<FoundRun> find_run(const std::filesystem::path& folder, const PlannedRun& plan,
                                  std::optional<int> triangles);
 
+/// Its folder, with how far it is where it is there.
+std::string missing_run(const PlannedRun& plan, const std::optional<FoundRun>& found);
+
 /// The surface of a frame with its order, be the run that it belongs to of an older version too.
 struct Snapshot {
   meshing::CurvedMesh mesh;  ///< order 3

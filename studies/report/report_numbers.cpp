@@ -1,11 +1,10 @@
 // The numbers of a folder of results that matter most.
-#include "studies/compare/compare_tables.h"
+#include "studies/compare/compare.h"
 #include "studies/io/toml_reader.h"
 #include "studies/report/report.h"
 #include "studies/scan/branch_lines.h"
-#include "studies/seifert/seifert_tables.h"
-#include "studies/stability/stability_table.h"
-#include "studies/stability/stability_thresholds.h"
+#include "studies/seifert/seifert.h"
+#include "studies/stability/stability.h"
 #include "studies/states/series_file.h"
 
 #include <fmt/format.h>

@@ -1,6 +1,7 @@
 #include "studies/scan/branch_lines.h"
 
 #include "studies/io/interrupt.h"
+#include "studies/states/profile_file.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -9,6 +10,7 @@
 
 namespace sbeh::studies {
 
+using axisym::RimRecord;
 using model::Model;
 
 namespace {
@@ -32,20 +34,20 @@ std::vector<Row> collect(std::size_t count, Find&& find) {
 // The fold that the scan has run into, or else the one ahead of its largest L.
 std::vector<FoldRow> fold_of(const ScanInput& input, axisym::Branch branch, double v,
                              const PointLookup& point) {
+  const auto fold_at = [&](double L, const axisym::Diagnostics& d) {
+    return std::vector<FoldRow>{{branch, v, L, d.energy.total(), d.order_min, d.H_abs_max}};
+  };
   for (const double L : input.L) {
     const auto at = point({v, L, Model::SBEH, branch});
-    if (!at || !at->row.fold_L) continue;
-    const axisym::Diagnostics& d = *at->row.diagnostics;
-    return {{branch, v, *at->row.fold_L, d.energy.total(), d.order_min, d.H_abs_max}};
+    if (at && at->row.fold_L) return fold_at(*at->row.fold_L, *at->row.diagnostics);
   }
   const double L = input.L.back();
   const auto last = point({v, L, Model::SBEH, branch});
   const auto fold =
       is_stationary(last) ? fold_above(case_of(input, last->row.key), *last->state) : std::nullopt;
   if (!fold) return {};
-  const axisym::Diagnostics d =
-      axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state);
-  return {{branch, v, fold->at.L, d.energy.total(), d.order_min, d.H_abs_max}};
+  return fold_at(fold->at.L,
+                 axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state));
 }
 
 // Newton on the difference of two branches' energies, from states at the same reduced volume.
@@ -113,15 +115,39 @@ std::vector<FoldRow> find_folds(const ScanInput& input, const PointLookup& point
 }
 
 std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const PointLookup& point) {
-  const bool ordered =
-      std::find(input.models.begin(), input.models.end(), Model::SBEH) != input.models.end();
-  return collect<EqualEnergyRow>(input.L.size(), [&](std::size_t k) {
-    return meetings_at(input, ordered ? Model::SBEH : Model::SSH, input.L[k], point);
+  const Model model = input.has(Model::SBEH) ? Model::SBEH : Model::SSH;
+  return collect<EqualEnergyRow>(
+      input.L.size(), [&](std::size_t k) { return meetings_at(input, model, input.L[k], point); });
+}
+
+std::vector<RimRecord> find_beyond_fold(const ScanInput& input, const std::vector<FoldRow>& folds) {
+  constexpr double reach = 2;  // sharp rims are lower than smooth ones from half the fold's L on
+  return collect<RimRecord>(folds.size(), [&](std::size_t k) {
+    const FoldRow& fold = folds[k];
+    const bool is_near = fold.branch == axisym::Branch::oblate && fold.L <= reach * input.L.back()
+                      && fold.reduced_volume > 0.51;
+    return is_near ? axisym::beyond_fold(input.material, fold.reduced_volume, input.L)
+                   : std::vector<RimRecord>{};
   });
 }
 
-std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
-                                   const std::vector<axisym::RimRecord>& beyond) {
+std::string stem(const RimRecord& row) {
+  return fmt::format("{}_v{}_L{}", axisym::name(row.kind), row.reduced_volume, row.L);
+}
+
+std::string profile_text(const axisym::State& state) {
+  const Columns<ProfileRow>& all = profile_columns();
+  std::vector<ProfileRow> rows;
+  double s = 0;
+  for (Eigen::Index i = 0; i < state.beta.size(); ++i) {
+    if (i > 0) s += (state.X.col(i) - state.X.col(i - 1)).norm();
+    rows.push_back({s, state.X(0, i), state.X(1, i), state.beta[i], not_known});
+  }
+  return table_text(Columns<ProfileRow>(all.begin(), all.end() - 1), rows);
+}
+
+std::vector<LowestRow> find_lowest(const ScanInput& input, const ScanTable& table,
+                                   const std::vector<RimRecord>& beyond) {
   std::vector<LowestRow> rows;
   for (const Model model : input.models)
     for (const double L : input.L)
@@ -131,11 +157,11 @@ std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
           if (!lowest || energy < lowest->energy) lowest = LowestRow{model, L, v, branch, energy};
         };
         for (const axisym::Branch branch : input.branches) {
-          const PointResult* point = row({v, L, model, branch});
+          const PointResult* point = table.find({v, L, model, branch});
           if (point && point->status == PointStatus::stationary)
             offer(name(branch), point->diagnostics->energy.total());
         }
-        for (const axisym::RimRecord& state : beyond)
+        for (const RimRecord& state : beyond)
           if (model == Model::SBEH && state.kind == axisym::RimKind::sharp && state.L == L
               && state.reduced_volume == v && state.resolution <= axisym::resolution_limit)
             offer("sharp_oblate", state.energy);
@@ -174,6 +200,29 @@ const Columns<LowestRow>& lowest_columns() {
       column("reduced_volume", &LowestRow::reduced_volume),
       column("branch", &LowestRow::branch),
       column("energy", &LowestRow::energy),
+  };
+  return columns;
+}
+
+const Columns<RimRecord>& rim_columns() {
+  static const Columns<RimRecord> columns{
+      column("reduced_volume", &RimRecord::reduced_volume),
+      column("L", &RimRecord::L),
+      column("kind", &RimRecord::kind),
+      column("energy", &RimRecord::energy),
+      column("order_rim", &RimRecord::order_rim),
+      column("H_rim", &RimRecord::H_rim),
+      column("H_abs_max", &RimRecord::H_abs_max),
+      column("resolution", &RimRecord::resolution),
+      derived_column<RimRecord>("status",
+                                [](const RimRecord& row) {
+                                  return name(row.resolution > axisym::resolution_limit
+                                                  ? PointStatus::unresolved
+                                                  : PointStatus::stationary);
+                                }),
+      column("jump", &RimRecord::jump),
+      column("pressure", &RimRecord::pressure),
+      column("negative_directions", &RimRecord::negative_directions),
   };
   return columns;
 }

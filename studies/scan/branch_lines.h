@@ -1,5 +1,5 @@
-// The lines of a diagram: where a branch of SBEH ends in a fold, and where two branches have equal
-// energy.
+// The lines of a diagram: where a branch of SBEH ends in a fold, what lies beyond it, and where two branches
+// have equal energy.
 #pragma once
 
 #include "axisym/rim/beyond_fold.h"
@@ -43,17 +43,25 @@ struct LowestRow {
   double energy;
 };
 
-/// Gives the row of a finished point; nullptr where there is none.
-using RowLookup = std::function<const PointResult*(const PointKey&)>;
+/// The states of axisym/rim/beyond_fold.h at every reduced volume above 0.51 whose oblates fold below twice
+/// the scan's largest L, for its values of L. In parallel; incomplete when interrupted.
+std::vector<axisym::RimRecord> find_beyond_fold(const ScanInput& input,
+                                                const std::vector<FoldRow>& folds);
+/// Name of the state's profile without ending, such as sharp_v0.6_L0.05.
+std::string stem(const axisym::RimRecord& row);
+/// The columns of a profile (profile_file.h) but the last: at a kink the curvature is infinite.
+std::string profile_text(const axisym::State& state);
 
 /// At every L and reduced volume the lowest of the stationary states of each model, and of SBEH's sharp rims
 /// among `beyond`; none where no branch has one. States that pass through themselves do not count.
-std::vector<LowestRow> find_lowest(const ScanInput& input, const RowLookup& row,
+std::vector<LowestRow> find_lowest(const ScanInput& input, const ScanTable& table,
                                    const std::vector<axisym::RimRecord>& beyond);
 
-/// Of folds.csv, equal_energy.csv and lowest.csv.
+/// Of folds.csv, equal_energy.csv, lowest.csv, and beyond_fold.csv, whose `status` is unresolved where the
+/// resolution is above resolution_limit (axisym/flow.h).
 const Columns<FoldRow>& fold_columns();
 const Columns<EqualEnergyRow>& equal_energy_columns();
 const Columns<LowestRow>& lowest_columns();
+const Columns<axisym::RimRecord>& rim_columns();
 
 }  // namespace sbeh::studies

@@ -24,6 +24,10 @@ using model::Model;
 
 namespace {
 
+PointKey key_of(const StationaryCase& of) {
+  return {of.reduced_volume, of.L(), of.model, of.branch};
+}
+
 // What a state is, apart from the branch that led to it.
 PointOutcome stationary(const StationaryCase& of, const State& state) {
   PointOutcome point{{.key = key_of(of),
@@ -110,25 +114,7 @@ axisym::FollowResult follow_up(const StationaryCase& of, BranchState from, doubl
   }
 }
 
-// The point of the case, along the branch from a settled state.
-PointOutcome followed(const StationaryCase& of, const BranchState& start, const Stopwatch& watch) {
-  PointOutcome point = outcome_of(
-      of, start,
-      axisym::follow(of.material, of.model, start, {of.reduced_volume, of.L()}, of.numerics));
-  point.row.steps += start.iterations;
-  point.row.wall_seconds = watch.seconds();
-  return point;
-}
-
 }  // namespace
-
-StationaryCase case_of(const ScanInput& input, const PointKey& key) {
-  return {.model = key.model,
-          .branch = key.branch,
-          .reduced_volume = key.reduced_volume,
-          .material = input.material.with_L(key.L),
-          .numerics = input.numerics};
-}
 
 PointOutcome failed_point(const StationaryCase& of, std::string reason) {
   return {{.key = key_of(of),
@@ -169,7 +155,12 @@ PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
   const Stopwatch watch;
   const auto start = settled(of.material.with_L(from.at.L), of.model, from);
   if (!start) return failed_point(of, "Newton's method failed at the neighbouring point");
-  return followed(of, *start, watch);
+  PointOutcome point = outcome_of(
+      of, *start,
+      axisym::follow(of.material, of.model, *start, {of.reduced_volume, of.L()}, of.numerics));
+  point.row.steps += start->iterations;
+  point.row.wall_seconds = watch.seconds();
+  return point;
 }
 
 PointOutcome rescale_to(const StationaryCase& of, const Neighbour& from) {

@@ -6,7 +6,6 @@
 
 #include "axisym/flow.h"
 #include "axisym/stationary/branch_entry.h"
-#include "axisym/stationary/stationary_case.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/series_file.h"
 
@@ -28,9 +27,6 @@ struct Neighbour {
   axisym::PlanePoint at;
   axisym::State state;
 };
-
-/// The case of a scan's point.
-axisym::StationaryCase case_of(const ScanInput& input, const PointKey& key);
 
 /// A failed point, with the reason.
 PointOutcome failed_point(const axisym::StationaryCase& of, std::string reason);

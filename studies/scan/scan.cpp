@@ -4,7 +4,6 @@
 #include "studies/io/progress.h"
 #include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
-#include "studies/scan/beyond_fold_table.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/branch_points.h"
 #include "studies/states/profile_file.h"
@@ -22,16 +21,6 @@ namespace sbeh::studies {
 using model::Model;
 
 namespace {
-
-std::vector<PointKey> keys_of(const ScanInput& input) {
-  std::vector<PointKey> keys;
-  for (const double v : input.reduced_volume)
-    for (const double L : input.L)
-      for (const Model model : input.models)
-        for (axisym::Branch branch : input.branches) keys.push_back({v, L, model, branch});
-  std::sort(keys.begin(), keys.end());
-  return keys;
-}
 
 // The folder of a scan: what is there, and how a point is kept.
 class ScanFolder {
@@ -78,7 +67,7 @@ class ScanFolder {
     return folder_;
   }
   Progress progress_of(const ScanInput& input) {
-    const std::vector<PointKey> keys = keys_of(input);
+    const std::vector<PointKey> keys = points_of(input);
     const auto there =
         std::count_if(keys.begin(), keys.end(), [&](const auto& k) { return has(k); });
     return Progress("points", int(keys.size()), int(there));
@@ -111,10 +100,6 @@ std::optional<PointOutcome> point(ScanFolder& folder, const PointKey& key, Compu
   return outcome;
 }
 
-bool wants(const ScanInput& input, Model model) {
-  return std::find(input.models.begin(), input.models.end(), model) != input.models.end();
-}
-
 // SBEH at one reduced volume, along ascending L, from SSH's shape.
 void scan_order_column(const ScanInput& input, ScanFolder& folder, axisym::Branch branch,
                        const Neighbour& ssh) {
@@ -139,12 +124,12 @@ void scan_order_column(const ScanInput& input, ScanFolder& folder, axisym::Branc
 // All of one reduced volume, given SSH's shape there at the first L.
 void scan_column(const ScanInput& input, ScanFolder& folder, axisym::Branch branch,
                  const Neighbour& ssh) {
-  if (wants(input, Model::SSH))
+  if (input.has(Model::SSH))
     for (std::size_t k = 1; k < input.L.size(); ++k) {
       const PointKey key{ssh.at.reduced_volume, input.L[k], Model::SSH, branch};
       if (!point(folder, key, [&] { return rescale_to(case_of(input, key), ssh); })) return;
     }
-  if (wants(input, Model::SBEH)) scan_order_column(input, folder, branch, ssh);
+  if (input.has(Model::SBEH)) scan_order_column(input, folder, branch, ssh);
 }
 
 // Without an SSH shape nothing of a reduced volume can be reached: all its points share the reason.
@@ -200,7 +185,7 @@ void walk_chain(const ScanInput& input, ScanFolder& folder, axisym::Branch branc
                   : failed_point(of, "Newton's method failed at the entry of the branch");
     };
     const std::optional<PointOutcome> ssh =
-        wants(input, Model::SSH) ? point(folder, key, compute) : compute();
+        input.has(Model::SSH) ? point(folder, key, compute) : compute();
     if (!ssh) return;
     if (ssh->row.status != PointStatus::stationary) {
       give_up_column(input, folder, v, branch, ssh->row);
@@ -224,7 +209,7 @@ void scan_by_newton(const ScanInput& input, ScanFolder& folder, axisym::Branch b
 }
 
 void scan_by_flow(const ScanInput& input, ScanFolder& folder) {
-  const std::vector<PointKey> keys = keys_of(input);
+  const std::vector<PointKey> keys = points_of(input);
   tbb::parallel_for(std::size_t(0), keys.size(), [&](std::size_t k) {
     if (interrupt_signal() || folder.has(keys[k])) return;
     std::vector<SeriesRow> history;
@@ -244,7 +229,7 @@ void write_lines(const ScanInput& input, ScanFolder& folder) {
     if (!interrupt_signal()) folder.write(name, table_text(columns, rows));
   };
   std::vector<axisym::RimRecord> beyond;
-  if (wants(input, Model::SBEH)) {
+  if (input.has(Model::SBEH)) {
     const std::vector<FoldRow> folds = find_folds(input, point);
     write("folds.csv", fold_columns(), folds);
     if (input.beyond_fold) {
@@ -256,10 +241,8 @@ void write_lines(const ScanInput& input, ScanFolder& folder) {
   }
   if (input.branches.size() > 1)
     write("equal_energy.csv", equal_energy_columns(), find_equal_energies(input, point));
-  if (input.branches.size() > 1 || input.beyond_fold) {
-    const auto row = [&](const PointKey& key) { return folder.table().find(key); };
-    write("lowest.csv", lowest_columns(), find_lowest(input, row, beyond));
-  }
+  if (input.branches.size() > 1 || input.beyond_fold)
+    write("lowest.csv", lowest_columns(), find_lowest(input, folder.table(), beyond));
 }
 
 }  // namespace

@@ -1,7 +1,5 @@
 #include "studies/scan/scan_input.h"
 
-#include "studies/io/toml_reader.h"
-#include "studies/io/toml_text.h"
 #include "studies/parameters/material_input.h"
 
 #include <fmt/format.h>
@@ -9,6 +7,50 @@
 #include <algorithm>
 
 namespace sbeh::studies {
+
+const char* name(Method method) { return method == Method::newton ? "newton" : "flow"; }
+
+bool StateGrid::has(model::Model model) const {
+  return std::ranges::find(models, model) != models.end();
+}
+
+std::string stem(const PointKey& key) {
+  return fmt::format("{}_{}_v{}_L{}", model::name(key.model), name(key.branch), key.reduced_volume,
+                     key.L);
+}
+
+std::vector<PointKey> points_of(const StateGrid& grid) {
+  std::vector<PointKey> keys;
+  for (const double v : grid.reduced_volume)
+    for (const double L : grid.L)
+      for (const model::Model model : grid.models)
+        for (const axisym::Branch branch : grid.branches) keys.push_back({v, L, model, branch});
+  std::sort(keys.begin(), keys.end());
+  return keys;
+}
+
+axisym::StationaryCase case_of(const StateGrid& grid, const PointKey& key) {
+  return {.model = key.model,
+          .branch = key.branch,
+          .reduced_volume = key.reduced_volume,
+          .material = grid.material.with_L(key.L),
+          .numerics = grid.numerics};
+}
+
+void read_grid(const TomlTable& table, StateGrid& grid,
+               const std::vector<axisym::Branch>& branches) {
+  grid.reduced_volume = table.grid("reduced_volume", reduced_volumes);
+  grid.L = table.grid("L", above(0));
+  grid.models = table.choices("models", rest_models, std::optional(grid.models));
+  grid.branches = table.choices("branches", branches, std::optional(grid.branches));
+}
+
+void write_grid(TomlText& toml, const StateGrid& grid) {
+  toml.value("reduced_volume", grid.reduced_volume);
+  toml.value("L", grid.L);
+  toml.value("models", grid.models);
+  toml.value("branches", grid.branches);
+}
 
 std::size_t point_count(const ScanInput& input) {
   return input.reduced_volume.size() * input.L.size() * input.models.size() * input.branches.size();
@@ -20,24 +62,19 @@ constexpr std::size_t most_points = 1'000'000;  // 20 GB of profiles
 
 // Whether the scan looks for what `beyond_fold` starts from.
 void require_folds(const TomlTable& table, const ScanInput& input) {
-  const auto has = [](const auto& list, const auto& value) {
-    return std::find(list.begin(), list.end(), value) != list.end();
-  };
-  if (input.method != Method::newton || !has(input.models, model::Model::SBEH)
-      || !has(input.branches, axisym::Branch::oblate))
+  const auto& branches = input.branches;
+  if (input.method != Method::newton || !input.has(model::Model::SBEH)
+      || std::ranges::find(branches, axisym::Branch::oblate) == branches.end())
     table.fail("beyond_fold",
                "needs method = \"newton\", the model \"SBEH\" and the branch \"oblate\"");
 }
 
 void read_scan_table(const TomlTable& table, ScanInput& input) {
-  input.reduced_volume = table.grid("reduced_volume", reduced_volumes);
-  input.L = table.grid("L", above(0));
   for (const model::Model flow : {model::Model::HelfrichLocal, model::Model::HelfrichGlobal})
     table.refuse_word("models", name(flow),
                       "must not be scanned: its states of rest are those of SSH");
-  input.models = table.choices("models", rest_models, std::optional(input.models));
-  input.branches =
-      table.choices("branches", values_of(axisym::Branch{}), std::optional(input.branches));
+  constexpr auto branches = values_of(axisym::Branch{});
+  read_grid(table, input, {branches.begin(), branches.end()});
   read_value(table, "method", input.method);
   if (input.method != Method::flow)
     table.refuse("end_time", "must not be given without method = \"flow\"");
@@ -56,9 +93,8 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
 
 ScanInput read_scan(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
-  const TomlTable scan = file.table("scan");
-  const TomlTable material = file.table("material");
-  const TomlTable numerics = file.table("numerics");
+  const TomlTable scan = file.table("scan"), material = file.table("material"),
+                  numerics = file.table("numerics");
   file.reject_unknown_keys();
   ScanInput input;
   read_scan_table(scan, input);
@@ -70,10 +106,7 @@ ScanInput read_scan(const std::filesystem::path& path) {
 std::string describe(const ScanInput& input, std::string_view version) {
   TomlText toml(version);
   toml.table("scan");
-  toml.value("reduced_volume", input.reduced_volume);
-  toml.value("L", input.L);
-  toml.value("models", input.models);
-  toml.value("branches", input.branches);
+  write_grid(toml, input);
   toml.value("method", input.method);
   if (input.method == Method::flow) toml.value("end_time", input.flow_end_time);
   if (input.method == Method::newton) toml.value("beyond_fold", input.beyond_fold);

@@ -1,10 +1,9 @@
 // What a scan is asked for: stationary shapes over a grid of reduced volumes and elastic constants.
 #pragma once
 
-#include "axisym/classical_shape.h"
-#include "axisym/options.h"
-#include "model/material.h"
-#include "model/names.h"
+#include "axisym/stationary/stationary_case.h"
+#include "studies/io/toml_reader.h"
+#include "studies/io/toml_text.h"
 
 #include <array>
 #include <filesystem>
@@ -21,19 +20,46 @@ enum class Method {
 };
 constexpr auto names(Method) { return std::array{"newton", "flow"}; }
 
-/// The input of a scan: table [scan], optional [material] and [numerics], all keys as the members.
-/// The points are all combinations of reduced_volume, L, models and branches, a million at most.
-struct ScanInput {
+/// Stationary states: all combinations of reduced_volume, L, models and branches.
+struct StateGrid {
   std::vector<double> reduced_volume;  ///< V_r, each in 0 < V_r <= 1; ascending
   std::vector<double> L;               ///< one-constant elastic constants, each > 0; ascending
   std::vector<model::Model> models{model::Model::SBEH, model::Model::SSH};
   std::vector<axisym::Branch> branches{axisym::Branch::oblate};
+  model::Material material;  ///< its L1, L2, L3 give way to L of the point: material.with_L(L)
+  axisym::Numerics numerics;
+
+  bool has(model::Model model) const;
+
+  bool operator==(const StateGrid&) const = default;
+};
+
+/// Which state of a grid; ordered as finished tables are.
+struct PointKey {
+  double reduced_volume = 0;  ///< 0 < V_r <= 1
+  double L = 0;               ///< > 0
+  model::Model model = model::Model::SBEH;
+  axisym::Branch branch = axisym::Branch::oblate;
+  auto operator<=>(const PointKey&) const = default;  // NOLINT(modernize-use-nullptr): false alarm
+};
+/// Name of the point's files without ending, such as SBEH_oblate_v0.6_L0.07.
+std::string stem(const PointKey& key);
+/// All of a grid, in order.
+std::vector<PointKey> points_of(const StateGrid& grid);
+axisym::StationaryCase case_of(const StateGrid& grid, const PointKey& key);
+
+/// The keys reduced_volume, L, models and branches, of which `branches` are allowed. Throws InputError.
+void read_grid(const TomlTable& table, StateGrid& grid,
+               const std::vector<axisym::Branch>& branches);
+void write_grid(TomlText& toml, const StateGrid& grid);
+
+/// The input of a scan: table [scan], optional [material] and [numerics], all keys as the members.
+/// A million points at most.
+struct ScanInput : StateGrid {
   Method method = Method::newton;
   bool beyond_fold =
       false;  ///< also the saddles and sharp rims of SBEH's oblates; method newton, two
               ///< seconds per reduced volume with a fold
-  model::Material material;  ///< its L1, L2, L3 give way to L of the point: material.with_L(L)
-  axisym::Numerics numerics;
   double flow_end_time = 200;  ///< method flow, key `end_time`: a run that is not at rest ends here
 
   bool operator==(const ScanInput&) const = default;

@@ -2,7 +2,6 @@
 
 #include "studies/io/errors.h"
 #include "studies/parameters/material_input.h"
-#include "studies/scan/scan_table.h"
 #include "studies/states/profile_file.h"
 
 #include <fmt/format.h>
@@ -33,9 +32,8 @@ void write_shape(TomlText& toml, const ScanRow& row) {
 }
 
 axisym::State state_of(const ScanRow& row) {
-  const PointKey key{row.reduced_volume, row.L, row.model, row.branch};
   const std::filesystem::path file =
-      std::filesystem::path(row.folder) / "points" / (stem(key) + ".csv");
+      std::filesystem::path(row.folder) / "points" / (stem(row) + ".csv");
   if (!std::filesystem::exists(file))
     throw OutputError(fmt::format("{}: is not there; the rows of that scan stand in {}/scan.csv",
                                   file.string(), row.folder));

@@ -1,11 +1,8 @@
 // One point of an earlier scan as a start.
 #pragma once
 
-#include "axisym/classical_shape.h"
 #include "axisym/curve.h"
-#include "model/material.h"
-#include "studies/io/toml_reader.h"
-#include "studies/io/toml_text.h"
+#include "studies/scan/scan_input.h"
 
 #include <string>
 #include <vector>
@@ -13,12 +10,8 @@
 namespace sbeh::studies {
 
 /// The stationary state of one point of an earlier scan.
-struct ScanRow {
+struct ScanRow : PointKey {
   std::string folder;  ///< the scan's results, as written: relative to the working directory
-  model::Model model = model::Model::SBEH;
-  axisym::Branch branch = axisym::Branch::oblate;
-  double reduced_volume = 0;  ///< 0 < V_r <= 1
-  double L = 0;               ///< > 0
 
   bool operator==(const ScanRow&) const = default;
 };

@@ -4,7 +4,6 @@ namespace sbeh::studies {
 
 using axisym::Diagnostics;
 using axisym::Energy;
-using model::Model;
 
 const Columns<PointResult>& scan_columns() {
   using Row = PointResult;
@@ -50,15 +49,6 @@ const Columns<PointResult>& scan_columns() {
       column("fold_L", &Row::fold_L),
   };
   return columns;
-}
-
-PointKey key_of(const axisym::StationaryCase& of) {
-  return {of.reduced_volume, of.L(), of.model, of.branch};
-}
-
-std::string stem(const PointKey& key) {
-  return fmt::format("{}_{}_v{}_L{}", sbeh::name(key.model), name(key.branch), key.reduced_volume,
-                     key.L);
 }
 
 ScanTable scan_table(const OutputFolder& folder) {

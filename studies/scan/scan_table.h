@@ -2,8 +2,6 @@
 #pragma once
 
 #include "axisym/diagnostics.h"
-#include "axisym/stationary/stationary_case.h"
-#include "model/names.h"
 #include "studies/io/growing_table.h"
 #include "studies/scan/scan_input.h"
 
@@ -11,19 +9,6 @@
 #include <string>
 
 namespace sbeh::studies {
-
-/// Which point of a scan; ordered as the finished table is.
-struct PointKey {
-  double reduced_volume;
-  double L;
-  model::Model model;
-  axisym::Branch branch;
-  auto operator<=>(const PointKey&) const = default;  // NOLINT(modernize-use-nullptr): false alarm
-};
-/// That of a case, with its L.
-PointKey key_of(const axisym::StationaryCase& of);
-/// Name of the point's files without ending, such as SBEH_oblate_v0.6_L0.07.
-std::string stem(const PointKey& key);
 
 enum class PointStatus {
   stationary,  ///< a state at rest, resolved

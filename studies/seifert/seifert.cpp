@@ -5,7 +5,6 @@
 #include "axisym/stationary/classical_branches.h"
 #include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
-#include "studies/seifert/seifert_tables.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
@@ -130,6 +129,18 @@ void write_tables(const OutputFolder& folder, const SeifertSummary& summary) {
   write("differences.csv", disagreement_columns(), summary.disagreements);
 }
 
+// Empty where the witness does not tell.
+Column<BranchRow> negative_directions() {
+  return {"negative_directions",
+          [](const BranchRow& row) {
+            const int count = row.shape.negative_directions;
+            return count < 0 ? "" : std::to_string(count);
+          },
+          [](BranchRow& row, const std::string& field) {
+            return field.empty() || read_field(row.shape.negative_directions, field);
+          }};
+}
+
 }  // namespace
 
 const std::vector<NamedPoint>& special_point_names() {
@@ -184,6 +195,59 @@ std::string table_of(const SeifertSummary& summary) {
     text += fmt::format("{}: {} shapes and the points in {:.2f} s\n", w.witness, w.shapes.size(),
                         w.seconds);
   return text;
+}
+
+const Columns<BranchRow>& branch_columns() {
+  using Row = BranchRow;
+  const auto of_shape = [](std::string name, auto member) {
+    return column<Row>(std::move(name), inside(&Row::shape, member));
+  };
+  static const Columns<Row> columns{
+      column("witness", &Row::witness),
+      of_shape("branch", &ClassicalShape::branch),
+      of_shape("reduced_volume", &ClassicalShape::reduced_volume),
+      of_shape("energy_reduced", &ClassicalShape::energy),
+      of_shape("H_pole", &ClassicalShape::H_pole),
+      of_shape("pressure", &ClassicalShape::pressure),
+      of_shape("tension", &ClassicalShape::tension),
+      negative_directions(),
+      of_shape("self_contact", &ClassicalShape::self_contact),
+  };
+  return columns;
+}
+
+const Columns<PointRow>& point_columns() {
+  using Row = PointRow;
+  static const Columns<Row> columns{
+      column("name", &Row::name),
+      column<Row>("reduced_volume", inside(&Row::point, &SpecialPoint::reduced_volume)),
+      column<Row>("energy_reduced", inside(&Row::point, &SpecialPoint::energy)),
+      column<Row>("error", inside(&Row::point, &SpecialPoint::error), "{:.2g}"),
+  };
+  return columns;
+}
+
+const Columns<PointRow>& witness_point_columns() {
+  static const Columns<PointRow> columns = [] {
+    Columns<PointRow> all = point_columns();
+    all.insert(all.begin(), column("witness", &PointRow::witness));
+    return all;
+  }();
+  return columns;
+}
+
+const Columns<Disagreement>& disagreement_columns() {
+  using Row = Disagreement;
+  static const Columns<Row> columns{
+      column("first", &Row::first),
+      column("second", &Row::second),
+      column("branch", &Row::branch),
+      column("energy_reduced", &Row::energy, "{:.3g}"),
+      column("H_pole", &Row::H_pole, "{:.3g}"),
+      column("pressure", &Row::pressure, "{:.3g}"),
+      column("tension", &Row::tension, "{:.3g}"),
+  };
+  return columns;
 }
 
 }  // namespace sbeh::studies

@@ -2,11 +2,7 @@
 #pragma once
 
 #include "axisym/classical_shape.h"
-
-#include <filesystem>
-#include <string>
-#include <string_view>
-#include <vector>
+#include "studies/io/columns.h"
 
 namespace sbeh::studies {
 
@@ -39,6 +35,24 @@ struct NamedPoint {
   axisym::SpecialPoint axisym::SpecialPoints::*member;
 };
 const std::vector<NamedPoint>& special_point_names();
+
+/// branches.csv: a shape of a witness.
+struct BranchRow {
+  std::string witness;
+  axisym::ClassicalShape shape;  ///< without its profile
+};
+const Columns<BranchRow>& branch_columns();
+
+/// points.csv, and points_by_witness.csv, which begins with the witness.
+struct PointRow {
+  std::string witness, name;
+  axisym::SpecialPoint point;
+};
+const Columns<PointRow>& point_columns();
+const Columns<PointRow>& witness_point_columns();
+
+/// differences.csv
+const Columns<Disagreement>& disagreement_columns();
 
 /// Runs the three witnesses side by side and leaves branches.csv, points.csv, points_by_witness.csv
 /// and differences.csv in the folder. A folder that holds results already is refused.

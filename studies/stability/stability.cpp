@@ -4,12 +4,13 @@
 #include "studies/io/progress.h"
 #include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
-#include "studies/stability/stability_table.h"
+#include "studies/witnesses/state.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace sbeh::studies {
 
@@ -17,62 +18,30 @@ namespace fs = std::filesystem;
 
 namespace {
 
-// The folder of a study: what is there, and how a run is kept.
-class StabilityFolder {
- public:
-  StabilityFolder(const StabilityInput& input, const fs::path& path, std::string_view version)
-      : folder_(path),
-        table_(stability_table(prepare(input, version))),
-        left_(missing(input)),
-        progress_("runs", int(keys_of(input).size()), int(keys_of(input).size() - left_.size())) {}
+constexpr double bisection_width = 1e-4;
 
-  /// The runs that are not there yet, in the order in which they are made.
-  const std::vector<StabilityKey>& left() const { return left_; }
+auto line_of(const StabilityKey& key) {
+  return std::tie(key.model, key.L, key.branch, key.l, key.m);
+}
 
-  /// Keeps a run: its history first, so that a row means that it is whole.
-  void keep(const StabilityOutcome& outcome) {
-    if (!outcome.history.empty())
-      write_file(history_path(outcome.result.key),
-                 table_text(perturbed_columns(), outcome.history));
-    table_.append(outcome.result);
-    ++computed_;
-    progress_.advance();
+// Between two volumes of which the directions differ; the change of m alone is not told apart.
+double by_harmonics(const StabilityInput& input, const StabilityKey& key, double low, double high) {
+  const auto count = [&](double v) {
+    axisym::StationaryCase there = case_of(input, key);
+    there.reduced_volume = v;
+    return classical_saddle(there);
+  };
+  const auto at_low = count(low), at_high = count(high);
+  if (!at_low || !at_high || at_low->negative_directions == at_high->negative_directions)
+    return not_known;
+  while (high - low > bisection_width) {
+    const double middle = (low + high) / 2;
+    const auto there = count(middle);
+    if (!there || interrupt_signal() != 0) return not_known;
+    (there->negative_directions == at_low->negative_directions ? low : high) = middle;
   }
-
-  void write(std::string_view name, const std::string& text) const {
-    write_file(folder_ / name, text);
-  }
-  StabilityTable& table() { return table_; }
-  Progress& progress() { return progress_; }
-  int computed() const { return computed_; }
-
- private:
-  const OutputFolder& prepare(const StabilityInput& input, std::string_view version) {
-    begin_or_continue(folder_, describe(input, version), "stability.csv", "results");
-    make_folder(folder_ / "runs");
-    return folder_;
-  }
-  // The shortest first: rates are nearly proportional to L. A row whose history has gone counts as not there.
-  std::vector<StabilityKey> missing(const StabilityInput& input) const {
-    std::vector<StabilityKey> keys = keys_of(input);
-    std::erase_if(keys, [&](const StabilityKey& key) {
-      const StabilityResult* row = table_.find(key);
-      return row && (row->steps == 0 || fs::exists(history_path(key)));
-    });
-    std::stable_sort(keys.begin(), keys.end(),
-                     [](const auto& a, const auto& b) { return a.L > b.L; });
-    return keys;
-  }
-  fs::path history_path(const StabilityKey& key) const {
-    return folder_ / ("runs/" + stem(key) + ".csv");
-  }
-
-  OutputFolder folder_;
-  StabilityTable table_;
-  std::vector<StabilityKey> left_;
-  Progress progress_;
-  int computed_ = 0;
-};
+  return (low + high) / 2;
+}
 
 std::string rate_text(const StabilityResult& row) {
   return row.growth ? fmt::format("{:+.4g} ± {:.1g}", row.growth->rate, row.growth->error) : "–";
@@ -80,26 +49,91 @@ std::string rate_text(const StabilityResult& row) {
 
 }  // namespace
 
+std::vector<Threshold> find_thresholds(const StabilityInput& input,
+                                       const std::vector<StabilityResult>& rows) {
+  std::vector<const StabilityResult*> sorted;
+  for (const StabilityResult& row : rows)
+    if (row.growth) sorted.push_back(&row);
+  std::stable_sort(sorted.begin(), sorted.end(),
+                   [](const auto* a, const auto* b) { return line_of(a->key) < line_of(b->key); });
+  std::vector<Threshold> thresholds;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    const StabilityResult &a = *sorted[i - 1], &b = *sorted[i];
+    const double rise = b.growth->rate - a.growth->rate;
+    if (line_of(a.key) != line_of(b.key) || a.growth->rate * b.growth->rate > 0 || rise == 0)
+      continue;
+    const double low = a.key.reduced_volume, high = b.key.reduced_volume;
+    const double share = -a.growth->rate / rise, scale = (high - low) / std::abs(rise);
+    Threshold threshold;
+    threshold.below = a.key;
+    threshold.upper_volume = high;
+    threshold.reduced_volume = low + share * (high - low);
+    threshold.error = scale * std::hypot((1 - share) * a.growth->error, share * b.growth->error);
+    threshold.harmonics = by_harmonics(input, a.key, low, high);
+    thresholds.push_back(threshold);
+  }
+  return thresholds;
+}
+
+const Columns<Threshold>& threshold_columns() {
+  using Row = Threshold;
+  using Key = StabilityKey;
+  static const Columns<Row> columns{
+      column<Row>("model", inside(&Row::below, &Key::model)),
+      column<Row>("L", inside(&Row::below, &Key::L)),
+      column<Row>("branch", inside(&Row::below, &Key::branch)),
+      column<Row>("l", inside(&Row::below, &Key::l)),
+      column<Row>("m", inside(&Row::below, &Key::m)),
+      column("reduced_volume", &Row::reduced_volume),
+      column("error", &Row::error, "{:.2g}"),
+      column<Row>("below", inside(&Row::below, &Key::reduced_volume)),
+      column("above", &Row::upper_volume),
+      known_column("harmonics", &Row::harmonics, "{:.5f}"),
+  };
+  return columns;
+}
+
 StabilitySummary run_stability(const StabilityInput& input, const fs::path& path,
                                std::string_view version) {
   const Stopwatch watch;
-  StabilityFolder folder(input, path, version);
-  // One after the other, each on all cores: MUMPS is not made for several threads of one process.
-  for (const StabilityKey& key : folder.left()) {
-    if (interrupt_signal()) break;
-    if (const auto outcome = run_perturbed(input, key)) folder.keep(*outcome);
-  }
-  folder.progress().finish();
-  folder.table().sort();
-
+  const OutputFolder folder(path);
+  begin_or_continue(folder, describe(input, version), "stability.csv", "results");
+  make_folder(folder / "runs");
+  GrowingTable<StabilityResult> table(folder / "stability.csv", stability_columns(),
+                                      "studies of stability", "its run made again");
+  const auto history_path = [&](const StabilityKey& key) {
+    return folder / ("runs/" + stem(key) + ".csv");
+  };
+  const auto is_there = [&](const StabilityKey& key) {  // with its history
+    const StabilityResult* row = table.find(key);
+    return row && (row->steps == 0 || fs::exists(history_path(key)));
+  };
+  std::vector<StabilityKey> left = keys_of(input);
+  const auto all = int(left.size()), there = int(std::erase_if(left, is_there));
+  // The shortest first: rates are nearly proportional to L.
+  std::stable_sort(left.begin(), left.end(),
+                   [](const auto& a, const auto& b) { return a.L > b.L; });
+  Progress progress("runs", all, there);
   StabilitySummary summary;
-  for (const auto& [key, row] : folder.table().rows()) summary.rows.push_back(row);
-  if (!interrupt_signal()) {
-    summary.thresholds = find_thresholds(input, summary.rows);
-    if (!interrupt_signal())
-      folder.write("thresholds.csv", table_text(threshold_columns(), summary.thresholds));
+  // One after the other, each on all cores: MUMPS is not made for several threads of one process.
+  for (const StabilityKey& key : left) {
+    if (interrupt_signal()) break;
+    const auto outcome = run_perturbed(input, key);
+    if (!outcome) continue;
+    // The history first, so that a row means that it is whole.
+    if (!outcome->history.empty())
+      write_file(history_path(key), table_text(perturbed_columns(), outcome->history));
+    table.append(outcome->result);
+    ++summary.computed;
+    progress.advance();
   }
-  summary.computed = folder.computed();
+  progress.finish();
+  table.sort();
+
+  for (const auto& [key, row] : table.rows()) summary.rows.push_back(row);
+  if (!interrupt_signal()) summary.thresholds = find_thresholds(input, summary.rows);
+  if (!interrupt_signal())
+    write_file(folder / "thresholds.csv", table_text(threshold_columns(), summary.thresholds));
   summary.interrupted = interrupt_signal() != 0;
   summary.seconds = watch.seconds();
   return summary;

@@ -1,8 +1,6 @@
 #include "studies/stability/stability_input.h"
 
 #include "meshing/resolution.h"
-#include "studies/io/toml_reader.h"
-#include "studies/io/toml_text.h"
 #include "studies/parameters/material_input.h"
 
 #include <fmt/format.h>
@@ -10,8 +8,6 @@
 #include <algorithm>
 
 namespace sbeh::studies {
-
-using axisym::Branch;
 
 namespace {
 
@@ -44,13 +40,9 @@ std::vector<meshing::Harmonic> read_perturbations(const TomlTable& table,
 }
 
 void read_states(const TomlTable& table, StabilityInput& input) {
-  input.reduced_volume = table.grid("reduced_volume", reduced_volumes);
+  read_grid(table, input, {axisym::Branch::oblate, axisym::Branch::prolate});
   if (input.reduced_volume.back() == 1)
     table.fail("reduced_volume", "must be < 1: there is only the sphere, which cannot move");
-  input.L = table.grid("L", above(0));
-  input.models = table.choices("models", rest_models, std::optional(input.models));
-  constexpr std::array branches{Branch::oblate, Branch::prolate};
-  input.branches = table.choices("branches", branches, std::optional(input.branches));
   input.perturbations = read_perturbations(table, input.perturbations);
   table.reject_unknown_keys();
 }
@@ -71,30 +63,17 @@ StabilityInput::StabilityInput() {
 }
 
 std::string stem(const StabilityKey& key) {
-  return fmt::format("{}_{}_v{}_L{}_Y{}{}", sbeh::name(key.model), name(key.branch),
-                     key.reduced_volume, key.L, key.l, key.m);
-}
-
-axisym::StationaryCase case_of(const StabilityInput& input, const StabilityKey& key,
-                               Branch branch) {
-  return {.model = key.model,
-          .branch = branch,
-          .reduced_volume = key.reduced_volume,
-          .material = input.material.with_L(key.L),
-          .numerics = input.numerics};
+  return fmt::format("{}_Y{}{}", stem(PointKey(key)), key.l, key.m);
 }
 
 std::vector<StabilityKey> keys_of(const StabilityInput& input) {
   std::vector<StabilityKey> keys;
-  for (const double v : input.reduced_volume)
-    for (const double L : input.L)
-      for (const model::Model model : input.models) {
-        const bool once = model == model::Model::SSH && input.material.residual_stiffness == 0;
-        if (once && L != input.L.back()) continue;
-        for (const Branch branch : input.branches)
-          for (const meshing::Harmonic& mode : input.perturbations)
-            keys.push_back({v, L, model, branch, mode.l, mode.m});
-      }
+  for (const PointKey& point : points_of(input)) {
+    const bool once = point.model == model::Model::SSH && input.material.residual_stiffness == 0;
+    if (once && point.L != input.L.back()) continue;
+    for (const meshing::Harmonic& mode : input.perturbations)
+      keys.push_back({point, mode.l, mode.m});
+  }
   std::sort(keys.begin(), keys.end());
   return keys;
 }
@@ -116,10 +95,7 @@ StabilityInput read_stability(const std::filesystem::path& path) {
 std::string describe(const StabilityInput& input, std::string_view version) {
   TomlText toml(version);
   toml.table("stability");
-  toml.value("reduced_volume", input.reduced_volume);
-  toml.value("L", input.L);
-  toml.value("models", input.models);
-  toml.value("branches", input.branches);
+  write_grid(toml, input);
   toml.value("perturbations", input.perturbations);
   toml.table("surface3d");
   toml.value("triangles", input.triangles);

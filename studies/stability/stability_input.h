@@ -2,9 +2,8 @@
 // they are followed.
 #pragma once
 
-#include "axisym/stationary/stationary_case.h"
 #include "meshing/spherical_harmonics.h"
-#include "model/material.h"
+#include "studies/scan/scan_input.h"
 #include "surface3d/options.h"
 
 #include <filesystem>
@@ -14,43 +13,29 @@
 
 namespace sbeh::studies {
 
-/// Table [stability]: reduced_volume, L, models, branches, perturbations; optional [surface3d] (triangles,
-/// end, largest_step, tolerance), [material] (without L) and [numerics] (of the axisymmetric states).
-struct StabilityInput {
-  std::vector<double> reduced_volume;  ///< V_r, each in 0 < V_r < 1; ascending
-  std::vector<double> L;               ///< one-constant elastic constants, each > 0; ascending
-  std::vector<model::Model> models{model::Model::SBEH, model::Model::SSH};
-  std::vector<axisym::Branch> branches{axisym::Branch::oblate};  ///< oblate or prolate
+/// Table [stability]: the grid, V_r < 1, of oblates or prolates, and perturbations; optional [surface3d]
+/// (triangles, end, largest_step, tolerance), [material] (without L) and [numerics] (of the axisymmetric states).
+struct StabilityInput : StateGrid {
   /// Displacements along the normal by a Y_lm, 1 <= m <= l, one run for each; with m = 1 of odd l >= 3, since
   /// the others mostly shift or turn the surface.
   std::vector<meshing::Harmonic> perturbations{{2, 2, 0.01}, {3, 3, 0.01}};
   int triangles = 320;   ///< about so many
   double end_time = 20;  ///< key `end`, > 0: a run ends here; in units of 1/κ(2/3), which is 1/(2L)
   surface3d::Numerics
-      numerics_3d;           ///< keys `largest_step` (0.1) and `tolerance` (1e-3), in plain units
-  model::Material material;  ///< its L1, L2, L3 give way to L of the point: material.with_L(L)
-  axisym::Numerics numerics;
+      numerics_3d;  ///< keys `largest_step` (0.1) and `tolerance` (1e-3), in plain units
   StabilityInput();
 
   bool operator==(const StabilityInput&) const = default;
 };
 
 /// One run: a state and its perturbation. Ordered as the finished table is.
-struct StabilityKey {
-  double reduced_volume;
-  double L;
-  model::Model model;
-  axisym::Branch branch;
-  int l, m;
+struct StabilityKey : PointKey {
+  int l = 0, m = 0;
   auto operator<=>(const StabilityKey&) const =
       default;  // NOLINT(modernize-use-nullptr): false alarm
 };
 /// Name of the run's files without ending, such as SBEH_oblate_v0.8_L0.05_Y22.
 std::string stem(const StabilityKey& key);
-
-/// The state that is perturbed, or that of another branch there.
-axisym::StationaryCase case_of(const StabilityInput& input, const StabilityKey& key,
-                               axisym::Branch branch);
 
 /// All runs, in order. Of SSH only those with the largest L: the shapes do not depend on it, and rates are
 /// proportional to it; with residual_stiffness > 0 that is not so, and all are there.

@@ -5,7 +5,6 @@
 #include "studies/evolution/run_start.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/stopwatch.h"
-#include "studies/stability/classical_saddle.h"
 #include "studies/witnesses/state.h"
 #include "surface3d/flow.h"
 
@@ -109,13 +108,8 @@ std::string class_of(const Triangulation& mesh, const surface3d::Nodes& X,
   return name(other ? Roundness::triaxial : roundness);
 }
 
-struct Start {
-  meshing::CurvedMesh mesh;
-  surface3d::Field beta;
-};
-
-Start perturbed(const axisym::State& profile, const StabilityInput& input,
-                const StabilityKey& key) {
+meshing::RevolvedMesh perturbed(const axisym::State& profile, const StabilityInput& input,
+                                const StabilityKey& key) {
   meshing::RevolvedMesh revolved = meshing::revolved(profile, {.triangles = input.triangles});
   try {
     perturb(revolved.mesh, {perturbation_of(input, key)});
@@ -123,7 +117,7 @@ Start perturbed(const axisym::State& profile, const StabilityInput& input,
     throw std::invalid_argument(fmt::format("the perturbation {}", error.what()));
   }
   meshing::scale_to_area(revolved.mesh, area);
-  return {std::move(revolved.mesh), std::move(revolved.beta)};
+  return revolved;
 }
 
 }  // namespace
@@ -134,26 +128,29 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   StabilityOutcome outcome;
   StabilityResult& result = outcome.result;
   result.key = key;
-  const NewtonState oblate = newton_state(case_of(input, key, axisym::Branch::oblate)),
-                    prolate = newton_state(case_of(input, key, axisym::Branch::prolate));
-  result.energy_oblate = oblate.found.measures.energy;
-  result.energy_prolate = prolate.found.measures.energy;
-  const NewtonState& axisymmetric = key.branch == axisym::Branch::oblate ? oblate : prolate;
-  if (!axisymmetric.state) {
-    result.stop_reason = axisymmetric.found.failure;
+  const auto state_of = [&](axisym::Branch branch) {
+    return newton_state(case_of(input, {key.reduced_volume, key.L, key.model, branch}));
+  };
+  const WitnessState oblate = state_of(axisym::Branch::oblate),
+                     prolate = state_of(axisym::Branch::prolate);
+  result.energy_oblate = oblate.measures.energy;
+  result.energy_prolate = prolate.measures.energy;
+  const WitnessState& axisymmetric = key.branch == axisym::Branch::oblate ? oblate : prolate;
+  if (!axisymmetric.profile) {
+    result.stop_reason = axisymmetric.failure;
     return outcome;
   }
-  result.energy_axisymmetric = axisymmetric.found.measures.energy;
-  if (const auto saddle = classical_saddle(case_of(input, key, key.branch))) {
+  result.energy_axisymmetric = axisymmetric.measures.energy;
+  if (const auto saddle = classical_saddle(case_of(input, key))) {
     result.negative_directions = saddle->negative_directions;
     result.stiffness = saddle->stiffness;
   }
 
   const model::Material material = input.material.with_L(key.L);
   const double kappa = material.kappa(model::full_order);
-  Start start;
+  meshing::RevolvedMesh start;
   try {
-    start = perturbed(axisymmetric.state->state, input, key);
+    start = perturbed(*axisymmetric.profile, input, key);
   } catch (const std::invalid_argument& error) {
     result.stop_reason = error.what();
     return outcome;
@@ -184,6 +181,53 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   outcome.history = std::move(seen.history);
   result.wall_seconds = watch.seconds();
   return outcome;
+}
+
+const Columns<StabilityResult>& stability_columns() {
+  using Row = StabilityResult;
+  using Key = StabilityKey;
+  static const Columns<Row> columns{
+      column<Row>("model", inside(&Row::key, &Key::model)),
+      column<Row>("reduced_volume", inside(&Row::key, &Key::reduced_volume)),
+      column<Row>("L", inside(&Row::key, &Key::L)),
+      column<Row>("branch", inside(&Row::key, &Key::branch)),
+      column<Row>("l", inside(&Row::key, &Key::l)),
+      column<Row>("m", inside(&Row::key, &Key::m)),
+      column("verdict", &Row::verdict),
+      column("end_state", &Row::end_state),
+      part_column("rate", &Row::growth, &GrowthRate::rate, ""),
+      part_column("rate_error", &Row::growth, &GrowthRate::error, "", "{:.3g}"),
+      part_column("fit_from", &Row::growth, &GrowthRate::from, ""),
+      part_column("fit_to", &Row::growth, &GrowthRate::to, ""),
+      known_column("reduced_rate", &Row::reduced_rate),
+      known_column("amplitude_start", &Row::amplitude_start),
+      known_column("amplitude_end", &Row::amplitude_end),
+      known_column("energy_axisymmetric", &Row::energy_axisymmetric),
+      known_column("energy_end", &Row::energy_end),
+      known_column("energy_oblate", &Row::energy_oblate),
+      known_column("energy_prolate", &Row::energy_prolate),
+      column("end_time", &Row::end_time),
+      column("steps", &Row::steps),
+      column("triangles", &Row::triangles),
+      column("unresolved_from", &Row::unresolved_from),
+      column("negative_directions", &Row::negative_directions),
+      known_column("stiffness", &Row::stiffness),
+      column("wall_seconds", &Row::wall_seconds, "{:.4g}"),
+      column("stop_reason", &Row::stop_reason),
+  };
+  return columns;
+}
+
+const Columns<PerturbedAt>& perturbed_columns() {
+  static const Columns<PerturbedAt> columns{
+      column("time", &PerturbedAt::time),
+      column("time_step", &PerturbedAt::time_step),
+      column("energy", &PerturbedAt::energy),
+      column("amplitude", &PerturbedAt::amplitude),
+      column("normal_speed", &PerturbedAt::normal_speed),
+      column("order_speed", &PerturbedAt::order_speed),
+  };
+  return columns;
 }
 
 }  // namespace sbeh::studies

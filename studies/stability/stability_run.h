@@ -1,16 +1,10 @@
 // One perturbed state in 3D: what becomes of it.
 #pragma once
 
-#include "model/names.h"
-#include "studies/io/csv.h"
+#include "studies/io/growing_table.h"
 #include "studies/stability/growth_rate.h"
 #include "studies/stability/mode_amplitude.h"
 #include "studies/stability/stability_input.h"
-
-#include <array>
-#include <optional>
-#include <string>
-#include <vector>
 
 namespace sbeh::studies {
 
@@ -28,8 +22,9 @@ struct PerturbedAt {
   double amplitude;  ///< see mode_amplitude.h
   double normal_speed, order_speed;
 };
+const Columns<PerturbedAt>& perturbed_columns();
 
-/// What is known of a run in the end; `not_known` where it is not.
+/// What is known of a run in the end, a row of stability.csv; `not_known` where it is not.
 struct StabilityResult {
   StabilityKey key{};
   Verdict verdict = Verdict::failed;
@@ -53,6 +48,7 @@ struct StabilityResult {
   std::string stop_reason{};
   double wall_seconds = 0;
 };
+const Columns<StabilityResult>& stability_columns();
 
 /// A result with its history.
 struct StabilityOutcome {

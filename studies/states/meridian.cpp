@@ -168,15 +168,15 @@ std::array<double, 2> Meridian::pole_curvatures() const {
   return H;
 }
 
-double distance(const Meridian& a, const Meridian& b) {
+double distance(const Eigen::Matrix2Xd& points, const Meridian& curve) {
   double largest = 0;
-  const auto from = [&](const Meridian& points, const Meridian& curve) {
-    for (const auto x : points.points().colwise())
-      largest = std::max(largest, (curve.at(curve.nearest(x)) - x).norm());
-  };
-  from(a, b);
-  from(b, a);
+  for (const auto x : points.colwise())
+    largest = std::max(largest, (curve.at(curve.nearest(x)) - x).norm());
   return largest;
+}
+
+double distance(const Meridian& a, const Meridian& b) {
+  return std::max(distance(a.points(), b), distance(b.points(), a));
 }
 
 }  // namespace sbeh::studies

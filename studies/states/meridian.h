@@ -67,7 +67,8 @@ class Meridian {
   Eigen::VectorXd lengths_;  // n: arc length at the points
 };
 
-/// Largest distance of the points of either from the other.
+/// Largest distance of points r, z (2 x n) from the curve; of the points of either from the other.
+double distance(const Eigen::Matrix2Xd& points, const Meridian& curve);
 double distance(const Meridian& a, const Meridian& b);
 
 }  // namespace sbeh::studies

@@ -2,7 +2,6 @@
 #include "studies/witnesses/state.h"
 #include "surface3d/harmonic/basis.h"
 #include "surface3d/harmonic/energy.h"
-#include "surface3d/harmonic/minimiser.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -24,15 +23,19 @@ double curvature_along(const HarmonicSurface& surface, const Vector3d& direction
   return surface3d::mean_curvature(surface, omega.normalized())[0];
 }
 
+HarmonicSurface spheroid_of(const axisym::StationaryCase& of, int degree) {
+  return surface3d::harmonic_spheroid(of.reduced_volume, of.branch == axisym::Branch::prolate,
+                                      degree);
+}
+
 }  // namespace
 
 WitnessState harmonic_state(const axisym::StationaryCase& of, const HarmonicMethod& method,
-                            const std::optional<meshing::CurvedMesh>& start) {
+                            const meshing::CurvedMesh* start) {
   const int degree = method.degree;
   const HarmonicShape shape = surface3d::minimise_harmonics(
       start ? surface3d::fit_harmonics(surface3d::Triangulation(*start), start->nodes, degree)
-            : surface3d::harmonic_spheroid(of.reduced_volume, of.branch == axisym::Branch::prolate,
-                                           degree),
+            : spheroid_of(of, degree),
       of.reduced_volume, degree);
   WitnessState found{.witness = Witness::harmonics};
   if (shape.stop != surface3d::HarmonicStop::stationary) {
@@ -62,6 +65,18 @@ WitnessState harmonic_state(const axisym::StationaryCase& of, const HarmonicMeth
   }
   found.order = Eigen::VectorXd::Constant(omega.cols(), model::full_order);
   return found;
+}
+
+std::optional<HarmonicShape> classical_saddle(const axisym::StationaryCase& of) {
+  constexpr double least_volume = 0.65;
+  constexpr int degree = 16;
+  if (of.model != model::Model::SSH || of.material.spontaneous_curvature != 0
+      || of.reduced_volume < least_volume)
+    return {};
+  const HarmonicShape shape =
+      surface3d::minimise_harmonics(spheroid_of(of, degree), of.reduced_volume, degree);
+  if (shape.stop != surface3d::HarmonicStop::stationary) return {};
+  return shape;
 }
 
 }  // namespace sbeh::studies

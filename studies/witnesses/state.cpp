@@ -91,29 +91,21 @@ Measures classical_measures(const model::Material& m, double energy, double pres
   return of;
 }
 
-NewtonState newton_state(const StationaryCase& of) {
+WitnessState newton_state(const StationaryCase& of) {
   const PointOutcome point = follow_branch(of);
   if (point.row.status != PointStatus::stationary) {
     const std::string& reason = point.row.stop_reason;  // of a row, whose values are not taken here
-    return {{}, failed(Witness::newton, reason.substr(0, reason.find("; the values")))};
+    return failed(Witness::newton, reason.substr(0, reason.find("; the values")));
   }
   const axisym::StationaryState& s = *point.solution;
-  const axisym::Energy energy = axisym::energy(of.material, s.state, s.H);
-  const axisym::Diagnostics& d = *point.row.diagnostics;
-  const Meridian curve(s.state);
   WitnessState found{.witness = Witness::newton,
                      .remark = fmt::format("{} elements", axisym::element_count(s.state.X)),
-                     .measures = {.energy = energy.total(),
-                                  .energy_distortion = energy.distortion,
-                                  .energy_bending = energy.bending,
-                                  .energy_thermotropic = energy.thermotropic,
-                                  .pressure = s.pressure,
-                                  .tension = s.tension,
-                                  .order_min = d.order_min,
-                                  .order_mean = d.order_mean,
-                                  .order_max = d.order_max}};
-  take_curve(found, curve, axisym::pole_curvatures(s.state.X, s.H));
-  return {s, found};
+                     .measures = measures_of(axisym::energy(of.material, s.state, s.H),
+                                             *point.row.diagnostics, s.pressure),
+                     .profile = s.state};
+  found.measures.tension = s.tension;
+  take_curve(found, Meridian(s.state), axisym::pole_curvatures(s.state.X, s.H));
+  return found;
 }
 
 WitnessState flow_state(const StationaryCase& of, const std::vector<double>& times) {

@@ -1,13 +1,13 @@
 // What one method of a comparison finds: a stationary state, measured in the terms of all of them.
 #pragma once
 
-#include "axisym/stationary/stationary.h"
 #include "axisym/stationary/stationary_case.h"
 #include "meshing/curved_mesh.h"
 #include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/states/meridian.h"
 #include "studies/witnesses/witness.h"
+#include "surface3d/harmonic/minimiser.h"
 
 #include <filesystem>
 #include <optional>
@@ -52,17 +52,14 @@ struct WitnessState {
   Eigen::Matrix2Xd points{};        // 2 x n: r, z; along the meridian, or nodes of a 3D method
   Eigen::VectorXd order{};          // n
   std::vector<EnergyAt> history{};  ///< of flow and surface3d from the same ellipsoid
+  std::optional<axisym::State> profile{};     ///< of newton
   std::optional<meshing::CurvedMesh> mesh{};  ///< of surface3d
   std::optional<Meridian> meridian{};  ///< through the points, from the pole of H_pole on, z = 0
                                        ///< halfway between the poles; none of the 3D methods
 };
 
-/// Newton's method from the branch's entry on; the state with its multipliers, or the reason why there is none.
-struct NewtonState {
-  std::optional<axisym::StationaryState> state;
-  WitnessState found;
-};
-NewtonState newton_state(const axisym::StationaryCase& of);
+/// Newton's method from the branch's entry on.
+WitnessState newton_state(const axisym::StationaryCase& of);
 
 /// Boost.Odeint on the shape equations. SSH without spontaneous curvature.
 WitnessState shooting_state(const axisym::StationaryCase& of);
@@ -78,29 +75,34 @@ WitnessState flow_state(const axisym::StationaryCase& of, const std::vector<doub
 /// run whose frame is taken.
 std::vector<double> history_times(const SurfaceMethod& method);
 
+/// Without the tension and H_pole.
+template <class Diagnostics>
+Measures measures_of(const model::Energy& energy, const Diagnostics& d, double pressure) {
+  return {.energy = energy.total(),
+          .energy_distortion = energy.distortion,
+          .energy_bending = energy.bending,
+          .energy_thermotropic = energy.thermotropic,
+          .pressure = pressure,
+          .order_min = d.order_min,
+          .order_mean = d.order_mean,
+          .order_max = d.order_max};
+}
+
 /// Of a state at rest in a flow, with its volume multiplier.
 template <class Diagnostics>
 Measures measures_of_flow(const model::Material& material, const Diagnostics& d, double lambda) {
-  Measures of{.energy = d.energy.total(),
-              .energy_distortion = d.energy.distortion,
-              .energy_bending = d.energy.bending,
-              .energy_thermotropic = d.energy.thermotropic,
-              .pressure = -lambda,
-              .order_min = d.order_min,
-              .order_mean = d.order_mean,
-              .order_max = d.order_max};
+  Measures of = measures_of(d.energy, d, -lambda);
   if (material.spontaneous_curvature == 0)
     of.tension = (3 * of.pressure * d.volume - 2 * d.energy.thermotropic) / (2 * d.area);
   return of;
 }
 
-/// The 3D solver's flow to rest, or the last frame of a run. `start` is revolved where the method asks
-/// for it. The surface is turned with its axis upright, its centre in the origin. `keep`, unless empty,
+/// The 3D solver's flow to rest, or the last frame of a run. Where the method asks for it a profile is
+/// revolved; null: that of newton_state. The surface is turned with its axis upright, its centre in the origin. `keep`, unless empty,
 /// is where the state goes as a frame. Throws InputError (a run that is none, or is one of another
 /// case), OutputError, and Interrupted.
 WitnessState surface_state(const axisym::StationaryCase& of, const SurfaceMethod& method,
-                           const std::optional<axisym::State>& start,
-                           const std::filesystem::path& keep);
+                           const axisym::State* profile, const std::filesystem::path& keep);
 
 /// A classical shape in the terms of U: full order, u(2/3) everywhere, and the Gaussian part; energy is
 /// F/(8πκ), pressure and tension are per κ. SSH without spontaneous curvature.
@@ -109,6 +111,10 @@ Measures classical_measures(const model::Material& material, double energy, doub
 
 /// Minimisation over spherical harmonics, from the 3D solver's surface or else a spheroid; turned like it.
 WitnessState harmonic_state(const axisym::StationaryCase& of, const HarmonicMethod& method,
-                            const std::optional<meshing::CurvedMesh>& start);
+                            const meshing::CurvedMesh* start);
+
+/// Whether a classical shape is a saddle among all surfaces, by the same minimisation from a spheroid. Empty
+/// unless the case is one of SSH without spontaneous curvature, V_r >= 0.65, where the harmonics resolve it.
+std::optional<surface3d::HarmonicShape> classical_saddle(const axisym::StationaryCase& of);
 
 }  // namespace sbeh::studies

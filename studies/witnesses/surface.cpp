@@ -31,7 +31,7 @@ using surface3d::Triangulation;
 
 namespace {
 
-// A surface with its order, at rest or nearly so.
+// A surface with its order, at rest or nearly so; or why there is none.
 struct Rest {
   meshing::CurvedMesh mesh{};
   surface3d::Field beta{};  // nodes
@@ -43,11 +43,12 @@ struct Rest {
 
 // ---- a run of its own ---------------------------------------------------------------------------
 
-Rest start_of(const StationaryCase& of, const SurfaceMethod& method,
-              const std::optional<axisym::State>& profile) {
+Rest start_of(const StationaryCase& of, const SurfaceMethod& method, const axisym::State* profile) {
   const meshing::Resolution resolution{.triangles = method.triangles};
-  if (method.revolved && profile) {
-    meshing::RevolvedMesh revolved = meshing::revolved(*profile, resolution);
+  if (method.revolved) {
+    const auto newton = profile ? std::nullopt : newton_state(of).profile;
+    if (!profile && !newton) return {.failure = "newton has no state to revolve"};
+    meshing::RevolvedMesh revolved = meshing::revolved(profile ? *profile : *newton, resolution);
     return {.mesh = std::move(revolved.mesh), .beta = std::move(revolved.beta)};
   }
   Rest start{.mesh = meshing::ellipsoid(of.reduced_volume, of.branch == axisym::Branch::prolate,
@@ -57,8 +58,9 @@ Rest start_of(const StationaryCase& of, const SurfaceMethod& method,
 }
 
 Rest flow_to_rest(const StationaryCase& of, const SurfaceMethod& method,
-                  const std::optional<axisym::State>& profile, const fs::path& keep) {
+                  const axisym::State* profile, const fs::path& keep) {
   Rest rest = start_of(of, method, profile);
+  if (!rest.failure.empty()) return rest;
   const auto mesh = std::make_shared<const Triangulation>(rest.mesh);
   const double area = 4 * std::numbers::pi;
   const surface3d::Target target{area, of.reduced_volume * area / 3};
@@ -203,9 +205,9 @@ std::vector<double> history_times(const SurfaceMethod& method) {
 }
 
 WitnessState surface_state(const StationaryCase& of, const SurfaceMethod& method,
-                           const std::optional<axisym::State>& start, const fs::path& keep) {
+                           const axisym::State* profile, const fs::path& keep) {
   const Rest rest =
-      method.run.empty() ? flow_to_rest(of, method, start, keep) : last_frame(of, method.run);
+      method.run.empty() ? flow_to_rest(of, method, profile, keep) : last_frame(of, method.run);
   WitnessState found{.witness = Witness::surface3d, .failure = rest.failure, .remark = rest.remark};
   found.history = rest.history;
   if (!found.failure.empty()) return found;

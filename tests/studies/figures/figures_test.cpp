@@ -1,5 +1,6 @@
 // The paper's figures: which runs they need, and what is found in their tables.
-#include "studies/figures/findings.h"
+#include "studies/figures/figures.h"
+
 #include "studies/figures/history.h"
 
 #include <fmt/format.h>

@@ -1,7 +1,8 @@
 // The lines of the diagram: folds and equal energies, as a scan leaves them.
 
+#include "studies/scan/branch_lines.h"
+
 #include "axisym/shooting/seifert_shooting.h"
-#include "studies/scan/beyond_fold_table.h"
 #include "studies/scan/scan.h"
 #include "tests/temporary_folder.h"
 

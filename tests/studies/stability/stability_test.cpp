@@ -1,12 +1,11 @@
 // What a study of stability measures: amplitudes of modes, their growth rates, and the stability of classical
 // oblates, which spherical harmonics know from the second variation.
+#include "studies/stability/stability.h"
+
 #include "meshing/revolution.h"
 #include "studies/evolution/run_start.h"
-#include "studies/stability/classical_saddle.h"
 #include "studies/stability/growth_rate.h"
 #include "studies/stability/mode_amplitude.h"
-#include "studies/stability/stability_run.h"
-#include "studies/stability/stability_thresholds.h"
 #include "surface3d/harmonic/surface.h"
 
 #include <Eigen/Geometry>

@@ -1,6 +1,6 @@
 #include "tools/picture/scan/diagram_lines.h"
 
-#include "studies/scan/beyond_fold_table.h"
+#include "studies/scan/branch_lines.h"
 
 #include <fmt/format.h>
 

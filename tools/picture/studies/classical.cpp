@@ -1,6 +1,6 @@
 #include "tools/picture/studies/classical.h"
 
-#include "studies/seifert/seifert_tables.h"
+#include "studies/seifert/seifert.h"
 #include "tools/picture/chart/chart.h"
 #include "tools/picture/chart/legend.h"
 

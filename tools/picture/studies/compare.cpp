@@ -1,6 +1,6 @@
 #include "tools/picture/studies/compare.h"
 
-#include "studies/compare/compare_tables.h"
+#include "studies/compare/compare.h"
 #include "tools/picture/chart/chart.h"
 #include "tools/picture/chart/legend.h"
 

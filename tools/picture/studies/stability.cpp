@@ -1,6 +1,6 @@
 #include "tools/picture/studies/stability.h"
 
-#include "studies/stability/stability_table.h"
+#include "studies/stability/stability_run.h"
 #include "tools/picture/chart/chart.h"
 #include "tools/picture/chart/grid_axis.h"
 #include "tools/picture/chart/legend.h"
