@@ -4,8 +4,6 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
-
 namespace sbeh::studies::figures {
 
 namespace fs = std::filesystem;

@@ -4,9 +4,11 @@
 #include "studies/io/output.h"
 
 #include <fmt/format.h>
+#include <vtkBase64Utilities.h>
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace sbeh::studies::html {
 
@@ -43,17 +45,13 @@ pre { background: var(--shade); border-radius: .4rem; padding: .8rem 1rem; overf
 @media print { .wide { max-height: none; } }
 )";
 
-bool is_number(std::string_view text) {
-  double value = 0;
-  return parse_number(text, value);
-}
-
 // Whether all that stands in the column are numbers.
 bool is_numeric(const CsvTable& table, std::size_t column) {
   bool any = false;
+  double value = 0;
   for (const auto& row : table.rows) {
     if (row[column].empty()) continue;
-    if (!is_number(row[column])) return false;
+    if (!parse_number(row[column], value)) return false;
     any = true;
   }
   return any;
@@ -70,45 +68,23 @@ std::vector<std::size_t> spread(std::size_t size, std::size_t count) {
 }  // namespace
 
 std::string escaped(std::string_view text) {
+  static const std::map<char, const char*> entities{
+      {'&', "&amp;"}, {'<', "&lt;"}, {'>', "&gt;"}, {'"', "&quot;"}, {'\'', "&#39;"}};
   std::string result;
-  for (const char c : text) switch (c) {
-      case '&':
-        result += "&amp;";
-        break;
-      case '<':
-        result += "&lt;";
-        break;
-      case '>':
-        result += "&gt;";
-        break;
-      case '"':
-        result += "&quot;";
-        break;
-      case '\'':
-        result += "&#39;";
-        break;
-      default:
-        if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
-          result += "&#xfffd;";
-        else
-          result += c;
-    }
+  for (const char c : text)
+    if (const auto entity = entities.find(c); entity != entities.end())
+      result += entity->second;
+    else if ((static_cast<unsigned char>(c) < 0x20 && c != '\n' && c != '\t') || c == 0x7f)
+      result += "&#xfffd;";
+    else
+      result += c;
   return result;
 }
 
 std::string base64(std::string_view bytes) {
-  constexpr std::string_view letters =
-      "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
-  std::string text;
-  text.reserve((bytes.size() + 2) / 3 * 4);
-  for (std::size_t i = 0; i < bytes.size(); i += 3) {
-    const auto byte = [&](std::size_t k) {
-      return i + k < bytes.size() ? std::uint32_t(static_cast<unsigned char>(bytes[i + k])) : 0u;
-    };
-    const std::uint32_t three = byte(0) << 16 | byte(1) << 8 | byte(2);
-    for (std::size_t k = 0; k < 4; ++k)
-      text += i + k <= bytes.size() ? letters[three >> (18 - 6 * k) & 63] : '=';
-  }
+  std::string text((bytes.size() + 2) / 3 * 4, '=');
+  vtkBase64Utilities::Encode(reinterpret_cast<const unsigned char*>(bytes.data()), bytes.size(),
+                             reinterpret_cast<unsigned char*>(text.data()));
   return text;
 }
 

@@ -1,7 +1,5 @@
 #include "studies/report/report.h"
 
-#include "studies/io/csv.h"
-#include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/report/svg_chart.h"
 
@@ -9,7 +7,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <array>
 
 namespace sbeh::studies {
 
@@ -20,21 +17,17 @@ namespace {
 constexpr const char* generator = "sbeh report";
 constexpr std::size_t most_rows = 200;
 
-struct Picture {
+// A picture (without ending) or a table, and what stands above or below it.
+struct Titled {
   const char* name;
-  const char* caption;
-};
-struct Table {
-  const char* file;
-  const char* heading;
+  const char* title;
 };
 
 // What each kind of folder holds. The first tables tell the kind, and must be there.
 struct Contents {
   ResultsKind kind;
   std::vector<const char*> required;
-  std::vector<Picture> pictures;
-  std::vector<Table> tables;
+  std::vector<Titled> pictures, tables;
 };
 const std::vector<Contents>& all_contents() {
   static const std::vector<Contents> all{
@@ -91,19 +84,18 @@ bool has_histories(const fs::path& folder) {
   return false;
 }
 
-fs::path picture_file(const fs::path& folder, const Picture& picture) {
-  const fs::path png = folder / (std::string(picture.name) + ".png");
-  const fs::path svg = folder / (std::string(picture.name) + ".svg");
-  return fs::exists(png) ? png : fs::exists(svg) ? svg : fs::path();
+fs::path picture_file(const fs::path& folder, const std::string& name) {
+  for (const char* ending : {".png", ".svg"})
+    if (const fs::path file = folder / (name + ending); fs::exists(file)) return file;
+  return {};
 }
 
 std::string pictures_of(const fs::path& folder, const Contents& contents) {
   std::string text;
-  for (const Picture& picture : contents.pictures)
-    if (const fs::path file = picture_file(folder, picture); !file.empty())
-      text += html::figure(file, picture.caption);
-  const std::vector<std::string> missing = missing_pictures(folder, contents.kind);
-  if (!missing.empty())
+  for (const Titled& picture : contents.pictures)
+    if (const fs::path file = picture_file(folder, picture.name); !file.empty())
+      text += html::figure(file, picture.title);
+  if (const auto missing = missing_pictures(folder, contents.kind); !missing.empty())
     text += fmt::format(
         "<p class=\"note\">Not drawn: {}. To draw: <code>sbeh picture {} {}</code>, then make this "
         "report again.</p>\n",
@@ -120,18 +112,18 @@ struct Chart {
 const std::vector<Chart>& charts() {
   constexpr auto log = AxisScale::logarithmic;
   static const std::vector<Chart> all{
-      {{"Energy", "t", log}, {{"energy", "U"}}},
-      {{"Order β", "t", log},
+      {{"Energy", log}, {{"energy", "U"}}},
+      {{"Order β", log},
        {{"order_min", "least"}, {"order_mean", "mean"}, {"order_max", "largest"}}},
-      {{"Dissipation", "t", log, log},
+      {{"Dissipation", log, log},
        {{"dissipation_friction", "friction"},
         {"dissipation_order", "order"},
         {"dissipation_viscous", "viscous"}}},
-      {{"Energy lost over energy dissipated, in a step", "t", log}, {{"energy_balance", "ratio"}}},
-      {{"Largest |H|", "t", log}, {{"H_abs_max", "|H|"}}},
-      {{"Time step and largest speed", "t", log, log},
+      {{"Energy lost over energy dissipated, in a step", log}, {{"energy_balance", "ratio"}}},
+      {{"Largest |H|", log}, {{"H_abs_max", "|H|"}}},
+      {{"Time step and largest speed", log, log},
        {{"time_step", "time step"}, {"speed_max", "speed"}}},
-      {{"Mesh quality", "t", log}, {{"mesh_quality", "quality"}}},
+      {{"Mesh quality", log}, {{"mesh_quality", "quality"}}},
   };
   return all;
 }
@@ -151,7 +143,7 @@ std::string charts_of(const CsvTable& series) {
       if (series.find(column)) lines.push_back({called, time, numbers(column)});
     text += svg_chart(chart.frame, lines);
   }
-  return text.empty() ? text : "<div class=\"charts\">\n" + text + "</div>\n";
+  return text;
 }
 
 // The energies of a comparison's evolutions; the file has them one after the other.
@@ -163,38 +155,34 @@ std::string energies_of_methods(const CsvTable& histories) {
     lines.back().x.push_back(histories.number(row, "time"));
     lines.back().y.push_back(histories.number(row, "energy"));
   }
-  const std::string chart = svg_chart({"Energy", "t", AxisScale::logarithmic}, lines);
-  return chart.empty() ? chart : "<div class=\"charts\">\n" + chart + "</div>\n";
-}
-
-std::string over_time(const fs::path& folder) {
-  if (fs::exists(folder / "series.csv")) return charts_of(read_csv(folder / "series.csv"));
-  if (fs::exists(folder / "histories.csv"))
-    return energies_of_methods(read_csv(folder / "histories.csv"));
-  return "";
+  return svg_chart({"Energy", AxisScale::logarithmic}, lines);
 }
 
 // ---- sections -----------------------------------------------------------------------------------
 
+std::string over_time(const fs::path& folder) {
+  std::string text;
+  if (fs::exists(folder / "series.csv"))
+    text = charts_of(read_csv(folder / "series.csv"));
+  else if (fs::exists(folder / "histories.csv"))
+    text = energies_of_methods(read_csv(folder / "histories.csv"));
+  return text.empty() ? text : "<div class=\"charts\">\n" + text + "</div>\n";
+}
+
 std::string tables_of(const fs::path& folder, const Contents& contents) {
   std::string text;
-  for (const Table& table : contents.tables) {
-    if (!fs::exists(folder / table.file)) continue;
-    const CsvTable rows = read_csv(folder / table.file);
+  for (const auto& [file, heading] : contents.tables) {
+    if (!fs::exists(folder / file)) continue;
+    const CsvTable rows = read_csv(folder / file);
     if (rows.rows.empty()) continue;
-    text += html::element("h3", fmt::format("{} ({})", table.heading, table.file));
-    text += html::table(rows, most_rows, table.file);
+    text += html::element("h3", fmt::format("{} ({})", heading, file));
+    text += html::table(rows, most_rows, file);
   }
   return text
        + "<p class=\"note\">Lengths are in radii of the sphere of equal area; energy_bending "
-         "contains "
-         "the Gaussian part; H is the trace of the shape operator, −2 on the unit sphere. Numbers "
+         "contains the Gaussian part; H is the trace of the shape operator, −2 on the unit sphere. "
+         "Numbers "
          "are rounded to nine digits here and complete in the files.</p>\n";
-}
-
-std::string input_of(const fs::path& folder) {
-  const fs::path input = folder / "run.toml";
-  return fs::exists(input) ? html::element("pre", read_file(input)) : "";
 }
 
 std::string how_to_run(const fs::path& folder, const Contents& contents, bool has_input) {
@@ -217,12 +205,6 @@ std::string how_to_run(const fs::path& folder, const Contents& contents, bool ha
   return text;
 }
 
-bool is_own_report(const fs::path& file) {
-  const std::string text = read_file(file).substr(0, 1000);
-  return text.find(fmt::format("<meta name=\"generator\" content=\"{}", generator))
-      != std::string::npos;
-}
-
 }  // namespace
 
 ResultsKind kind_of_results(const fs::path& folder) {
@@ -243,10 +225,10 @@ ResultsKind kind_of_results(const fs::path& folder) {
 
 std::vector<std::string> missing_pictures(const fs::path& folder, ResultsKind kind) {
   std::vector<std::string> missing;
-  for (const Picture& picture : contents_of(kind).pictures) {
-    const bool never = kind == ResultsKind::scan && std::string_view(picture.name) == "energy"
-                    && !has_histories(folder);
-    if (!never && picture_file(folder, picture).empty()) missing.emplace_back(picture.name);
+  for (const auto& [name, caption] : contents_of(kind).pictures) {
+    const bool never =
+        kind == ResultsKind::scan && std::string_view(name) == "energy" && !has_histories(folder);
+    if (!never && picture_file(folder, name).empty()) missing.emplace_back(name);
   }
   return missing;
 }
@@ -255,7 +237,9 @@ ReportSummary write_report(const fs::path& folder, std::string_view version) {
   const Contents& contents = contents_of(kind_of_results(folder));
   ReportSummary summary{.file = folder / "report.html"};
   if (fs::exists(summary.file)) {
-    if (!is_own_report(summary.file))
+    const std::string begin = read_file(summary.file).substr(0, 1000);
+    if (begin.find(fmt::format("<meta name=\"generator\" content=\"{}", generator))
+        == std::string::npos)
       throw OutputError(fmt::format(
           "{}: is there and is no report of sbeh, so it is not overwritten; move it away",
           summary.file.string()));
@@ -264,7 +248,7 @@ ReportSummary write_report(const fs::path& folder, std::string_view version) {
   const KeyNumbers numbers = key_numbers(folder, contents.kind);
   summary.missing = missing_pictures(folder, contents.kind);
   const std::string where = fs::absolute(folder).lexically_normal().filename().string();
-  const std::string input = input_of(folder);
+  const bool has_input = fs::exists(folder / "run.toml");
 
   std::string body = "<header>\n" + html::element("h1", numbers.title);
   body +=
@@ -272,13 +256,15 @@ ReportSummary write_report(const fs::path& folder, std::string_view version) {
                   html::escaped(where.empty() ? folder.string() : where), name(contents.kind),
                   html::escaped(version));
   body += "</header>\n<main>\n" + html::section("Key numbers", html::facts(numbers.facts));
-  const std::string pictures = pictures_of(folder, contents);
-  if (!pictures.empty()) body += html::section("Pictures", pictures);
+  if (const std::string pictures = pictures_of(folder, contents); !pictures.empty())
+    body += html::section("Pictures", pictures);
   if (const std::string history = over_time(folder); !history.empty())
     body += html::section("Over time", history);
   body += html::section("Tables", tables_of(folder, contents));
-  if (!input.empty()) body += html::section("Input with every parameter", input);
-  body += html::section("How to run it again", how_to_run(folder, contents, !input.empty()));
+  if (has_input)
+    body += html::section("Input with every parameter",
+                          html::element("pre", read_file(folder / "run.toml")));
+  body += html::section("How to run it again", how_to_run(folder, contents, has_input));
   body += "</main>\n";
   write_file(summary.file,
              html::page(numbers.title, fmt::format("{} {}", generator, version), body));

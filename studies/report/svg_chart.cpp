@@ -5,7 +5,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 
@@ -147,10 +146,10 @@ std::string svg_chart(const ChartFrame& frame, const std::vector<ChartLine>& lin
   }
   return text
        + fmt::format(
-             "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"var(--ink)\">{}</text>\n"
+             "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"var(--ink)\">t</text>\n"
              "</svg><figcaption>{}{}</figcaption></figure>\n",
-             left + (width - left - right) / 2, height - 6, html::escaped(frame.x_name),
-             html::escaped(frame.title), legend_of(lines, curves));
+             left + (width - left - right) / 2, height - 6, html::escaped(frame.title),
+             legend_of(lines, curves));
 }
 
 }  // namespace sbeh::studies

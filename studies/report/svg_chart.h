@@ -1,4 +1,4 @@
-// A small chart of lines as inline SVG, in the colours of the page it stands in.
+// A small chart of lines over the time t as inline SVG, in the colours of the page it stands in.
 #pragma once
 
 #include <string>
@@ -14,7 +14,7 @@ struct ChartLine {
 enum class AxisScale { linear, logarithmic };
 
 struct ChartFrame {
-  std::string title, x_name;
+  std::string title;
   AxisScale x = AxisScale::linear, y = AxisScale::linear;
 };
 

@@ -10,9 +10,6 @@
 
 #include <fmt/format.h>
 
-#include <cmath>
-#include <numbers>
-
 namespace sbeh::studies {
 
 using axisym::Branch;

@@ -9,7 +9,6 @@
 #include "studies/states/profile_file.h"
 #include "studies/states/series_file.h"
 
-#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
 
@@ -18,99 +17,90 @@
 
 namespace sbeh::studies {
 
+namespace fs = std::filesystem;
+using axisym::Branch;
+using axisym::entry_volume;
+using axisym::StationaryCase;
 using model::Model;
 
 namespace {
 
-// The folder of a scan: what is there, and how a point is kept.
-class ScanFolder {
- public:
-  ScanFolder(const ScanInput& input, const std::filesystem::path& path, std::string_view version)
-      : folder_(path), table_(scan_table(prepare(input, version))), progress_(progress_of(input)) {}
+// A scan in its folder: what is there, and how a point is kept.
+struct Scan {
+  Scan(const ScanInput& of, const fs::path& path, std::string_view version)
+      : input(of), folder(path), table(scan_table(prepare(version))), progress(begun()) {}
 
-  bool has(const PointKey& key) { return row_of(key).has_value(); }
+  bool has(const PointKey& key) { return row_of(key) != nullptr; }
 
   /// The row and state of a point that was finished before.
   std::optional<PointOutcome> finished(const PointKey& key) {
-    const std::optional<PointResult> row = row_of(key);
+    const PointResult* row = row_of(key);
     if (!row) return {};
     PointOutcome point{*row, {}};
-    if (row->diagnostics) point.state = read_profile(profile_path(key));
+    if (row->diagnostics) point.state = read_profile(file_of(key, ".csv"));
     return point;
   }
 
   /// Keeps a point: its files first, so that a row means that they are whole.
   void keep(const PointOutcome& point) {
-    if (point.state) write_profile(profile_path(point.row.key), *point.state);
-    const std::lock_guard lock(mutex_);
-    table_.append(point.row);
-    ++computed_;
-    progress_.advance();
+    if (point.state) write_profile(file_of(point.row.key, ".csv"), *point.state);
+    const std::lock_guard lock(mutex);
+    table.append(point.row);
+    ++computed;
+    progress.advance();
   }
 
-  void write(std::string_view name, const std::string& text) const {
-    write_file(folder_ / name, text);
+  /// Computes the point from its case and keeps it, unless it is there; gives it either way. Empty when
+  /// interrupted.
+  template <class Compute>
+  std::optional<PointOutcome> point(const PointKey& key, Compute&& compute) {
+    if (auto there = finished(key)) return there;
+    if (interrupt_signal()) return {};
+    const PointOutcome outcome = compute(case_of(input, key));
+    keep(outcome);
+    return outcome;
   }
 
-  std::filesystem::path series_path(const PointKey& key) const {
-    return folder_ / ("points/" + stem(key) + ".series.csv");
+  fs::path file_of(const PointKey& key, const char* ending) const {
+    return folder / ("points/" + stem(key) + ending);
   }
-  int computed() const { return computed_; }
-  ScanTable& table() { return table_; }
-  Progress& progress() { return progress_; }
+
+  const ScanInput& input;
+  const OutputFolder folder;
+  ScanTable table;
+  std::mutex mutex;  ///< of the table; before progress, whose start asks for rows
+  Progress progress;
+  int computed = 0;
 
  private:
-  const OutputFolder& prepare(const ScanInput& input, std::string_view version) {
-    begin_or_continue(folder_, describe(input, version), "scan.csv", "a scan");
-    make_folder(folder_ / "points");
-    if (input.beyond_fold) make_folder(folder_ / "beyond_fold");
-    return folder_;
+  const OutputFolder& prepare(std::string_view version) const {
+    begin_or_continue(folder, describe(input, version), "scan.csv", "a scan");
+    make_folder(folder / "points");
+    if (input.beyond_fold) make_folder(folder / "beyond_fold");
+    return folder;
   }
-  Progress progress_of(const ScanInput& input) {
+  Progress begun() {
     const std::vector<PointKey> keys = points_of(input);
-    const auto there =
-        std::count_if(keys.begin(), keys.end(), [&](const auto& k) { return has(k); });
+    const auto there = std::ranges::count_if(keys, [&](const auto& key) { return has(key); });
     return Progress("points", int(keys.size()), int(there));
   }
   // None when its profile has gone: then the point counts as not computed.
-  std::optional<PointResult> row_of(const PointKey& key) {
-    const std::lock_guard lock(mutex_);
-    const PointResult* row = table_.find(key);
-    if (!row || (row->diagnostics && !std::filesystem::exists(profile_path(key)))) return {};
-    return *row;
+  const PointResult* row_of(const PointKey& key) {
+    const std::lock_guard lock(mutex);
+    const PointResult* row = table.find(key);
+    return row && row->diagnostics && !fs::exists(file_of(key, ".csv")) ? nullptr : row;
   }
-  std::filesystem::path profile_path(const PointKey& key) const {
-    return folder_ / ("points/" + stem(key) + ".csv");
-  }
-
-  OutputFolder folder_;
-  ScanTable table_;
-  std::mutex mutex_;  // before progress_, whose start asks for rows
-  Progress progress_;
-  int computed_ = 0;
 };
 
-// Keeps the point unless it is there; gives it either way. Empty when interrupted.
-template <class Compute>
-std::optional<PointOutcome> point(ScanFolder& folder, const PointKey& key, Compute&& compute) {
-  if (auto there = folder.finished(key)) return there;
-  if (interrupt_signal()) return {};
-  PointOutcome outcome = compute();
-  folder.keep(outcome);
-  return outcome;
-}
-
 // SBEH at one reduced volume, along ascending L, from SSH's shape.
-void scan_order_column(const ScanInput& input, ScanFolder& folder, axisym::Branch branch,
-                       const Neighbour& ssh) {
+void scan_order_column(Scan& scan, Branch branch, const Neighbour& ssh) {
   const double v = ssh.at.reduced_volume;
   std::optional<Neighbour> last;
   std::optional<PointOutcome> fold;
-  for (const double L : input.L) {
+  for (const double L : scan.input.L) {
     const PointKey key{v, L, Model::SBEH, branch};
-    const auto outcome = point(folder, key, [&] {
+    const auto outcome = scan.point(key, [&](const StationaryCase& of) {
       if (fold) return beyond_fold(key, *fold);
-      const axisym::StationaryCase of = case_of(input, key);
       return last ? follow_to(of, *last) : order_from(of, ssh);
     });
     if (!outcome) return;
@@ -122,37 +112,20 @@ void scan_order_column(const ScanInput& input, ScanFolder& folder, axisym::Branc
 }
 
 // All of one reduced volume, given SSH's shape there at the first L.
-void scan_column(const ScanInput& input, ScanFolder& folder, axisym::Branch branch,
-                 const Neighbour& ssh) {
-  if (input.has(Model::SSH))
-    for (std::size_t k = 1; k < input.L.size(); ++k) {
-      const PointKey key{ssh.at.reduced_volume, input.L[k], Model::SSH, branch};
-      if (!point(folder, key, [&] { return rescale_to(case_of(input, key), ssh); })) return;
-    }
-  if (input.has(Model::SBEH)) scan_order_column(input, folder, branch, ssh);
+void scan_column(Scan& scan, Branch branch, const Neighbour& ssh) {
+  const auto rescaled = [&](const StationaryCase& of) { return rescale_to(of, ssh); };
+  if (scan.input.has(Model::SSH))
+    for (std::size_t k = 1; k < scan.input.L.size(); ++k)
+      if (!scan.point({ssh.at.reduced_volume, scan.input.L[k], Model::SSH, branch}, rescaled))
+        return;
+  if (scan.input.has(Model::SBEH)) scan_order_column(scan, branch, ssh);
 }
 
-// Without an SSH shape nothing of a reduced volume can be reached: all its points share the reason.
-void give_up_column(const ScanInput& input, ScanFolder& folder, double v, axisym::Branch branch,
-                    const PointResult& ssh) {
-  for (const double L : input.L)
-    for (const Model model : input.models) {
-      const PointKey key{v, L, model, branch};
-      point(folder, key, [&] {
-        PointOutcome outcome =
-            failed_point(case_of(input, key), "no SSH shape to start from: " + ssh.stop_reason);
-        outcome.row.status = ssh.status;
-        return outcome;
-      });
-    }
-}
-
-void scan_spheres(const ScanInput& input, ScanFolder& folder, axisym::Branch branch) {
-  for (const double L : input.L)
-    for (const Model model : input.models) {
-      const PointKey key{1, L, model, branch};
-      point(folder, key, [&] { return sphere_point(case_of(input, key)); });
-    }
+// All points of one reduced volume, each for itself.
+template <class Compute>
+void scan_all_of(Scan& scan, double v, Branch branch, Compute&& compute) {
+  for (const double L : scan.input.L)
+    for (const Model model : scan.input.models) scan.point({v, L, model, branch}, compute);
 }
 
 // Reduced volumes in the order in which the chain of SSH shapes reaches them: up from the entry, then
@@ -168,27 +141,31 @@ std::vector<double> chain_of(const std::vector<double>& volumes, double entry) {
 
 // SSH's shapes along the chain; `branch_off` is called with each of them.
 template <class BranchOff>
-void walk_chain(const ScanInput& input, ScanFolder& folder, axisym::Branch branch,
-                BranchOff&& branch_off) {
-  const double L = input.L.front();
-  const auto entry = enter_branch(case_of(input, {axisym::entry_volume, L, Model::SSH, branch}));
-  const double entry_volume = entry ? entry->at.reduced_volume : axisym::entry_volume;
+void walk_chain(Scan& scan, Branch branch, BranchOff&& branch_off) {
+  const double L = scan.input.L.front();
+  const auto entry = enter_branch(case_of(scan.input, {entry_volume, L, Model::SSH, branch}));
+  const double first_volume = entry ? entry->at.reduced_volume : entry_volume;
   std::optional<Neighbour> last = entry;
   bool below = false;
-  for (const double v : chain_of(input.reduced_volume, entry_volume)) {
+  for (const double v : chain_of(scan.input.reduced_volume, first_volume)) {
     if (interrupt_signal()) return;
-    if (v <= entry_volume && !std::exchange(below, true)) last = entry;
+    if (v <= first_volume && !std::exchange(below, true)) last = entry;
     const PointKey key{v, L, Model::SSH, branch};
-    const auto compute = [&] {
-      const axisym::StationaryCase of = case_of(input, key);
+    const auto compute = [&](const StationaryCase& of) {
       return last ? follow_to(of, *last)
                   : failed_point(of, "Newton's method failed at the entry of the branch");
     };
     const std::optional<PointOutcome> ssh =
-        input.has(Model::SSH) ? point(folder, key, compute) : compute();
+        scan.input.has(Model::SSH) ? scan.point(key, compute) : compute(case_of(scan.input, key));
     if (!ssh) return;
     if (ssh->row.status != PointStatus::stationary) {
-      give_up_column(input, folder, v, branch, ssh->row);
+      // Without it nothing of this reduced volume can be reached: all its points share the reason.
+      scan_all_of(scan, v, branch, [&](const StationaryCase& of) {
+        PointOutcome outcome =
+            failed_point(of, "no SSH shape to start from: " + ssh->row.stop_reason);
+        outcome.row.status = ssh->row.status;
+        return outcome;
+      });
       continue;
     }
     last = Neighbour{{v, L}, *ssh->state};
@@ -197,36 +174,38 @@ void walk_chain(const ScanInput& input, ScanFolder& folder, axisym::Branch branc
 }
 
 // One chain of SSH shapes along V_r; columns along L branch off it and run in parallel.
-void scan_by_newton(const ScanInput& input, ScanFolder& folder, axisym::Branch branch) {
+void scan_by_newton(Scan& scan, Branch branch) {
   tbb::task_group columns;
   columns.run([&] {
-    walk_chain(input, folder, branch, [&](const Neighbour& ssh) {
-      columns.run([&input, &folder, branch, ssh] { scan_column(input, folder, branch, ssh); });
+    walk_chain(scan, branch, [&](const Neighbour& ssh) {
+      columns.run([&scan, branch, ssh] { scan_column(scan, branch, ssh); });
     });
-    if (input.reduced_volume.back() == 1) scan_spheres(input, folder, branch);
+    if (scan.input.reduced_volume.back() == 1) scan_all_of(scan, 1, branch, sphere_point);
   });
   columns.wait();
 }
 
-void scan_by_flow(const ScanInput& input, ScanFolder& folder) {
-  const std::vector<PointKey> keys = points_of(input);
+void scan_by_flow(Scan& scan) {
+  const std::vector<PointKey> keys = points_of(scan.input);
   tbb::parallel_for(std::size_t(0), keys.size(), [&](std::size_t k) {
-    if (interrupt_signal() || folder.has(keys[k])) return;
+    if (interrupt_signal() || scan.has(keys[k])) return;
     std::vector<SeriesRow> history;
-    const axisym::StationaryCase of = case_of(input, keys[k]);
-    const auto outcome = of.reduced_volume == 1 ? std::optional(sphere_point(of))
-                                                : flow_to_rest(of, input.flow_end_time, history);
+    const StationaryCase of = case_of(scan.input, keys[k]);
+    const auto outcome = of.reduced_volume == 1
+                           ? std::optional(sphere_point(of))
+                           : flow_to_rest(of, scan.input.flow_end_time, history);
     if (!outcome) return;
-    write_file(folder.series_path(keys[k]), table_text(series_columns(), history));
-    folder.keep(*outcome);
+    write_file(scan.file_of(keys[k], ".series.csv"), table_text(series_columns(), history));
+    scan.keep(*outcome);
   });
 }
 
 // The lines of the diagram and the lowest branches, from the finished points; not when interrupted.
-void write_lines(const ScanInput& input, ScanFolder& folder) {
-  const PointLookup point = [&](const PointKey& key) { return folder.finished(key); };
+void write_lines(Scan& scan) {
+  const ScanInput& input = scan.input;
+  const PointLookup point = [&](const PointKey& key) { return scan.finished(key); };
   const auto write = [&](std::string_view name, const auto& columns, const auto& rows) {
-    if (!interrupt_signal()) folder.write(name, table_text(columns, rows));
+    if (!interrupt_signal()) write_file(scan.folder / name, table_text(columns, rows));
   };
   std::vector<axisym::RimRecord> beyond;
   if (input.has(Model::SBEH)) {
@@ -236,37 +215,37 @@ void write_lines(const ScanInput& input, ScanFolder& folder) {
       beyond = find_beyond_fold(input, folds);
       write("beyond_fold.csv", rim_columns(), beyond);
       for (const auto& state : beyond)
-        folder.write("beyond_fold/" + stem(state) + ".csv", profile_text(state.state));
+        write_file(scan.folder / ("beyond_fold/" + stem(state) + ".csv"),
+                   profile_text(state.state));
     }
   }
   if (input.branches.size() > 1)
     write("equal_energy.csv", equal_energy_columns(), find_equal_energies(input, point));
   if (input.branches.size() > 1 || input.beyond_fold)
-    write("lowest.csv", lowest_columns(), find_lowest(input, folder.table(), beyond));
+    write("lowest.csv", lowest_columns(), find_lowest(input, scan.table, beyond));
 }
 
 }  // namespace
 
-ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& path,
-                     std::string_view version) {
+ScanSummary run_scan(const ScanInput& input, const fs::path& path, std::string_view version) {
   const Stopwatch watch;
-  ScanFolder folder(input, path, version);
+  Scan scan(input, path, version);
   ScanSummary summary;
   if (input.method == Method::flow)
-    scan_by_flow(input, folder);
+    scan_by_flow(scan);
   else
-    for (axisym::Branch branch : input.branches) scan_by_newton(input, folder, branch);
-  folder.progress().finish();
-  if (input.method == Method::newton) write_lines(input, folder);
-  folder.table().sort();
+    for (const Branch branch : input.branches) scan_by_newton(scan, branch);
+  scan.progress.finish();
+  if (input.method == Method::newton) write_lines(scan);
+  scan.table.sort();
 
-  for (const auto& [key, row] : folder.table().rows()) {
+  for (const auto& [key, row] : scan.table.rows()) {
     ++summary.points;
     summary.stationary += row.status == PointStatus::stationary;
     summary.unresolved += row.status == PointStatus::unresolved;
     summary.failed += row.status == PointStatus::failed;
   }
-  summary.computed = folder.computed();
+  summary.computed = scan.computed;
   summary.interrupted = interrupt_signal() != 0;
   summary.seconds = watch.seconds();
   return summary;

@@ -52,7 +52,7 @@ TEST(Html, shows_a_long_table_with_its_first_and_last_row) {
 
 TEST(Chart, leaves_out_what_an_axis_cannot_show) {
   constexpr auto log = AxisScale::logarithmic;
-  const ChartFrame frame{.title = "a & b", .x_name = "t", .x = log, .y = log};
+  const ChartFrame frame{.title = "a & b", .x = log, .y = log};
   EXPECT_EQ(svg_chart(frame, {}), "");
   EXPECT_EQ(svg_chart(frame, {{"one", {0, 1, 2}, {1, -1, 3}}}), "");
   const std::string text = svg_chart(frame, {{"one", {0, 1, 10, 20}, {1, 1, NAN, 3}}});
@@ -65,18 +65,17 @@ TEST(Chart, leaves_out_lines_of_rounding_on_a_logarithmic_axis) {
   constexpr auto log = AxisScale::logarithmic;
   const std::vector<ChartLine> lines{{"large", {1, 2}, {1, 1e-10}},
                                      {"rounding", {1, 2}, {1e-28, 1e-30}}};
-  const std::string text = svg_chart({.title = "c", .x_name = "t", .y = log}, lines);
+  const std::string text = svg_chart({.title = "c", .y = log}, lines);
   EXPECT_NE(text.find("large"), std::string::npos);
   EXPECT_NE(text.find("1e-10"), std::string::npos);
   EXPECT_EQ(text.find("rounding"), std::string::npos);
   EXPECT_EQ(text.find("1e-20"), std::string::npos);
-  EXPECT_NE(svg_chart({.title = "c", .x_name = "t"}, lines).find("rounding"), std::string::npos);
+  EXPECT_NE(svg_chart({.title = "c"}, lines).find("rounding"), std::string::npos);
 }
 
 TEST(Chart, of_a_constant_has_ticks) {
   for (const double constant : {0., 2. / 3, -1e9, 1e-12}) {
-    const std::string text =
-        svg_chart({.title = "c", .x_name = "t"}, {{"c", {0, 1}, {constant, constant}}});
+    const std::string text = svg_chart({.title = "c"}, {{"c", {0, 1}, {constant, constant}}});
     EXPECT_NE(text.find("text-anchor=\"end\""), std::string::npos) << constant;
     EXPECT_LT(text.size(), 5000u) << constant;
   }
