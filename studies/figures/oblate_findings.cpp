@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <functional>
 #include <map>
 #include <optional>
@@ -17,10 +18,13 @@ using model::Model;
 namespace {
 
 using Point = std::pair<double, double>;  // V_r, L
-using Key = std::tuple<Solver, Model, Point>;
+using Histories = std::map<std::tuple<Solver, Model, Point>, History>;
 
-std::map<Key, History> histories_of(const std::vector<EnergyRow>& energy) {
-  std::map<Key, History> histories;
+// A quantity over the grid, where it is known.
+using Values = std::map<Point, double>;
+
+Histories histories_of(const std::vector<EnergyRow>& energy) {
+  Histories histories;
   for (const EnergyRow& row : energy) {
     History& h = histories[{row.solver, row.model, {row.reduced_volume, row.L}}];
     h.ended = row.at_rest.has_value();
@@ -35,14 +39,13 @@ std::map<Key, History> histories_of(const std::vector<EnergyRow>& energy) {
 struct Growth {
   int with_L = 0, of_L = 0, with_volume = 0, of_volume = 0;
   bool everywhere() const { return with_L == of_L && with_volume == of_volume; }
-  bool any() const { return of_L + of_volume > 0; }
   std::string text() const {
     return fmt::format("grows in {} of {} steps of L and {} of {} steps down in V_r", with_L, of_L,
                        with_volume, of_volume);
   }
 };
 
-Growth growth_of(const std::map<Point, double>& values) {
+Growth growth_of(const Values& values) {
   std::set<double> volumes, lengths;
   for (const auto& [point, value] : values) {
     volumes.insert(point.first);
@@ -69,12 +72,23 @@ std::string point_text(const Point& at) {
   return fmt::format("V_r = {:.4g}, L = {:.4g}", at.first, at.second);
 }
 
+const Values::value_type& least(const Values& values) {
+  return *std::ranges::min_element(values, {}, &Values::value_type::second);
+}
+const Values::value_type& largest(const Values& values) {
+  return *std::ranges::max_element(values, {}, &Values::value_type::second);
+}
+
+std::string text_of(const Values::value_type& at, int digits) {
+  return fmt::format("{:.{}f} ({})", at.second, digits, point_text(at.first));
+}
+
 // ---- figure 1 -----------------------------------------------------------------------------------
 
 // An energy that falls is written with rounding errors of 1e-13 of itself.
 constexpr double rounding = 1e-12;
 
-Finding falling_energies(const std::map<Key, History>& histories, Solver solver) {
+Finding falling_energies(const Histories& histories, Solver solver) {
   int count = 0, falling = 0;
   double rise = -HUGE_VAL;
   for (const auto& [key, h] : histories) {
@@ -83,16 +97,15 @@ Finding falling_energies(const std::map<Key, History>& histories, Solver solver)
     falling += h.largest_rise() <= rounding * std::abs(h.last());
     rise = std::max(rise, h.largest_rise());
   }
-  return {falling == count ? fmt::format("{}: the energy falls in {} of {} histories", name(solver),
-                                         falling, count)
-                           : fmt::format("{}: the energy falls in {} of {} histories, and rises "
-                                         "by {:.1e} at most from one time to the next",
-                                         name(solver), falling, count, rise),
+  const std::string rises =
+      fmt::format(", and rises by {:.1e} at most from one time to the next", rise);
+  return {fmt::format("{}: the energy falls in {} of {} histories{}", name(solver), falling, count,
+                      falling == count ? "" : rises),
           "energies fall in all runs", count > 0 ? agrees(falling == count) : Agreement::open};
 }
 
-std::map<Point, double> gaps_at_rest(const std::map<Key, History>& histories) {
-  std::map<Point, double> gaps;
+Values gaps_at_rest(const Histories& histories) {
+  Values gaps;
   for (const auto& [key, sbeh] : histories) {
     const auto& [solver, model, point] = key;
     const auto ssh = histories.find({solver, Model::SSH, point});
@@ -103,7 +116,7 @@ std::map<Point, double> gaps_at_rest(const std::map<Key, History>& histories) {
   return gaps;
 }
 
-Finding ends_at_rest(const std::map<Key, History>& histories, Solver solver) {
+Finding ends_at_rest(const Histories& histories, Solver solver) {
   int ended = 0, at_rest = 0;
   double last = 0;
   for (const auto& [key, h] : histories) {
@@ -117,7 +130,7 @@ Finding ends_at_rest(const std::map<Key, History>& histories, Solver solver) {
           "all runs converge to a stationary shape", agrees(at_rest == ended)};
 }
 
-Finding order_of_models(const std::map<Key, History>& histories) {
+Finding order_of_models(const Histories& histories) {
   int times = 0, lower = 0;
   for (const auto& [key, sbeh] : histories) {
     const auto& [solver, model, point] = key;
@@ -133,7 +146,7 @@ Finding order_of_models(const std::map<Key, History>& histories) {
           "SBEH has the lower energy at all times", agrees(lower == times)};
 }
 
-std::optional<Finding> against_axisymmetric(const std::map<Key, History>& histories) {
+std::optional<Finding> against_axisymmetric(const Histories& histories) {
   int count = 0;
   double worst = 0;
   Point at;
@@ -158,27 +171,13 @@ std::optional<Finding> against_axisymmetric(const std::map<Key, History>& histor
 
 // ---- figure 2 -----------------------------------------------------------------------------------
 
-// A quantity over the grid, where it is known.
 template <class Quantity>
-std::map<Point, double> values_of(const std::vector<ShapeRow>& shapes, Quantity quantity) {
-  std::map<Point, double> values;
+Values values_of(const std::vector<ShapeRow>& shapes, Quantity quantity) {
+  Values values;
   for (const ShapeRow& row : shapes)
     if (const double value = std::invoke(quantity, row); std::isfinite(value))
       values[{row.reduced_volume, row.L}] = value;
   return values;
-}
-
-struct Span {
-  double least = HUGE_VAL, largest = -HUGE_VAL;
-  Point at_least{}, at_largest{};
-};
-Span span_of(const std::map<Point, double>& values) {
-  Span span;
-  for (const auto& [point, value] : values) {
-    if (value < span.least) std::tie(span.least, span.at_least) = std::pair(value, point);
-    if (value > span.largest) std::tie(span.largest, span.at_largest) = std::pair(value, point);
-  }
-  return span;
 }
 
 double distance_in_3d(const ShapeRow& row) { return row.in_3d ? row.in_3d->distance : not_known; }
@@ -196,7 +195,7 @@ Finding shapes_in_3d(const std::vector<ShapeRow>& shapes) {
   return {fmt::format("{} of {} shapes in 3D, {} of them at rest; largest differences from the "
                       "axisymmetric ones: energy {:.1e}, smallest order {:.1e}, distance {:.1e}",
                       distances.size(), shapes.size(), at_rest, energy, order,
-                      span_of(distances).largest),
+                      largest(distances).second),
           "", Agreement::open};
 }
 
@@ -215,11 +214,10 @@ std::vector<Finding> energy_findings(const std::vector<EnergyRow>& energy) {
   if (!gaps.empty()) {
     findings.push_back(order_of_models(histories));
     const Growth growth = growth_of(gaps);
-    const Span span = span_of(gaps);
-    findings.push_back({fmt::format("U(SSH) − U(SBEH) at rest: {:.5f} ({}) to {:.5f} ({}); it {}",
-                                    span.least, point_text(span.at_least), span.largest,
-                                    point_text(span.at_largest), growth.text()),
-                        "the gap widens as L grows and as V_r falls", agrees(growth.everywhere())});
+    findings.push_back(
+        {fmt::format("U(SSH) − U(SBEH) at rest: {} to {}; it {}", text_of(least(gaps), 5),
+                     text_of(largest(gaps), 5), growth.text()),
+         "the gap widens as L grows and as V_r falls", agrees(growth.everywhere())});
   }
   if (const auto in_space = against_axisymmetric(histories)) findings.push_back(*in_space);
   return findings;
@@ -232,25 +230,22 @@ std::vector<Finding> shapes_findings(const std::vector<ShapeRow>& shapes) {
              order = values_of(shapes, &ShapeRow::order_min),
              radius = values_of(shapes, &ShapeRow::order_min_radius);
   if (own.empty() || same.empty() || order.empty() || radius.empty()) return findings;
-  const Span apart = span_of(own);
+  const double change = largest(same).second, nearest = least(radius).second;
   // The last digits depend on when an evolution counts as at rest.
-  findings.push_back(
-      {fmt::format("SSH's shapes for different L are {:.1e} apart at most", span_of(same).largest),
-       "SSH's shapes are the same for all L", agrees(span_of(same).largest < 1e-2 * apart.least)});
-  findings.push_back(
-      {fmt::format("SBEH's shapes are {:.4f} ({}) to {:.4f} ({}) away from SSH's; that {}",
-                   apart.least, point_text(apart.at_least), apart.largest,
-                   point_text(apart.at_largest), growth_of(own).text()),
-       "they differ more as L grows and as V_r falls", agrees(growth_of(own).everywhere())});
-  std::map<Point, double> loss;
+  findings.push_back({fmt::format("SSH's shapes for different L are {:.1e} apart at most", change),
+                      "SSH's shapes are the same for all L",
+                      agrees(change < 1e-2 * least(own).second)});
+  const Growth apart = growth_of(own);
+  findings.push_back({fmt::format("SBEH's shapes are {} to {} away from SSH's; that {}",
+                                  text_of(least(own), 4), text_of(largest(own), 4), apart.text()),
+                      "they differ more as L grows and as V_r falls", agrees(apart.everywhere())});
+  Values loss;
   for (const auto& [point, value] : order) loss[point] = -value;
-  const Span orders = span_of(order);
-  findings.push_back({fmt::format("smallest order {:.4f} ({}) to {:.4f} ({}); its loss {}",
-                                  orders.largest, point_text(orders.at_largest), orders.least,
-                                  point_text(orders.at_least), growth_of(loss).text()),
-                      "order falls with growing L and falling V_r",
-                      agrees(growth_of(loss).everywhere())});
-  const double nearest = span_of(radius).least;
+  const Growth growth = growth_of(loss);
+  findings.push_back(
+      {fmt::format("smallest order {} to {}; its loss {}", text_of(largest(order), 4),
+                   text_of(least(order), 4), growth.text()),
+       "order falls with growing L and falling V_r", agrees(growth.everywhere())});
   findings.push_back(
       {fmt::format("order is least at {:.3f} of the equator's radius or farther out", nearest),
        "order is least at the rim", agrees(nearest > 0.95)});

@@ -51,26 +51,25 @@ std::vector<FoldRow> fold_of(const ScanInput& input, axisym::Branch branch, doub
 }
 
 // Newton on the difference of two branches' energies, from states at the same reduced volume.
-std::optional<EqualEnergyRow> meet(const ScanInput& input, Model model, double L,
-                                   const PointOutcome& first, const PointOutcome& second,
-                                   double lowest, double highest) {
+std::optional<EqualEnergyRow> meet(const ScanInput& input, const PointOutcome& first,
+                                   const PointOutcome& second, double lowest, double highest) {
   const std::array<const PointOutcome*, 2> points{&first, &second};
   std::array<std::optional<axisym::BranchState>, 2> at;
-  const double start = first.row.key.reduced_volume;
   for (std::size_t k = 0; k < 2; ++k) {
-    at[k] = settled(input.material.with_L(L), model, {{start, L}, *points[k]->state});
+    at[k] = settled(case_of(input, points[k]->row.key), *points[k]->state);
     if (!at[k]) return {};
   }
-  double v = start;
+  auto [v, L, model, branch] = first.row.key;
+  const model::Material material = input.material.with_L(L);
   for (int iteration = 0; iteration < 10; ++iteration) {
     std::array<double, 2> energy{};
     for (std::size_t k = 0; k < 2; ++k)
-      energy[k] = axisym::diagnose(input.material.with_L(L), at[k]->solution.state).energy.total();
+      energy[k] = axisym::diagnose(material, at[k]->solution.state).energy.total();
     const double slope = (at[0]->solution.pressure - at[1]->solution.pressure)
                        * (axisym::target_of(1).volume - axisym::target_of(0).volume);
     const double step = (energy[0] - energy[1]) / slope;
     if (std::abs(step) < 1e-9)
-      return EqualEnergyRow{first.row.key.branch, second.row.key.branch, L, v, energy[0]};
+      return EqualEnergyRow{branch, second.row.key.branch, L, v, energy[0]};
     v = std::clamp(v - step, lowest, highest);
     for (auto& state : at) {
       const auto moved = axisym::follow(input.material, model, *state, {v, L}, input.numerics);
@@ -96,7 +95,7 @@ std::vector<EqualEnergyRow> meetings_at(const ScanInput& input, Model model, dou
         }
         const double gap = a->row.diagnostics->energy.total() - b->row.diagnostics->energy.total();
         if (gap * gap_before < 0)
-          if (const auto row = meet(input, model, L, *a, *b, v_before, v)) rows.push_back(*row);
+          if (const auto row = meet(input, *a, *b, v_before, v)) rows.push_back(*row);
         gap_before = gap;
         v_before = v;
       }

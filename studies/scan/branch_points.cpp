@@ -25,6 +25,12 @@ PointKey key_of(const StationaryCase& of) {
   return {of.reduced_volume, of.L(), of.model, of.branch};
 }
 
+StationaryCase at_place(StationaryCase of, const PlanePoint& place) {
+  of.reduced_volume = place.reduced_volume;
+  of.material = of.material.with_L(place.L);
+  return of;
+}
+
 // What a state is, apart from the branch that led to it.
 PointOutcome stationary(const StationaryCase& of, const State& state) {
   PointOutcome point{{.key = key_of(of),
@@ -33,22 +39,22 @@ PointOutcome stationary(const StationaryCase& of, const State& state) {
                       .stop_reason = "stationary"},
                      state};
   PointResult& row = point.row;
-  const axisym::Diagnostics& d = *row.diagnostics;
-  const axisym::ShapeClass shape = axisym::classify(state.X);
-  row.shape = sbeh::name(shape);
+  const double resolution = row.diagnostics->resolution;
+  row.shape = axisym::name(axisym::classify(state.X));
   row.self_contact = axisym::crosses_itself(state.X);
-  if (d.resolution > axisym::resolution_limit) {
-    row.status = PointStatus::unresolved;
-    row.stop_reason =
-        fmt::format("|H| times node spacing is {:.2f} at the rim, more than {}: use more elements",
-                    d.resolution, axisym::resolution_limit);
-  } else if (row.self_contact) {
-    row.status = PointStatus::unresolved;
-    row.stop_reason = "the surface passes through itself: contact is not in the model";
-  } else if (row.shape != name(of.branch)) {
-    row.status = PointStatus::failed;
-    row.stop_reason = fmt::format("the state found is of class {}: the branch was left", row.shape);
-  }
+  const auto is = [&](PointStatus status, std::string reason) {
+    row.status = status;
+    row.stop_reason = std::move(reason);
+  };
+  if (resolution > axisym::resolution_limit)
+    is(PointStatus::unresolved,
+       fmt::format("|H| times node spacing is {:.2f} at the rim, more than {}: use more elements",
+                   resolution, axisym::resolution_limit));
+  else if (row.self_contact)
+    is(PointStatus::unresolved, "the surface passes through itself: contact is not in the model");
+  else if (row.shape != name(of.branch))
+    is(PointStatus::failed,
+       fmt::format("the state found is of class {}: the branch was left", row.shape));
   return point;
 }
 
@@ -79,8 +85,7 @@ PointOutcome outcome_of(const StationaryCase& of, const BranchState& start,
     return failed_point(of,
                         fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}",
                                     at.reduced_volume, at.L));
-  StationaryCase there = of;
-  there.material = of.material.with_L(at.L);
+  const StationaryCase there = at_place(of, at);
   const axisym::StationaryState& solution = result.state.solution;
   PointOutcome point = stationary(there, solution.state);
   point.solution = solution;
@@ -121,12 +126,12 @@ PointOutcome failed_point(const StationaryCase& of, std::string reason) {
           {}};
 }
 
-std::optional<BranchState> settled(const model::Material& material, Model model,
-                                   const Neighbour& at) {
-  const auto r = axisym::solve_stationary(material, model, axisym::target_of(at.at.reduced_volume),
-                                          axisym::guess_from(material, at.state));
+std::optional<BranchState> settled(const StationaryCase& of, const State& state) {
+  const auto r =
+      axisym::solve_stationary(of.material, of.model, axisym::target_of(of.reduced_volume),
+                               axisym::guess_from(of.material, state));
   if (r.status != axisym::NewtonStatus::converged) return {};
-  return BranchState{.at = at.at,
+  return BranchState{.at = {of.reduced_volume, of.L()},
                      .solution = r.solution,
                      .determinant_sign = r.determinant_sign,
                      .iterations = r.iterations};
@@ -141,7 +146,7 @@ std::optional<Neighbour> enter_branch(const StationaryCase& of) {
 constexpr double largest_fold = 2;  // of L
 
 std::optional<BranchState> fold_above(const StationaryCase& of, const State& state) {
-  const auto start = settled(of.material, of.model, {{of.reduced_volume, of.L()}, state});
+  const auto start = settled(of, state);
   if (!start) return {};
   const auto result = follow_up(of, *start, largest_fold);
   if (result.arrival != axisym::Arrival::fold) return {};
@@ -150,7 +155,7 @@ std::optional<BranchState> fold_above(const StationaryCase& of, const State& sta
 
 PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
   const Stopwatch watch;
-  const auto start = settled(of.material.with_L(from.at.L), of.model, from);
+  const auto start = settled(at_place(of, from.at), from.state);
   if (!start) return failed_point(of, "Newton's method failed at the neighbouring point");
   PointOutcome point = outcome_of(
       of, *start,
@@ -162,7 +167,7 @@ PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
 
 PointOutcome rescale_to(const StationaryCase& of, const Neighbour& from) {
   const Stopwatch watch;
-  const auto state = settled(of.material, of.model, {{of.reduced_volume, of.L()}, from.state});
+  const auto state = settled(of, from.state);
   if (!state) return follow_to(of, from);
   PointOutcome point = outcome_of(of, *state, {axisym::Arrival::reached, *state});
   point.row.wall_seconds = watch.seconds();
@@ -175,8 +180,7 @@ PointOutcome order_from(const StationaryCase& of, const Neighbour& ssh) {
   // well below any fold: beyond one, Newton may find a state of another branch.
   const double first_L = std::min(of.L(), small_L);
   for (double L = first_L; L > first_L / 1000; L /= 2) {
-    const auto first =
-        settled(of.material.with_L(L), of.model, {{of.reduced_volume, L}, ssh.state});
+    const auto first = settled(at_place(of, {of.reduced_volume, L}), ssh.state);
     if (!first) continue;
     PointOutcome point = outcome_of(of, *first, follow_up(of, *first, of.L()));
     point.row.wall_seconds = watch.seconds();
@@ -212,17 +216,22 @@ PointOutcome sphere_point(const StationaryCase& of) {
   return point;
 }
 
-std::optional<PointOutcome> flow_to_rest(const StationaryCase& of, double end_time,
-                                         std::vector<SeriesRow>& history) {
-  const Stopwatch watch;
+axisym::FlowResult flow_from_spheroid(const StationaryCase& of,
+                                      const axisym::FlowSchedule& schedule,
+                                      const axisym::FlowObserver& observe) {
   const axisym::Numerics& n = of.numerics;
   const State start{
       axisym::spheroid(of.reduced_volume, of.branch == Branch::prolate, n.elements, n.grading),
       axisym::Field::Constant(3 * n.elements + 1, model::full_order)};
-  const axisym::FlowSchedule schedule{.end_time = end_time, .output_times = {}};
-  const axisym::FlowResult run = axisym::run_flow(
-      of.material, of.model, start, axisym::target_of(of.reduced_volume), n, schedule,
-      [&](const axisym::FlowRecord& record, const State& state, bool) {
+  return axisym::run_flow(of.material, of.model, start, axisym::target_of(of.reduced_volume), n,
+                          schedule, observe);
+}
+
+std::optional<PointOutcome> flow_to_rest(const StationaryCase& of, double end_time,
+                                         std::vector<SeriesRow>& history) {
+  const Stopwatch watch;
+  const axisym::FlowResult run = flow_from_spheroid(
+      of, {.end_time = end_time}, [&](const axisym::FlowRecord& record, const State& state, bool) {
         history.push_back(series_row(record, axisym::diagnose(of.material, state)));
         return interrupt_signal() == 0;
       });
@@ -231,8 +240,7 @@ std::optional<PointOutcome> flow_to_rest(const StationaryCase& of, double end_ti
   PointOutcome point = stationary(of, run.state);
   point.row.residual = std::max(run.last.normal_speed, run.last.order_speed);
   if (run.stop == axisym::FlowStop::at_rest) {
-    const Neighbour end{{of.reduced_volume, of.L()}, run.state};
-    if (const auto polished = settled(of.material, of.model, end)) {
+    if (const auto polished = settled(of, run.state)) {
       point = outcome_of(of, *polished, {axisym::Arrival::reached, *polished});
       const std::string rest = fmt::format("at rest at t = {:.4g}", run.last.time);
       point.row.stop_reason =

@@ -32,8 +32,8 @@ struct Neighbour {
 PointOutcome failed_point(const axisym::StationaryCase& of, std::string reason);
 
 /// Newton's method from positions and order alone; empty when it fails.
-std::optional<axisym::BranchState> settled(const model::Material& material, model::Model model,
-                                           const Neighbour& at);
+std::optional<axisym::BranchState> settled(const axisym::StationaryCase& of,
+                                           const axisym::State& state);
 
 /// SSH's state from which the branch is followed, at the case's elastic constant; empty when Newton fails.
 std::optional<Neighbour> enter_branch(const axisym::StationaryCase& of);
@@ -61,8 +61,12 @@ std::optional<axisym::BranchState> fold_above(const axisym::StationaryCase& of,
 /// V_r = 1: the sphere, with the uniform order at rest there.
 PointOutcome sphere_point(const axisym::StationaryCase& of);
 
-/// The flow from the spheroid (oblate or prolate) with β = 2/3 to rest until end_time at the latest, polished by
-/// Newton's method. Records every accepted step. Empty when interrupted.
+/// The flow from the spheroid (oblate or prolate) with β = 2/3.
+axisym::FlowResult flow_from_spheroid(const axisym::StationaryCase& of,
+                                      const axisym::FlowSchedule& schedule,
+                                      const axisym::FlowObserver& observe);
+
+/// The same to rest until end_time at the latest, polished by Newton's method. Records every accepted step. Empty when interrupted.
 std::optional<PointOutcome> flow_to_rest(const axisym::StationaryCase& of, double end_time,
                                          std::vector<SeriesRow>& history);
 

@@ -25,22 +25,10 @@ namespace {
 // steps of 1/40 between.
 std::vector<double> volumes_of(Branch branch) {
   std::vector<double> volumes;
-  const auto down = [&](int from, int to) {
-    for (int k = from; k >= to; --k) volumes.push_back(k / 40.);
-  };
-  switch (branch) {
-    case Branch::oblate:
-      down(39, 21);
-      volumes.push_back(0.505);
-      break;
-    case Branch::prolate:
-      down(39, 16);
-      break;
-    case Branch::stomatocyte:
-      volumes.push_back(0.66);
-      down(26, 16);
-      break;
-  }
+  if (branch == Branch::stomatocyte) volumes.push_back(0.66);
+  const int from = branch == Branch::stomatocyte ? 26 : 39, to = branch == Branch::oblate ? 21 : 16;
+  for (int k = from; k >= to; --k) volumes.push_back(k / 40.);
+  if (branch == Branch::oblate) volumes.push_back(0.505);
   return volumes;
 }
 
@@ -48,11 +36,9 @@ template <class Shapes, class Points>
 WitnessReport report(std::string name, Shapes&& shapes_of, Points&& points) {
   const Stopwatch watch;
   WitnessReport r{std::move(name), {}, {}, 0};
-  for (const Branch branch : values_of(Branch{})) {
-    const auto volumes = volumes_of(branch);
-    const std::vector<ClassicalShape> shapes = shapes_of(branch, volumes);
-    r.shapes.insert(r.shapes.end(), shapes.begin(), shapes.end());
-  }
+  for (const Branch branch : values_of(Branch{}))
+    for (const ClassicalShape& shape : shapes_of(branch, volumes_of(branch)))
+      r.shapes.push_back(shape);
   r.points = points();
   r.seconds = watch.seconds();
   return r;
@@ -89,19 +75,13 @@ Disagreement disagreement(const WitnessReport& a, const WitnessReport& b, Branch
 
 SpecialPoints agreed_points(const std::vector<WitnessReport>& witnesses) {
   SpecialPoints points{};
-  for (const NamedPoint& point : special_point_names()) {
-    const auto& best =
-        std::min_element(witnesses.begin(), witnesses.end(),
-                         [&](const WitnessReport& a, const WitnessReport& b) {
-                           return (a.points.*point.member).error < (b.points.*point.member).error;
-                         })
-            ->points
-        .*point.member;
-    SpecialPoint agreed = best;
-    for (const WitnessReport& w : witnesses)
-      agreed.error = std::max(
-          agreed.error, std::abs((w.points.*point.member).reduced_volume - best.reduced_volume));
-    points.*point.member = agreed;
+  for (const auto& [name, member] : special_point_names()) {
+    std::vector<SpecialPoint> each;
+    for (const WitnessReport& w : witnesses) each.push_back(w.points.*member);
+    SpecialPoint& agreed = points.*member;
+    agreed = *std::ranges::min_element(each, {}, &SpecialPoint::error);
+    for (const SpecialPoint& point : each)
+      agreed.error = std::max(agreed.error, std::abs(point.reduced_volume - agreed.reduced_volume));
   }
   return points;
 }

@@ -3,7 +3,6 @@
 #include "axisym/curvature.h"
 #include "axisym/shooting/seifert_shooting.h"
 #include "axisym/spectral/minimiser.h"
-#include "axisym/start_shapes.h"
 #include "studies/io/interrupt.h"
 #include "studies/scan/branch_points.h"
 
@@ -108,20 +107,15 @@ WitnessState newton_state(const StationaryCase& of) {
 }
 
 WitnessState flow_state(const StationaryCase& of, const std::vector<double>& times) {
-  constexpr double end_time = 200;
-  const axisym::Numerics& n = of.numerics;
-  const axisym::Nodes X = axisym::spheroid(of.reduced_volume, of.branch == axisym::Branch::prolate,
-                                           n.elements, n.grading);
   WitnessState found{.witness = Witness::flow};
-  const axisym::FlowResult run = axisym::run_flow(
-      of.material, of.model, {X, axisym::Field::Constant(X.cols(), model::full_order)},
-      axisym::target_of(of.reduced_volume), n, {.end_time = end_time, .output_times = times},
-      [&](const axisym::FlowRecord& record, const axisym::State&, bool exact) {
-        if (exact) found.history.push_back({record.time, record.energy.total()});
-        return interrupt_signal() == 0;
-      });
+  const axisym::FlowResult run =
+      flow_from_spheroid(of, {.end_time = 200, .output_times = times},
+                         [&](const axisym::FlowRecord& record, const axisym::State&, bool exact) {
+                           if (exact) found.history.push_back({record.time, record.energy.total()});
+                           return interrupt_signal() == 0;
+                         });
   if (run.stop == axisym::FlowStop::interrupted) throw Interrupted("interrupted");
-  found.remark = fmt::format("{} elements, {} at t = {:.4g} after {} steps", n.elements,
+  found.remark = fmt::format("{} elements, {} at t = {:.4g} after {} steps", of.numerics.elements,
                              axisym::describe(run.stop), run.last.time, run.steps);
   if (run.stop != axisym::FlowStop::at_rest) {
     found.failure = found.remark;
