@@ -37,8 +37,7 @@ struct CompareInput {
 /// Throws InputError.
 CompareInput read_compare(const std::filesystem::path& path);
 
-/// The whole input, defaults included, as TOML under a comment with the program's version: reading the text
-/// gives the same input, bit for bit.
+/// The whole input, as that of a scan (scan_input.h).
 std::string describe(const CompareInput& input, std::string_view version);
 
 }  // namespace sbeh::studies

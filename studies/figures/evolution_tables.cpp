@@ -29,15 +29,6 @@ const FrameEntry* nearest_frame(const std::vector<FrameEntry>& frames, double in
   return nearest;
 }
 
-double energy_of_oblate(const RunInput& input, double reduced_volume, double residual_stiffness) {
-  axisym::StationaryCase oblate{.model = input.model,
-                                .reduced_volume = reduced_volume,
-                                .material = input.material,
-                                .numerics = {}};
-  oblate.material.residual_stiffness = residual_stiffness;
-  return newton_state(oblate).measures.energy;
-}
-
 // Energies of the stationary oblate: with the run's residual stiffness and with none.
 struct Oblates {
   double same = not_known, plain = not_known;
@@ -46,9 +37,13 @@ struct Oblates {
 Oblates oblates_of(const FoundRun& run) {
   const auto series = read_rows(series_columns(), run.folder / "series.csv");
   if (series.empty()) return {};
-  const double v = series.front().reduced_volume;
-  return {energy_of_oblate(run.input, v, run.input.material.residual_stiffness),
-          energy_of_oblate(run.input, v, 0)};
+  axisym::StationaryCase oblate{.model = run.input.model,
+                                .reduced_volume = series.front().reduced_volume,
+                                .material = run.input.material};
+  Oblates energies{.same = newton_state(oblate).measures.energy};
+  oblate.material.residual_stiffness = 0;
+  energies.plain = newton_state(oblate).measures.energy;
+  return energies;
 }
 
 EvolutionState state_of(const FoundRun& run, const FrameEntry& entry, const Oblates& oblates,

@@ -190,14 +190,6 @@ PointOutcome order_from(const StationaryCase& of, const Neighbour& ssh) {
                       "Newton's method found no ordered state near the SSH shape, even at small L");
 }
 
-PointOutcome beyond_fold(const PointKey& key, const PointOutcome& fold) {
-  PointOutcome point = fold;
-  point.row.key = key;
-  point.row.steps = 0;
-  point.row.wall_seconds = 0;
-  return point;
-}
-
 PointOutcome sphere_point(const StationaryCase& of) {
   const Stopwatch watch;
   const std::optional<double> order =

@@ -50,9 +50,6 @@ inline constexpr double small_L = 1e-5;
 /// The first SBEH state at a reduced volume, from SSH's: at a small L, then along the branch.
 PointOutcome order_from(const axisym::StationaryCase& of, const Neighbour& ssh);
 
-/// The point beyond a fold: the fold's row and state under another L.
-PointOutcome beyond_fold(const PointKey& key, const PointOutcome& fold);
-
 /// The fold in which the branch of SBEH ends as L grows, from the case's state; empty when there is none below
 /// L = 2.
 std::optional<axisym::BranchState> fold_above(const axisym::StationaryCase& of,

@@ -96,18 +96,21 @@ struct Scan {
 void scan_order_column(Scan& scan, Branch branch, const Neighbour& ssh) {
   const double v = ssh.at.reduced_volume;
   std::optional<Neighbour> last;
-  std::optional<PointOutcome> fold;
+  std::optional<PointOutcome> fold;  // beyond it its row and state stand under each L
   for (const double L : scan.input.L) {
     const PointKey key{v, L, Model::SBEH, branch};
     const auto outcome = scan.point(key, [&](const StationaryCase& of) {
-      if (fold) return beyond_fold(key, *fold);
+      if (fold) return fold->row.key = key, *fold;
       return last ? follow_to(of, *last) : order_from(of, ssh);
     });
     if (!outcome) return;
-    if (outcome->row.status == PointStatus::stationary)
+    if (outcome->row.status == PointStatus::stationary) {
       last = Neighbour{{v, L}, *outcome->state};
-    else if (outcome->row.status == PointStatus::unresolved && !fold)
+    } else if (outcome->row.status == PointStatus::unresolved && !fold) {
       fold = outcome;
+      fold->row.steps = 0;
+      fold->row.wall_seconds = 0;
+    }
   }
 }
 

@@ -1,8 +1,12 @@
-// How far a surface is from one of revolution about z, mode by mode.
+// How far a surface is from one of revolution about z, mode by mode, and how fast a small perturbation grows or
+// decays.
 #pragma once
 
 #include "model/names.h"
 #include "surface3d/surface.h"
+
+#include <optional>
+#include <vector>
 
 namespace sbeh::studies {
 
@@ -22,5 +26,26 @@ enum class Roundness {
 constexpr auto names(Roundness) { return std::array{"oblate", "prolate", "triaxial"}; }
 /// Two moments count as equal when they differ by less than 5 % of the range of all three.
 Roundness roundness_of(const surface3d::Triangulation& mesh, const surface3d::Nodes& X);
+
+struct AmplitudeAt {
+  double time, amplitude;  ///< amplitude >= 0
+};
+
+/// d(ln amplitude)/dt by least squares over a window.
+struct GrowthRate {
+  double rate = 0;
+  double error = 0;         ///< half the range of the rates over the thirds of the window
+  double from = 0, to = 0;  ///< the window
+};
+
+/// Amplitudes that are still small enough for the linear regime, and large enough to be more than noise:
+/// both as multiples of the first one.
+inline constexpr double most_growth = 3, most_decay = 0.2;
+
+/// The window ends where the amplitude leaves the linear regime, or with the history, and begins at 0,
+/// 1/16, 1/8, 1/4 or 1/2 of that time, wherever the rates over the thirds of the window agree best: what is
+/// left of faster modes decays first. Times ascending. Empty where fewer than four amplitudes would be in a
+/// third, or the first is 0.
+std::optional<GrowthRate> fit_growth(const std::vector<AmplitudeAt>& history);
 
 }  // namespace sbeh::studies

@@ -44,8 +44,7 @@ std::vector<StabilityKey> keys_of(const StabilityInput& input);
 /// Throws InputError.
 StabilityInput read_stability(const std::filesystem::path& path);
 
-/// The whole input, defaults included, as TOML under a comment with the program's version: reading the text
-/// gives the same input, bit for bit.
+/// The whole input, as that of a scan (scan_input.h).
 std::string describe(const StabilityInput& input, std::string_view version);
 
 }  // namespace sbeh::studies

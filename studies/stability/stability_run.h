@@ -2,7 +2,6 @@
 #pragma once
 
 #include "studies/io/growing_table.h"
-#include "studies/stability/growth_rate.h"
 #include "studies/stability/mode_amplitude.h"
 #include "studies/stability/stability_input.h"
 

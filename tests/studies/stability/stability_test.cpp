@@ -4,7 +4,6 @@
 
 #include "meshing/revolution.h"
 #include "studies/evolution/run_start.h"
-#include "studies/stability/growth_rate.h"
 #include "studies/stability/mode_amplitude.h"
 #include "surface3d/harmonic/surface.h"
 
