@@ -60,11 +60,6 @@ std::vector<WitnessState> states_of(const CompareInput& input, const fs::path& f
 
 // ---- profiles -----------------------------------------------------------------------------------
 
-// What the others are measured from.
-const Meridian* reference_of(const std::vector<WitnessState>& states) {
-  return first_of(states, &WitnessState::meridian);
-}
-
 // Moves points along the axis to where they are nearest to the curve, by least squares.
 void align(Eigen::Matrix2Xd& points, const Meridian& curve) {
   for (int iteration = 0; iteration < 8; ++iteration) {
@@ -147,17 +142,10 @@ std::vector<Comparison> compare(const CompareInput& input, const WitnessState& a
 
 std::vector<PlacedPoint> all_placed(const std::vector<WitnessState>& states) {
   std::vector<PlacedPoint> points;
-  if (const Meridian* reference = reference_of(states))
+  if (const Meridian* reference = first_of(states, &WitnessState::meridian))
     for (const WitnessState& state : states)
       for (const PlacedPoint& point : placed(state, *reference)) points.push_back(point);
   return points;
-}
-
-std::vector<HistoryRow> all_histories(const std::vector<WitnessState>& states) {
-  std::vector<HistoryRow> rows;
-  for (const WitnessState& state : states)
-    for (const EnergyAt& at : state.history) rows.push_back({state.witness, at});
-  return rows;
 }
 
 void write_tables(const OutputFolder& folder, const CompareSummary& summary) {
@@ -166,8 +154,10 @@ void write_tables(const OutputFolder& folder, const CompareSummary& summary) {
   };
   write("profiles.csv", placed_columns(), all_placed(summary.states));
   write("methods.csv", method_columns(), summary.states);
-  if (const auto histories = all_histories(summary.states); !histories.empty())
-    write("histories.csv", history_columns(), histories);
+  std::vector<HistoryRow> histories;
+  for (const WitnessState& state : summary.states)
+    for (const EnergyAt& at : state.history) histories.push_back({state.witness, at});
+  if (!histories.empty()) write("histories.csv", history_columns(), histories);
   write("compare.csv", comparison_columns(), summary.comparisons);
 }
 
@@ -224,12 +214,7 @@ double Comparison::judged() const {
 
 bool Comparison::misses() const { return tolerance && !(judged() <= *tolerance); }
 
-bool CompareSummary::agrees() const {
-  return std::all_of(states.begin(), states.end(),
-                     [](const WitnessState& s) { return s.failure.empty(); })
-      && std::none_of(comparisons.begin(), comparisons.end(),
-                      [](const Comparison& c) { return c.misses(); });
-}
+bool CompareSummary::agrees() const { return complaints(*this).empty(); }
 
 CompareSummary run_compare(const CompareInput& input, const fs::path& path,
                            std::string_view version) {
@@ -237,7 +222,7 @@ CompareSummary run_compare(const CompareInput& input, const fs::path& path,
   refuse_results(folder, {"run.toml", "compare.csv", "scan.csv", "series.csv", "branches.csv"});
   CompareSummary summary{.states = states_of(input, folder / "surface3d.vtu"), .comparisons = {}};
   std::vector<WitnessState>& states = summary.states;
-  if (const Meridian* reference = reference_of(states))
+  if (const Meridian* reference = first_of(states, &WitnessState::meridian))
     for (WitnessState& state : states)
       if (!state.meridian && state.points.size() > 0) align(state.points, *reference);
   for (std::size_t i = 0; i < states.size(); ++i)

@@ -86,14 +86,10 @@ SpecialPoints agreed_points(const std::vector<WitnessReport>& witnesses) {
   return points;
 }
 
-std::vector<BranchRow> all_shapes(const std::vector<WitnessReport>& witnesses) {
-  std::vector<BranchRow> rows;
-  for (const WitnessReport& w : witnesses)
-    for (const ClassicalShape& shape : w.shapes) rows.push_back({w.witness, shape});
-  return rows;
-}
-
 void write_tables(const OutputFolder& folder, const SeifertSummary& summary) {
+  std::vector<BranchRow> shapes;
+  for (const WitnessReport& w : summary.witnesses)
+    for (const ClassicalShape& shape : w.shapes) shapes.push_back({w.witness, shape});
   std::vector<PointRow> points, each;
   for (const NamedPoint& p : special_point_names()) {
     points.push_back({"", p.name, summary.points.*p.member});
@@ -103,7 +99,7 @@ void write_tables(const OutputFolder& folder, const SeifertSummary& summary) {
   const auto write = [&](std::string_view name, const auto& columns, const auto& rows) {
     write_file(folder / name, table_text(columns, rows));
   };
-  write("branches.csv", branch_columns(), all_shapes(summary.witnesses));
+  write("branches.csv", branch_columns(), shapes);
   write("points.csv", point_columns(), points);
   write("points_by_witness.csv", witness_point_columns(), each);
   write("differences.csv", disagreement_columns(), summary.disagreements);

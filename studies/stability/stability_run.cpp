@@ -38,10 +38,6 @@ meshing::Harmonic perturbation_of(const StabilityInput& input, const StabilityKe
                        [&](const auto& mode) { return mode.l == key.l && mode.m == key.m; });
 }
 
-bool decays(const std::optional<GrowthRate>& growth) {
-  return growth && growth->rate < -growth->error;
-}
-
 // Sees every step; ends the run when the fate of the perturbation is clear.
 class Observer {
  public:
@@ -60,7 +56,8 @@ class Observer {
       const double reference =
           std::max(amplitudes.front().amplitude, most_settling * history.front().amplitude);
       decayed = amplitude < most_decay * reference;
-      steadily = decayed && decays(fit_growth(amplitudes));
+      const auto growth = decayed ? fit_growth(amplitudes) : std::nullopt;
+      steadily = growth && growth->rate < -growth->error;
       has_grown = amplitude > grown * reference;
     }
     if (has_grown) {
