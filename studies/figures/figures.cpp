@@ -122,7 +122,7 @@ Summary make_figures(const Request& request, std::string_view version) {
   for (const Figure figure : request.figures)
     summary.missing.emplace_back(figure, write_tables(figure, sources));
   std::vector<FigureRow> rows;
-  for (const Figure figure : all_figures)
+  for (const Figure figure : values_of(Figure{}))
     for (const Finding& finding : findings_of(figure, request.folder))
       rows.push_back({.figure = number(figure),
                       .command = fmt::format("sbeh figures {}", name(figure)),

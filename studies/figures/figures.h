@@ -1,6 +1,7 @@
 // The paper's figures from their inputs: the runs that are missing, tables, and what came out.
 #pragma once
 
+#include "model/names.h"
 #include "studies/figures/tables.h"
 
 namespace sbeh::studies::figures {
@@ -30,11 +31,7 @@ Summary make_figures(const Request& request, std::string_view version);
 // ---- what came out, beside what the paper says --------------------------------------------------
 
 enum class Agreement { yes, no, open };  ///< open: the paper does not say, or the runs cannot tell
-constexpr auto values_of(Agreement) {
-  return std::array{Agreement::yes, Agreement::no, Agreement::open};
-}
-/// "yes", "no" or "–".
-const char* name(Agreement agreement);
+constexpr auto names(Agreement) { return std::array{"yes", "no", "–"}; }
 inline Agreement agrees(bool it_does) { return it_does ? Agreement::yes : Agreement::no; }
 
 struct Finding {

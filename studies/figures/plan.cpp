@@ -52,7 +52,7 @@ Inputs read_inputs(const fs::path& folder, std::optional<int> triangles) {
 bool needs_scan(Figure figure) { return figure == Figure::energy || figure == Figure::shapes; }
 
 PlannedRun oblate_run(const Inputs& inputs, const PointKey& key) {
-  PlannedRun run{fmt::format("oblates_3d/{}_v{:.6g}_L{:.6g}", model::name(key.model),
+  PlannedRun run{fmt::format("oblates_3d/{}_v{:.6g}_L{:.6g}", sbeh::name(key.model),
                              key.reduced_volume, key.L),
                  inputs.oblate_3d};
   run.input.model = key.model;

@@ -83,8 +83,8 @@ Fact count(const std::string& what, const std::vector<Row>& rows, Is is) {
 }
 
 // Of rows of scans and studies of stability.
-std::string model_of(const auto& row) { return model::name(row.key.model); }
-std::string branch_of(const auto& row) { return axisym::name(row.key.branch); }
+std::string model_of(const auto& row) { return sbeh::name(row.key.model); }
+std::string branch_of(const auto& row) { return sbeh::name(row.key.branch); }
 std::vector<Fact> facts_of_grid(const auto& rows) {
   return {range("reduced volume", rows, [](const auto& row) { return row.key.reduced_volume; }),
           range("elastic constant L", rows, [](const auto& row) { return row.key.L; })};
@@ -196,7 +196,7 @@ KeyNumbers of_stability(const fs::path& folder) {
                           [&](const Row& row) { return row.verdict == verdict; }));
   facts.push_back(range("rates over κ(2/3)", runs, &Row::reduced_rate));
   for (const Threshold& t : first_rows(threshold_columns(), folder / "thresholds.csv"))
-    facts.push_back({fmt::format("rate 0 of {} {}, L = {}, m = {}", model::name(t.below.model),
+    facts.push_back({fmt::format("rate 0 of {} {}, L = {}, m = {}", sbeh::name(t.below.model),
                                  name(t.below.branch), t.below.L, t.below.m),
                      "V_r = " + text_of(t.reduced_volume)});
   return {fmt::format("Stability in 3D: {} {}", words_of(runs, model_of<Row>),

@@ -131,7 +131,7 @@ std::vector<RimRecord> find_beyond_fold(const ScanInput& input, const std::vecto
 }
 
 std::string stem(const RimRecord& row) {
-  return fmt::format("{}_v{}_L{}", axisym::name(row.kind), row.reduced_volume, row.L);
+  return fmt::format("{}_v{}_L{}", sbeh::name(row.kind), row.reduced_volume, row.L);
 }
 
 std::string profile_text(const axisym::State& state) {

@@ -40,7 +40,7 @@ PointOutcome stationary(const StationaryCase& of, const State& state) {
                      state};
   PointResult& row = point.row;
   const double resolution = row.diagnostics->resolution;
-  row.shape = axisym::name(axisym::classify(state.X));
+  row.shape = sbeh::name(axisym::classify(state.X));
   row.self_contact = axisym::crosses_itself(state.X);
   const auto is = [&](PointStatus status, std::string reason) {
     row.status = status;

@@ -8,14 +8,12 @@
 
 namespace sbeh::studies {
 
-const char* name(Method method) { return method == Method::newton ? "newton" : "flow"; }
-
 bool StateGrid::has(model::Model model) const {
   return std::ranges::find(models, model) != models.end();
 }
 
 std::string stem(const PointKey& key) {
-  return fmt::format("{}_{}_v{}_L{}", model::name(key.model), name(key.branch), key.reduced_volume,
+  return fmt::format("{}_{}_v{}_L{}", sbeh::name(key.model), name(key.branch), key.reduced_volume,
                      key.L);
 }
 

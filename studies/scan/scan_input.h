@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/stationary/stationary_case.h"
+#include "model/names.h"
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"
 

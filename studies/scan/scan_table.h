@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/diagnostics.h"
+#include "model/names.h"
 #include "studies/io/growing_table.h"
 #include "studies/scan/scan_input.h"
 

@@ -1,6 +1,7 @@
 // One perturbed state in 3D: what becomes of it.
 #pragma once
 
+#include "model/names.h"
 #include "studies/io/growing_table.h"
 #include "studies/stability/mode_amplitude.h"
 #include "studies/stability/stability_input.h"
