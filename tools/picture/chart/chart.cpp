@@ -3,12 +3,16 @@
 #include "tools/picture/chart/coloured_line.h"
 
 #include <vtkAxis.h>
+#include <vtkBrush.h>
 #include <vtkChartXY.h>
+#include <vtkContext2D.h>
 #include <vtkDoubleArray.h>
 #include <vtkFloatArray.h>
 #include <vtkNew.h>
+#include <vtkObjectFactory.h>
 #include <vtkPen.h>
 #include <vtkPlotPoints.h>
+#include <vtkPoints2D.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
@@ -49,6 +53,25 @@ vtkNew<vtkTable> table_of(const Points& points) {
   return table;
 }
 
+// Marks of one colour. Those of VTK itself end the program in VTK 9.3, which asks for a colour per point.
+class Marks : public vtkPlotPoints {
+ public:
+  static Marks* New();
+
+  bool Paint(vtkContext2D* painter) override {
+    if (!this->Visible || !this->Points) return false;
+    painter->ApplyPen(this->Pen);
+    painter->ApplyBrush(this->Brush);
+    painter->GetPen()->SetWidth(this->MarkerSize);
+    painter->DrawMarkers(this->MarkerStyle, false,
+                         static_cast<float*>(this->Points->GetVoidPointer(0)),
+                         int(this->Points->GetNumberOfPoints()));
+    return true;
+  }
+};
+
+vtkStandardNewMacro(Marks);
+
 }  // namespace
 
 double below_axis(double text_size) { return 2.5 * text_size + 18.0; }
@@ -88,7 +111,7 @@ void Chart::coloured_curve(const Points& points, const std::vector<Colour>& colo
 
 void Chart::markers(const Points& points, Marker marker, Colour colour, double size) {
   if (points.empty()) return;
-  vtkNew<vtkPlotPoints> plot;
+  vtkNew<Marks> plot;
   plot->SetInputData(table_of(points), 0, 1);
   plot->SetColor(colour.red, colour.green, colour.blue, 255);
   plot->SetMarkerStyle(marker == Marker::cross ? vtkPlotPoints::CROSS : vtkPlotPoints::SQUARE);
