@@ -2,16 +2,10 @@
 // study of stability or of a mesh, and the paper's figures, from the files they leave.
 #include "studies/io/output.h"
 #include "tools/picture/canvas/virtual_display.h"
-#include "tools/picture/evolution/mesh.h"
-#include "tools/picture/evolution/relax.h"
-#include "tools/picture/evolution/run.h"
+#include "tools/picture/evolution/evolution.h"
 #include "tools/picture/figures/figures.h"
-#include "tools/picture/scan/cuts.h"
-#include "tools/picture/scan/diagram.h"
-#include "tools/picture/scan/energy.h"
-#include "tools/picture/studies/classical.h"
-#include "tools/picture/studies/compare.h"
-#include "tools/picture/studies/stability.h"
+#include "tools/picture/scan/scan.h"
+#include "tools/picture/studies/studies.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -36,7 +30,7 @@ Size parse_size(const std::string& text) {
   return size;
 }
 
-void picture_scan(const Options& options) {
+void draw_scan(Canvas& canvas, const Options& options) {
   const ScanGrid scan(options.directory, options.branch);
   if (scan.branches().size() > 1 && options.branch.empty()) {
     fmt::print(
@@ -44,45 +38,55 @@ void picture_scan(const Options& options) {
         "--branch chooses one\n",
         fmt::join(scan.branches(), ", "));
   }
-  Canvas canvas;
   if (options.wants("diagram")) draw_diagram_picture(canvas, scan, options);
   if (options.wants("cuts")) draw_cuts_picture(canvas, scan, options);
   if (options.wants("energy")) draw_energy_picture(canvas, scan, options);
 }
 
-void picture_relaxation(const Options& options) {
-  Canvas canvas;
-  if (options.wants("energy")) draw_relaxation_energy(canvas, options);
-  if (options.wants("shapes")) draw_relaxation_shapes(canvas, options);
-}
+struct Picture {
+  const char* name;  // as in --only
+  void (*draw)(Canvas&, const Options&);
+};
+struct Command {
+  const char *name, *description;
+  std::vector<Picture> pictures;
+};
+const Command commands[] = {
+    {"relax",
+     "energy, shapes from DIR/series.csv, profiles.csv",
+     {{"energy", draw_evolution_energy}, {"shapes", draw_relaxation_shapes}}},
+    {"run",
+     "energy, shapes from DIR/series.csv, frames.csv",
+     {{"energy", draw_evolution_energy}, {"shapes", draw_run_shapes}}},
+    {"seifert",
+     "the classical diagram from DIR/branches.csv, points.csv",
+     {{"branches", draw_classical_diagram}}},
+    {"compare",
+     "profiles of all methods from DIR/profiles.csv",
+     {{"profiles", draw_compared_profiles}}},
+    {"figures",
+     "the paper's figures from the tables of `sbeh figures` in DIR",
+     {{"energy", draw_figure_energy},
+      {"shapes", draw_figure_shapes},
+      {"evolution", draw_figure_evolution},
+      {"measures", draw_figure_measures}}},
+    {"stability",
+     "which states are stable in 3D, from DIR/stability.csv",
+     {{"stability", draw_stability}}},
+};
 
-void picture_run(const Options& options) {
-  Canvas canvas;
-  if (options.wants("energy")) draw_relaxation_energy(canvas, options);
-  if (options.wants("shapes")) draw_run_shapes(canvas, options);
-}
-
-void picture_figures(const Options& options) {
-  using Draw = void (*)(Canvas&, const Options&);
-  constexpr std::pair<const char*, Draw> figures[] = {{"energy", draw_figure_energy},
-                                                      {"shapes", draw_figure_shapes},
-                                                      {"evolution", draw_figure_evolution},
-                                                      {"measures", draw_figure_measures}};
-  Canvas canvas;
-  for (const auto& [name, draw] : figures)
-    if (options.wants(name)) draw(canvas, options);
-}
-
-void add_common_options(CLI::App* command, Options& options, std::string& size,
-                        std::vector<std::string> pictures) {
+CLI::App* add_command(CLI::App& app, const char* name, const char* description, Options& options,
+                      std::string& size, const std::vector<std::string>& pictures) {
+  CLI::App* command = app.add_subcommand(name, description);
   command->add_option("DIR", options.directory, "Folder of the results; the pictures go there")
       ->required();
   command->add_option("--only", options.only, "Only this picture")
-      ->check(CLI::IsMember(std::move(pictures)))
+      ->check(CLI::IsMember(pictures))
       ->allow_extra_args(false);
   command->add_option("--size", size, "Width and height in pixels, e.g. 1600x1200");
   command->add_option("--energy-shift", options.energy_shift,
                       "What is added to the energy before its logarithm, by default 4π");
+  return command;
 }
 
 int run(int count, char** arguments) {
@@ -93,25 +97,14 @@ int run(int count, char** arguments) {
   app.require_subcommand(1);
   Options options;
   std::string size;
-  CLI::App* scan = app.add_subcommand("scan", "diagram, cuts, energy from DIR/scan.csv");
-  add_common_options(scan, options, size, {"diagram", "cuts", "energy"});
+  CLI::App* scan = add_command(app, "scan", "diagram, cuts, energy from DIR/scan.csv", options,
+                               size, {"diagram", "cuts", "energy"});
   scan->add_option("--branch", options.branch, "Only this branch, e.g. oblate");
-  CLI::App* relax = app.add_subcommand("relax", "energy, shapes from DIR/series.csv, profiles.csv");
-  add_common_options(relax, options, size, {"energy", "shapes"});
-  CLI::App* run_3d = app.add_subcommand("run", "energy, shapes from DIR/series.csv, frames.csv");
-  add_common_options(run_3d, options, size, {"energy", "shapes"});
-  CLI::App* seifert =
-      app.add_subcommand("seifert", "the classical diagram from DIR/branches.csv, points.csv");
-  add_common_options(seifert, options, size, {"branches"});
-  CLI::App* compare =
-      app.add_subcommand("compare", "profiles of all methods from DIR/profiles.csv");
-  add_common_options(compare, options, size, {"profiles"});
-  CLI::App* figures =
-      app.add_subcommand("figures", "the paper's figures from the tables of `sbeh figures` in DIR");
-  add_common_options(figures, options, size, {"energy", "shapes", "evolution", "measures"});
-  CLI::App* stability =
-      app.add_subcommand("stability", "which states are stable in 3D, from DIR/stability.csv");
-  add_common_options(stability, options, size, {"stability"});
+  for (const auto& [name, description, pictures] : commands) {
+    std::vector<std::string> names;
+    for (const Picture& picture : pictures) names.emplace_back(picture.name);
+    add_command(app, name, description, options, size, names);
+  }
   CLI::App* mesh = app.add_subcommand("mesh", "a curved mesh from FILE.vtu, into FILE.png");
   mesh->add_option("FILE", options.directory, "Mesh with curved triangles, as sbeh mesh writes it")
       ->required();
@@ -123,26 +116,13 @@ int run(int count, char** arguments) {
   }
   if (!size.empty()) options.size = parse_size(size);
   ensure_display(arguments);
-  if (scan->parsed()) picture_scan(options);
-  if (relax->parsed()) picture_relaxation(options);
-  if (run_3d->parsed()) picture_run(options);
-  if (seifert->parsed()) {
-    Canvas canvas;
-    draw_classical_diagram(canvas, options);
-  }
-  if (compare->parsed()) {
-    Canvas canvas;
-    draw_compared_profiles(canvas, options);
-  }
-  if (figures->parsed()) picture_figures(options);
-  if (stability->parsed()) {
-    Canvas canvas;
-    draw_stability(canvas, options);
-  }
-  if (mesh->parsed()) {
-    Canvas canvas;
-    draw_mesh(canvas, options);
-  }
+  Canvas canvas;
+  if (scan->parsed()) draw_scan(canvas, options);
+  if (mesh->parsed()) draw_mesh(canvas, options);
+  for (const Command& command : commands)
+    if (app.got_subcommand(command.name))
+      for (const Picture& picture : command.pictures)
+        if (options.wants(picture.name)) picture.draw(canvas, options);
   return 0;
 }
 

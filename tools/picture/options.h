@@ -27,6 +27,10 @@ struct Options {
 
   bool wants(const std::string& picture) const;
 
+  /// Of the picture in pixels; without `size` the usual one.
+  double width(double usual) const { return size ? size->width : usual; }
+  double height(double usual) const { return size ? size->height : usual; }
+
   /// The size of letters: for a picture of a given size in proportion to it.
   double text_size() const;
 

@@ -1,7 +1,6 @@
 // The axes of pictures: ticks, labels, cells, and histories on logarithmic ones.
 #include "tools/picture/chart/axis.h"
 
-#include "tools/picture/chart/grid_axis.h"
 #include "tools/picture/chart/history.h"
 
 #include <gtest/gtest.h>

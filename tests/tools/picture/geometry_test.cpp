@@ -1,8 +1,6 @@
 // Lines in pictures: what of them lies in a rectangle, and contours.
 #include "tools/picture/canvas/geometry.h"
 
-#include "tools/picture/scan/contours.h"
-
 #include <gtest/gtest.h>
 
 #include <cmath>

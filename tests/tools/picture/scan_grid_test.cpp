@@ -71,7 +71,7 @@ TEST_F(ScanGridTest, gives_quantities_with_marks_and_regions) {
   EXPECT_TRUE(std::isnan(gap.values[1][0]) && std::isnan(gap.values[1][1]));
   EXPECT_EQ(gap.regions, (std::vector<std::vector<int>>{{0, -1}, {-1, -1}}));
   EXPECT_TRUE(gap.has(Mark::failed));
-  EXPECT_EQ(gap.range(), std::pair(1., 1.));  // the unresolved one is far away
+  EXPECT_EQ(gap.range(), (Range{1, 1}));  // the unresolved one is far away
 }
 
 TEST(EvenlySpread, has_the_first_and_the_last) {

@@ -2,12 +2,12 @@
 
 #include "studies/io/output.h"
 #include "studies/report/html.h"
-#include "tools/picture/canvas/layer.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
 #include <vtkBrush.h>
 #include <vtkContext2D.h>
+#include <vtkContextItem.h>
 #include <vtkContextScene.h>
 #include <vtkContextView.h>
 #include <vtkGL2PSExporter.h>
@@ -30,13 +30,15 @@
 
 #include <cmath>
 #include <fstream>
+#include <map>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace sbeh::picture {
-namespace fs = std::filesystem;
-
 namespace {
+
+namespace fs = std::filesystem;
 
 // The white ground, on which one unit is one pixel: VTK stretches a picture by one pixel over its width
 // and its height, which blurs letters and, with smoothed edges, shows their upper edge once more below.
@@ -63,16 +65,100 @@ class Sheet : public vtkContextItem {
 
 vtkStandardNewMacro(Sheet);
 
+void set_text_style(vtkTextProperty* property, const TextStyle& style) {
+  set_font(property, style.size);
+  property->SetColor(style.colour.red / 255.0, style.colour.green / 255.0,
+                     style.colour.blue / 255.0);
+  property->SetOrientation(style.upward ? 90.0 : 0.0);
+  property->SetVerticalJustificationToCentered();
+  switch (style.align) {
+    case Align::left:
+      property->SetJustificationToLeft();
+      break;
+    case Align::centre:
+      property->SetJustificationToCentered();
+      break;
+    case Align::right:
+      property->SetJustificationToRight();
+      break;
+  }
+}
+
+// Rectangles, lines and texts at pixel positions: what stands between and beside the charts. They are given to
+// VTK as shapes: GL2PS as Debian builds it leaves images out of an SVG.
+class Layer : public vtkContextItem {
+ public:
+  static Layer* New();
+
+  struct Line {
+    std::vector<float> points;
+    LineStyle style;
+    bool joined;  // otherwise a segment between each two points
+  };
+  struct Text {
+    float x, y;
+    std::string text;
+    TextStyle style;
+  };
+  std::map<unsigned, std::vector<float>> quads;  // by colour: one call draws many
+  std::vector<Line> lines;
+  std::vector<Text> texts;
+
+  void add_line(const Points& points, const LineStyle& style, bool joined) {
+    Line line{{}, style, joined};
+    for (const auto& [x, y] : points) line.points.insert(line.points.end(), {float(x), float(y)});
+    if (points.size() > 1) lines.push_back(std::move(line));
+  }
+
+  // Fills first, then lines, then texts.
+  bool Paint(vtkContext2D* painter) override {
+    for (auto& [key, corners] : quads) {
+      painter->GetPen()->SetLineType(vtkPen::NO_PEN);
+      painter->GetBrush()->SetColor(key >> 16u & 255u, key >> 8u & 255u, key & 255u);
+      painter->GetBrush()->SetOpacity(255);
+      painter->GetDevice()->DrawQuad(corners.data(), int(corners.size() / 2));
+    }
+    for (auto& [points, style, joined] : lines) {
+      painter->GetPen()->SetLineType(style.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
+      painter->GetPen()->SetWidth(float(style.width));
+      painter->GetPen()->SetColor(style.colour.red, style.colour.green, style.colour.blue, 255);
+      const int count = int(points.size() / 2);
+      if (joined)
+        painter->DrawPoly(points.data(), count);
+      else
+        painter->DrawLines(points.data(), count);
+    }
+    for (const Text& text : texts) {
+      set_text_style(painter->GetTextProp(), text.style);
+      painter->DrawString(text.x, text.y, text.text.c_str());
+    }
+    return true;
+  }
+};
+
+vtkStandardNewMacro(Layer);
+
+class Image : public vtkContextItem {
+ public:
+  static Image* New();
+
+  vtkSmartPointer<vtkImageData> image;
+  double x = 0.0, y = 0.0;
+
+  bool Paint(vtkContext2D* painter) override {
+    painter->DrawImage(float(x), float(y), image);
+    return true;
+  }
+};
+
+vtkStandardNewMacro(Image);
+
 }  // namespace
 
 struct Canvas::Window {
   vtkNew<vtkContextView> view;
-  vtkSmartPointer<Layer> layer;  // the topmost item, if that is a layer
-  struct Image {
-    vtkSmartPointer<vtkImageData> image;
-    double x, y;
-  };
-  std::vector<Image> images;  // for the SVG
+  vtkSmartPointer<Layer> layer;                // the topmost item, if that is a layer
+  std::vector<vtkSmartPointer<Image>> images;  // for the SVG
 
   Layer& top() {
     if (!layer) {
@@ -92,30 +178,34 @@ Canvas::Canvas() : window_(std::make_unique<Window>()) {
 Canvas::~Canvas() = default;
 
 void Canvas::start(double width, double height) {
-  width_ = std::round(width);
-  height_ = std::round(height);
   window_->view->GetScene()->ClearItems();
   window_->view->GetScene()->AddItem(vtkNew<Sheet>());
   window_->layer = nullptr;
   window_->images.clear();
-  window_->render_window()->SetSize(int(width_), int(height_));
+  window_->render_window()->SetSize(int(std::round(width)), int(std::round(height)));
 }
 
 void Canvas::fill(const Rect& rect, Colour colour) {
-  if (window_->layer && window_->layer->has_ink()) window_->layer = nullptr;
-  window_->top().fill(rect, colour);
+  const Layer* layer = window_->layer;
+  if (layer && !(layer->lines.empty() && layer->texts.empty())) window_->layer = nullptr;
+  const unsigned key = colour.red << 16u | colour.green << 8u | colour.blue;
+  const auto left = float(rect.x), right = float(rect.right());
+  const auto bottom = float(rect.y), top = float(rect.top());
+  auto& quads = window_->top().quads[key];
+  quads.insert(quads.end(), {left, bottom, right, bottom, right, top, left, top});
 }
 
 void Canvas::line(const Points& points, const LineStyle& style) {
-  window_->top().line(points, style);
+  window_->top().add_line(points, style, true);
 }
 
 void Canvas::segments(const Points& ends, const LineStyle& style) {
-  window_->top().segments(ends, style);
+  window_->top().add_line(ends, style, false);
 }
 
 void Canvas::text(double x, double y, const std::string& text, const TextStyle& style) {
-  window_->top().text(x, y, text, style);
+  window_->top().texts.push_back(
+      {float(std::round(x)), float(std::round(y)), displayable(text), style});
 }
 
 double Canvas::text_width(const std::string& text, double size) const {
@@ -132,8 +222,13 @@ void Canvas::add(vtkContextItem* item) {
   window_->layer = nullptr;
 }
 
-void Canvas::embed(vtkImageData* image, double x, double y) {
-  window_->images.push_back({image, x, y});
+void Canvas::image(vtkImageData* image, double x, double y) {
+  vtkNew<Image> item;
+  item->image = image;
+  item->x = x;
+  item->y = y;
+  add(item);
+  window_->images.emplace_back(item);
 }
 
 namespace {
@@ -215,8 +310,10 @@ void Canvas::write(const fs::path& stem, bool with_svg) {
     } else {
       write_svg(window_->render_window(), temporary, name);
       std::string images;
-      for (const auto& [image, x, y] : window_->images)
-        images += svg_image(image, x, height_ - y - image->GetDimensions()[1]);
+      const int height = window_->render_window()->GetSize()[1];
+      for (const auto& item : window_->images)
+        images +=
+            svg_image(item->image, item->x, height - item->y - item->image->GetDimensions()[1]);
       if (!images.empty()) embed_images(temporary, images);
     }
     std::error_code error;

@@ -50,8 +50,6 @@ class Canvas {
 
   /// Begins an empty picture.
   void start(double width, double height);
-  double width() const { return width_; }
-  double height() const { return height_; }
 
   void fill(const Rect& rect, Colour colour);
   void line(const Points& points, const LineStyle& style);
@@ -64,8 +62,9 @@ class Canvas {
   /// An item of VTK's own, for example a chart.
   void add(vtkContextItem* item);
 
-  /// An image that an item shows at (x, y), for the SVG: there it lies below everything that is drawn.
-  void embed(vtkImageData* image, double x, double y);
+  /// An image with its lower left corner at (x, y), pixel by pixel; in the SVG it is embedded as PNG and lies
+  /// below everything that is drawn.
+  void image(vtkImageData* image, double x, double y);
 
   /// Writes `stem`.png and, unless left out, `stem`.svg, each under a temporary name first; throws
   /// std::runtime_error.
@@ -74,8 +73,6 @@ class Canvas {
  private:
   struct Window;
   std::unique_ptr<Window> window_;
-  double width_ = 0.0;
-  double height_ = 0.0;
 };
 
 /// Sets the letters of any text that VTK draws, axes included.

@@ -1,7 +1,9 @@
-// Points, rectangles, and what of a line lies in a rectangle.
+// Points, rectangles, ranges; what of a line lies in a rectangle; contour lines.
 #pragma once
 
+#include <algorithm>
 #include <array>
+#include <limits>
 #include <vector>
 
 namespace sbeh::picture {
@@ -18,11 +20,29 @@ struct Rect {
   double top() const { return y + height; }
   double centre_x() const { return x + 0.5 * width; }
   double centre_y() const { return y + 0.5 * height; }
+  Points outline() const { return {{x, y}, {right(), y}, {right(), top()}, {x, top()}, {x, y}}; }
+};
+
+/// Of the values included; empty at first.
+struct Range {
+  double low = std::numeric_limits<double>::infinity();
+  double high = -std::numeric_limits<double>::infinity();
+
+  double width() const { return high - low; }
+  void include(double value) {
+    low = std::min(low, value);
+    high = std::max(high, value);
+  }
+  bool operator==(const Range&) const = default;
 };
 
 double length_of(const Points& line);
 
 /// The pieces of a line that lie in the rectangle.
 std::vector<Points> clipped(const Points& line, const Rect& inside);
+
+/// values[i][j] at (x[i], y[j]), NaN where there is none; only cells with four values have contours.
+std::vector<Points> contour_lines(const std::vector<double>& x, const std::vector<double>& y,
+                                  const std::vector<std::vector<double>>& values, double level);
 
 }  // namespace sbeh::picture

@@ -1,7 +1,5 @@
 #include "tools/picture/chart/chart.h"
 
-#include "tools/picture/chart/coloured_line.h"
-
 #include <vtkAxis.h>
 #include <vtkBrush.h>
 #include <vtkChartXY.h>
@@ -11,7 +9,7 @@
 #include <vtkNew.h>
 #include <vtkObjectFactory.h>
 #include <vtkPen.h>
-#include <vtkPlotPoints.h>
+#include <vtkPlotLine.h>
 #include <vtkPoints2D.h>
 #include <vtkStringArray.h>
 #include <vtkTable.h>
@@ -53,24 +51,34 @@ vtkNew<vtkTable> table_of(const Points& points) {
   return table;
 }
 
-// Marks of one colour. Those of VTK itself end the program in VTK 9.3, which asks for a colour per point.
-class Marks : public vtkPlotPoints {
+// A line with a colour per point, or marks of one colour. VTK's own lines have one colour, and its marks end the
+// program in VTK 9.3, which asks for a colour per point.
+class Plot : public vtkPlotLine {
  public:
-  static Marks* New();
+  static Plot* New();
+
+  std::vector<unsigned char> colours;  // of the points: red, green, blue, opacity (GL2PS wants all)
 
   bool Paint(vtkContext2D* painter) override {
     if (!this->Visible || !this->Points) return false;
+    auto* points = static_cast<float*>(this->Points->GetVoidPointer(0));
+    const auto n = std::size_t(this->Points->GetNumberOfPoints());
     painter->ApplyPen(this->Pen);
-    painter->ApplyBrush(this->Brush);
-    painter->GetPen()->SetWidth(this->MarkerSize);
-    painter->DrawMarkers(this->MarkerStyle, false,
-                         static_cast<float*>(this->Points->GetVoidPointer(0)),
-                         int(this->Points->GetNumberOfPoints()));
+    if (colours.empty()) {
+      painter->ApplyBrush(this->Brush);
+      painter->GetPen()->SetWidth(this->MarkerSize);
+      painter->DrawMarkers(this->MarkerStyle, false, points, int(n));
+      return true;
+    }
+    std::vector<float> middles;  // the pieces between them close the gaps at the joints
+    for (std::size_t i = 2; i < 2 * n; ++i) middles.push_back(0.5f * (points[i - 2] + points[i]));
+    painter->DrawPoly(middles.data(), int(n - 1), colours.data(), 4);
+    painter->DrawPoly(points, int(n), colours.data(), 4);
     return true;
   }
 };
 
-vtkStandardNewMacro(Marks);
+vtkStandardNewMacro(Plot);
 
 }  // namespace
 
@@ -102,16 +110,17 @@ void Chart::curve(const Points& points, const LineStyle& style) {
 
 void Chart::coloured_curve(const Points& points, const std::vector<Colour>& colours, double width) {
   if (points.size() < 2) return;
-  vtkNew<ColouredLine> plot;
+  vtkNew<Plot> plot;
   plot->SetInputData(table_of(points), 0, 1);
-  plot->set_colours(colours);
+  for (const Colour& c : colours)
+    plot->colours.insert(plot->colours.end(), {c.red, c.green, c.blue, 255});
   plot->GetPen()->SetWidth(float(width));
   chart_->AddPlot(plot);
 }
 
 void Chart::markers(const Points& points, Marker marker, Colour colour, double size) {
   if (points.empty()) return;
-  vtkNew<Marks> plot;
+  vtkNew<Plot> plot;
   plot->SetInputData(table_of(points), 0, 1);
   plot->SetColor(colour.red, colour.green, colour.blue, 255);
   plot->SetMarkerStyle(marker == Marker::cross ? vtkPlotPoints::CROSS : vtkPlotPoints::SQUARE);

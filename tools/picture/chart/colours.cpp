@@ -29,9 +29,9 @@ constexpr int table_size = 64;
 
 }  // namespace
 
-ColourMap::ColourMap(Palette palette, double low, double high)
-    : scale_(linear_axis(low, high, 1.0, tick_distance)) {
-  if (high - low > 1e-9 * std::abs(high)) scale_ = cropped(scale_, low, high);
+ColourMap::ColourMap(Palette palette, const Range& range)
+    : scale_(linear_axis(range.low, range.high, 1.0, tick_distance)) {
+  if (range.width() > 1e-9 * std::abs(range.high)) scale_ = cropped(scale_, range.low, range.high);
   vtkNew<vtkColorTransferFunction> function;
   const std::size_t used = palette == Palette::lines ? viridis.size() - 1 : viridis.size();
   for (std::size_t i = 0; i < used; ++i) {
@@ -49,8 +49,8 @@ ColourMap::ColourMap(Palette palette, double low, double high)
 }
 
 Colour ColourMap::operator()(double value) const {
-  const double fraction = (value - scale_.low) / (scale_.high - scale_.low);
-  return table_[std::size_t(std::lround(std::clamp(fraction, 0.0, 1.0) * (table_size - 1)))];
+  const double fraction = std::clamp(scale_.share(value), 0.0, 1.0);
+  return table_[std::size_t(std::lround(fraction * (table_size - 1)))];
 }
 
 void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
@@ -64,16 +64,11 @@ void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
                 map(value));
   }
   const LineStyle thin{.colour = dark_grey, .width = 1.2};
-  canvas.line({{rect.x, rect.y},
-               {rect.right(), rect.y},
-               {rect.right(), rect.top()},
-               {rect.x, rect.top()},
-               {rect.x, rect.y}},
-              thin);
+  canvas.line(rect.outline(), thin);
   const double spacing = rect.height * tick_distance;
   const auto stride = std::size_t(std::ceil(1.2 * text_size / spacing));
   for (std::size_t i = 0; i < axis.ticks.size(); i += stride) {
-    const double y = rect.y + (axis.ticks[i] - axis.low) / (axis.high - axis.low) * rect.height;
+    const double y = rect.y + axis.share(axis.ticks[i]) * rect.height;
     canvas.line({{rect.right(), y}, {rect.right() + 0.3 * text_size, y}}, thin);
     canvas.text(rect.right() + 0.5 * text_size, y, axis.labels[i],
                 {.size = 0.85 * text_size, .align = Align::left});
@@ -82,6 +77,13 @@ void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
   if (!title.empty()) {
     canvas.text(x, rect.centre_y(), title, {.size = text_size, .upward = true});
   }
+}
+
+void draw_short_bar(Canvas& canvas, double x, const Range& room, const ColourMap& map,
+                    const std::string& title, double text_size) {
+  const double length = std::min(room.width(), 18.0 * text_size);
+  draw_colour_bar(canvas, {x, 0.5 * (room.low + room.high - length), text_size, length}, map, title,
+                  text_size);
 }
 
 double colour_bar_margin(const Canvas& canvas, const ColourMap& map, bool title, double text_size) {
@@ -93,7 +95,7 @@ double colour_bar_margin(const Canvas& canvas, const ColourMap& map, bool title,
 }
 
 std::vector<Colour> line_colours(std::size_t count) {
-  const ColourMap map(Palette::lines, 0.0, 1.0);
+  const ColourMap map(Palette::lines, {0.0, 1.0});
   std::vector<Colour> colours;
   for (std::size_t i = 0; i < count; ++i) {
     colours.push_back(map(count == 1 ? 1.0 : 0.08 + 0.92 * double(i) / double(count - 1)));

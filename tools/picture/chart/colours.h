@@ -17,8 +17,8 @@ enum class Palette {
 
 class ColourMap {
  public:
-  /// For values from `low` to `high`; a range of no width is widened.
-  ColourMap(Palette palette, double low, double high);
+  /// For values in a range; one of no width is widened.
+  ColourMap(Palette palette, const Range& range);
 
   /// The range and the ticks of the bar.
   const Axis& scale() const { return scale_; }
@@ -32,6 +32,10 @@ class ColourMap {
 /// The bar fills `rect`; its numbers and then its title stand to the right.
 void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
                      const std::string& title, double text_size);
+
+/// A bar with its left side at `x`, in the middle of the room from below to above, at most 18 letters high.
+void draw_short_bar(Canvas& canvas, double x, const Range& room, const ColourMap& map,
+                    const std::string& title, double text_size);
 
 /// Width of the numbers and the title beside a bar.
 double colour_bar_margin(const Canvas& canvas, const ColourMap& map, bool title, double text_size);

@@ -62,8 +62,7 @@ LegendEntry coloured_line_entry(const ColourMap& map, double width, std::string 
 
 LegendEntry marker_entry(Marker marker, Colour colour, std::string text) {
   const auto sample = [=](Canvas& canvas, const Rect& r) {
-    const Axis unit{.low = 0.0, .high = 1.0, .title = {}, .ticks = {}, .labels = {}};
-    Chart(canvas, r, 1.0, unit, unit).markers({{0.5, 0.5}}, marker, colour, 0.6 * r.height);
+    Chart(canvas, r, 1.0, {}, {}).markers({{0.5, 0.5}}, marker, colour, 0.6 * r.height);
   };
   return {sample, std::move(text)};
 }

@@ -1,23 +1,16 @@
-#include "tools/picture/evolution/mesh.h"
-
 #include "meshing/curvature.h"
 #include "meshing/measures.h"
 #include "studies/mesh_files/mesh_file.h"
-#include "tools/picture/canvas/image.h"
+#include "tools/picture/evolution/evolution.h"
 #include "tools/picture/surface/scene.h"
 
 #include <fmt/format.h>
-#include <vtkImageData.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace sbeh::picture {
-
 namespace {
-
-constexpr double usual_width = 1600.0, usual_height = 880.0;
 
 studies::CurvedFile read(const std::filesystem::path& file) {
   studies::MeshFile mesh = studies::read_mesh(file);
@@ -47,7 +40,7 @@ ColourMap colours_of(const Eigen::VectorXd& values) {
   const double low = sorted[cut], high = sorted[sorted.size() - 1 - cut];
   const double room = std::max(high - low, 0.02 * std::max(std::abs(low), std::abs(high)));
   const double middle = (low + high) / 2;
-  return {Palette::surfaces, middle - room / 2, middle + room / 2};
+  return {Palette::surfaces, {middle - room / 2, middle + room / 2}};
 }
 
 }  // namespace
@@ -60,24 +53,20 @@ void draw_mesh(Canvas& canvas, const Options& options) {
   const ColourMap colours = colours_of(quantity.values);
 
   const double text = options.text_size();
-  const double width = options.size ? options.size->width : usual_width;
-  const double height = options.size ? options.size->height : usual_height;
+  const double width = options.width(1600.0), height = options.height(880.0);
   canvas.start(width, height);
   const double bar = 2.5 * text + colour_bar_margin(canvas, colours, true, text);
   const double top = 3.2 * text, bottom = 2.0 * text;
   const double side = std::floor(std::min((width - bar - text) / 2, height - top - bottom));
   const double left = std::max(0.0, (width - bar - 2 * side) / 2);
 
-  const Eigen::Vector3d middle =
-      (mesh.nodes.rowwise().maxCoeff() + mesh.nodes.rowwise().minCoeff()) / 2;
-  const double half_width = 1.06 * (mesh.nodes.colwise() - middle).colwise().norm().maxCoeff();
-  const std::array<View, 2> views{{{{0.5, -1.0, 0.45}, {0, 0, 1}}, {{0, 0, 1}, {0, 1, 0}}}};
-  const std::array<std::string, 2> titles{"from the side", "along the z axis"};
-  for (std::size_t k = 0; k < views.size(); ++k) {
-    draw_image(canvas, render(mesh, quantity.values, colours, views[k], half_width, int(side)),
-               left + double(k) * side, bottom);
-    canvas.text(left + (double(k) + 0.5) * side, 1.1 * text, titles[k],
-                {.size = 0.85 * text, .colour = dark_grey});
+  double x = left;
+  for (const auto& [view, title] :
+       {std::pair(side_view, "from the side"), {top_view, "along the z axis"}}) {
+    draw_surface(canvas, {x, bottom, side, side}, mesh, quantity.values, colours, view,
+                 1.06 * radius_of(mesh), Edges::shown);
+    canvas.text(x + 0.5 * side, 1.1 * text, title, {.size = 0.85 * text, .colour = dark_grey});
+    x += side;
   }
   const double area = meshing::area(mesh), volume = meshing::volume(mesh);
   canvas.text(
@@ -85,10 +74,8 @@ void draw_mesh(Canvas& canvas, const Options& options) {
       fmt::format("{}: {} triangles of order {}, A = {:.5g}, Vᵣ = {:.4f}", path.filename().string(),
                   mesh.triangle_count(), mesh.order, area, meshing::reduced_volume(area, volume)),
       {.size = 1.15 * text});
-  const double length = std::min(18.0 * text, side);
-  draw_colour_bar(canvas,
-                  {left + 2 * side + 0.4 * text, bottom + (side - length) / 2, text, length},
-                  colours, quantity.title, text);
+  draw_short_bar(canvas, left + 2 * side + 0.4 * text, {bottom, bottom + side}, colours,
+                 quantity.title, text);
   canvas.write(std::filesystem::path(path).replace_extension(), false);
 }
 

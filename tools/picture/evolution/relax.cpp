@@ -1,10 +1,9 @@
-#include "tools/picture/evolution/relax.h"
-
 #include "studies/states/profile_file.h"
 #include "studies/states/series_file.h"
 #include "tools/picture/chart/history.h"
 #include "tools/picture/chart/legend.h"
-#include "tools/picture/section/panels.h"
+#include "tools/picture/evolution/evolution.h"
+#include "tools/picture/section/cut.h"
 #include "tools/picture/surface/frames.h"
 
 #include <fmt/format.h>
@@ -48,7 +47,7 @@ std::vector<Part> parts_of(const std::vector<studies::SeriesRow>& series, const 
 
 }  // namespace
 
-void draw_relaxation_energy(Canvas& canvas, const Options& options) {
+void draw_evolution_energy(Canvas& canvas, const Options& options) {
   const auto series =
       studies::read_rows(studies::series_columns(), options.directory / "series.csv");
   std::vector<double> time;
@@ -74,8 +73,7 @@ void draw_relaxation_energy(Canvas& canvas, const Options& options) {
   }
   const HistoryAxes axes = history_axes(curves, "energy");
   const double text = options.text_size();
-  const double width = options.size ? options.size->width : 1000.0;
-  const double height = options.size ? options.size->height : 700.0;
+  const double width = options.width(1000.0), height = options.height(700.0);
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double below = below_axis(text) + 0.8 * text + legend_at;
   canvas.start(width, height);
@@ -107,8 +105,7 @@ void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
   const std::size_t columns = count <= most_in_a_row ? count : (count + 1) / 2;
   const double right = 3.0 * text + colour_bar_margin(canvas, colours, true, text);
   const double margins = text + right;
-  const double width =
-      options.size ? options.size->width : std::min(1600.0, margins + 360.0 * double(columns));
+  const double width = options.width(std::min(1600.0, margins + 360.0 * double(columns)));
   const double cell_width = (width - margins) / double(columns);
   const double title = 3.2 * text;  // with the gap below the row
   std::vector<double> halves;       // largest half height of each row
@@ -123,7 +120,7 @@ void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
     const double room = std::max(options.size->height - fixed, 0.1 * options.size->height);
     scale = std::min(scale, room / sum);
   }
-  const double height = options.size ? options.size->height : fixed + sum * scale;
+  const double height = options.height(fixed + sum * scale);
 
   canvas.start(width, height);
   double top = height - 0.5 * (height - fixed - sum * scale) - 0.5 * text;
@@ -136,9 +133,8 @@ void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
     canvas.text(cell.centre_x(), top - text, "t = " + short_number(frames[i].time), {.size = text});
     if ((i + 1) % columns == 0) top -= row_height;
   }
-  const double length = std::min(height - 3.0 * text, 18.0 * text);
-  draw_colour_bar(canvas, {width - right + 1.4 * text, 0.5 * (height - length), text, length},
-                  colours, "order β", text);
+  draw_short_bar(canvas, width - right + 1.4 * text, {1.5 * text, height - 1.5 * text}, colours,
+                 "order β", text);
   canvas.write(options.directory / "shapes");
 }
 

@@ -1,19 +1,13 @@
-#include "tools/picture/evolution/run.h"
-
-#include "tools/picture/canvas/image.h"
-#include "tools/picture/chart/axis.h"
+#include "tools/picture/evolution/evolution.h"
 #include "tools/picture/surface/frames.h"
 #include "tools/picture/surface/scene.h"
 
 #include <fmt/format.h>
-#include <vtkImageData.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 
 namespace sbeh::picture {
-
 namespace {
 
 constexpr std::size_t most_shapes = 10, most_in_a_row = 5;
@@ -21,7 +15,7 @@ constexpr std::size_t most_shapes = 10, most_in_a_row = 5;
 struct Shown {
   std::vector<studies::CurvedFile> states;
   std::string field, title;
-  double low = 0, high = 0;
+  Range range;
 };
 
 Shown read_states(const std::vector<studies::FrameEntry>& frames) {
@@ -30,14 +24,14 @@ Shown read_states(const std::vector<studies::FrameEntry>& frames) {
   const auto set_range = [&](const char* field, const char* title) {
     shown.field = field;
     shown.title = title;
-    shown.low = shown.high = shown.states.front().fields.at(field)(0, 0);
+    shown.range = {};
     for (const auto& state : shown.states) {
-      shown.low = std::min(shown.low, state.fields.at(field).minCoeff());
-      shown.high = std::max(shown.high, state.fields.at(field).maxCoeff());
+      shown.range.include(state.fields.at(field).minCoeff());
+      shown.range.include(state.fields.at(field).maxCoeff());
     }
   };
   set_range("order", "order β");
-  if (shown.high - shown.low < 1e-6) set_range("mean_curvature", "mean curvature H = tr B");
+  if (shown.range.width() < 1e-6) set_range("mean_curvature", "mean curvature H = tr B");
   return shown;
 }
 
@@ -51,17 +45,16 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
     return;
   }
   const Shown shown = read_states(frames);
-  const ColourMap colours{Palette::surfaces, shown.low, shown.high};
+  const ColourMap colours{Palette::surfaces, shown.range};
   const double text = options.text_size();
   const std::size_t count = frames.size();
   const std::size_t columns = count <= most_in_a_row ? count : (count + 1) / 2;
   const std::size_t rows = (count + columns - 1) / columns;
   const double right = 3.0 * text + colour_bar_margin(canvas, colours, true, text);
-  const double width = options.size ? options.size->width : right + text + 330.0 * double(columns);
+  const double width = options.width(right + text + 330.0 * double(columns));
   const double side = std::floor((width - right - text) / double(columns));
   const double title = 2.2 * text;
-  const double height =
-      options.size ? options.size->height : double(rows) * (2 * side + title) + text;
+  const double height = options.height(double(rows) * (2 * side + title) + text);
   canvas.start(width, height);
 
   double half_width = 0;
@@ -70,7 +63,6 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
     half_width = std::max(half_width,
                           1.03 * (state.mesh.nodes.colwise() - middle).colwise().norm().maxCoeff());
   }
-  const std::array<View, 2> views{{{{0.5, -1.0, 0.45}, {0, 0, 1}}, {{0, 0, 1}, {0, 1, 0}}}};
   for (std::size_t i = 0; i < count; ++i) {
     const double x = text + double(i % columns) * side;
     double top = height - double(i / columns) * (2 * side + title);
@@ -79,16 +71,13 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
     top -= title;
     const studies::CurvedFile& state = shown.states[i];
     const Eigen::VectorXd values = state.fields.at(shown.field).row(0).transpose();
-    for (const View& view : views) {
+    for (const View& view : {side_view, top_view}) {
       top -= side;
-      draw_image(canvas,
-                 render(state.mesh, values, colours, view, half_width, int(side), Edges::hidden), x,
-                 top);
+      draw_surface(canvas, {x, top, side, side}, state.mesh, values, colours, view, half_width);
     }
   }
-  const double length = std::min(height - 3.0 * text, 18.0 * text);
-  draw_colour_bar(canvas, {width - right + 1.4 * text, 0.5 * (height - length), text, length},
-                  colours, shown.title, text);
+  draw_short_bar(canvas, width - right + 1.4 * text, {1.5 * text, height - 1.5 * text}, colours,
+                 shown.title, text);
   canvas.write(options.directory / "shapes", false);
 }
 

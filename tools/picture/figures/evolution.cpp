@@ -1,19 +1,15 @@
 #include "studies/figures/tables.h"
-#include "tools/picture/canvas/image.h"
-#include "tools/picture/chart/axis.h"
 #include "tools/picture/figures/figures.h"
 #include "tools/picture/surface/frames.h"
 #include "tools/picture/surface/scene.h"
 
 #include <fmt/format.h>
-#include <vtkImageData.h>
 
 #include <algorithm>
 #include <cmath>
 #include <optional>
 
 namespace sbeh::picture {
-
 namespace {
 
 const View from_above{{-0.25, -0.75, 0.75}, {0, 0, 1}};
@@ -34,7 +30,8 @@ struct Model3d {
 struct Evolution {
   std::vector<double> instants;  // ascending
   std::vector<Model3d> models;   // SBEH, SSH
-  double half_width = 0, order_low = 1, order_high = 0;
+  double half_width = 0;
+  Range orders{1.0, 0.0};
 };
 
 Evolution read_evolution(const std::filesystem::path& file) {
@@ -58,12 +55,9 @@ Evolution read_evolution(const std::filesystem::path& file) {
       auto& shape = one.shapes[std::size_t(std::ranges::find(all.instants, row.instant)
                                            - all.instants.begin())];
       shape = Shape{row.nearest->time, read_state(file.parent_path() / row.nearest->frame)};
-      const auto& nodes = shape->state.mesh.nodes;
-      const Eigen::Vector3d middle = (nodes.rowwise().maxCoeff() + nodes.rowwise().minCoeff()) / 2;
-      all.half_width =
-          std::max(all.half_width, 1.02 * (nodes.colwise() - middle).colwise().norm().maxCoeff());
-      all.order_low = std::min(all.order_low, shape->state.fields.at("order").minCoeff());
-      all.order_high = std::max(all.order_high, shape->state.fields.at("order").maxCoeff());
+      all.half_width = std::max(all.half_width, 1.02 * radius_of(shape->state.mesh));
+      all.orders.include(shape->state.fields.at("order").minCoeff());
+      all.orders.include(shape->state.fields.at("order").maxCoeff());
     }
     if (any) all.models.push_back(std::move(one));
   }
@@ -79,10 +73,9 @@ void draw_shape(Canvas& canvas, const std::optional<Shape>& shape, double instan
     canvas.text(cell.centre_x(), cell.centre_y(), "not there", {.size = text, .colour = dark_grey});
     return;
   }
-  draw_image(canvas,
-             render(shape->state.mesh, shape->state.fields.at("order").row(0).transpose(), colours,
-                    from_above, all.half_width, int(cell.width), Edges::hidden),
-             cell.x, cell.y);
+  draw_surface(canvas, {cell.x, cell.y, cell.width, cell.width}, shape->state.mesh,
+               shape->state.fields.at("order").row(0).transpose(), colours, from_above,
+               all.half_width);
 }
 
 }  // namespace
@@ -93,17 +86,15 @@ void draw_figure_evolution(Canvas& canvas, const Options& options) {
     fmt::print("no evolution: {} has no rows\n", (options.directory / "evolution.csv").string());
     return;
   }
-  const ColourMap colours{Palette::surfaces, all.order_low, all.order_high},
-      plain{Palette::plain, 0, 1};
+  const ColourMap colours{Palette::surfaces, all.orders}, plain{Palette::plain, {0, 1}};
   const double text = options.text_size();
   const std::size_t rows = (all.instants.size() + columns - 1) / columns;  // of each model
   const double right = 3.0 * text + colour_bar_margin(canvas, colours, true, text);
-  const double width = options.size ? options.size->width : right + text + 290.0 * columns;
+  const double width = options.width(right + text + 290.0 * columns);
   const double side = std::floor((width - right - text) / columns);
   const double title = 1.6 * text, heading = 2.0 * text, row_height = side + title;
   const auto models = double(all.models.size());
-  const double height = options.size ? options.size->height
-                                     : models * (heading + double(rows) * row_height) + 0.5 * text;
+  const double height = options.height(models * (heading + double(rows) * row_height) + 0.5 * text);
   canvas.start(width, height);
   double top = height;
   for (const Model3d& model : all.models) {
@@ -117,9 +108,8 @@ void draw_figure_evolution(Canvas& canvas, const Options& options) {
     }
     top -= double(rows) * row_height;
   }
-  const double length = std::min(height - 3.0 * text, 18.0 * text);
-  draw_colour_bar(canvas, {width - right + 1.4 * text, 0.5 * (height - length), text, length},
-                  colours, "order β", text);
+  draw_short_bar(canvas, width - right + 1.4 * text, {1.5 * text, height - 1.5 * text}, colours,
+                 "order β", text);
   canvas.write(options.directory / "evolution");
 }
 

@@ -9,7 +9,6 @@
 #include <cmath>
 
 namespace sbeh::picture {
-
 namespace {
 
 const LineStyle sbeh_style{.colour = {0, 84, 159}, .width = 2.6};
@@ -57,15 +56,12 @@ std::vector<Curve> read_curves(const std::filesystem::path& file) {
 }
 
 Axis value_axis(const std::vector<Curve>& curves, int panel, double length, double text) {
-  double low = HUGE_VAL, high = -HUGE_VAL;
+  Range range;
   for (const Curve& curve : curves)
-    for (const auto& point : curve.points[panel]) {
-      low = std::min(low, point[1]);
-      high = std::max(high, point[1]);
-    }
-  if (high - low < 1e-9) high = low + 0.1;  // of SSH alone: the order does not vary
-  const double room = 0.04 * (high - low);
-  return cropped(linear_axis(low - room, high + room, length, 3.0 * text), low - room, high + room);
+    for (const auto& point : curve.points[panel]) range.include(point[1]);
+  if (range.width() < 1e-9) range.high = range.low + 0.1;  // of SSH alone: the order does not vary
+  const double room = 0.04 * range.width();
+  return exact_axis(range.low - room, range.high + room, length, 3.0 * text);
 }
 
 }  // namespace
@@ -76,22 +72,22 @@ void draw_figure_measures(Canvas& canvas, const Options& options) {
     fmt::print("no measures: no run has made two steps\n");
     return;
   }
-  double first = HUGE_VAL, last = -HUGE_VAL;
+  Range times;
   std::vector<LegendEntry> legend;
   for (const Curve& curve : curves) {
-    first = std::min(first, curve.points[0].front()[0]);
-    last = std::max(last, curve.points[0].back()[0]);
+    times.include(curve.points[0].front()[0]);
+    times.include(curve.points[0].back()[0]);
     legend.push_back(line_entry(curve.style, curve.name));
   }
-  const Axis time = decade_axis(first, last, "t");
+  const Axis time = decade_axis(times.low, times.high, "t");
 
   const double text = options.text_size();
-  const double width = options.size ? options.size->width : 1600.0;
+  const double width = options.width(1600.0);
   const double left = 4.6 * text, right = 1.2 * text;
   const double inner_width = width / 3 - left - right;
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double below = legend_at + 0.8 * text + below_axis(text), above = 2.6 * text;
-  const double height = options.size ? options.size->height : below + above + 0.95 * inner_width;
+  const double height = options.height(below + above + 0.95 * inner_width);
   canvas.start(width, height);
   for (int i = 0; i < 3; ++i) {
     const Rect inside{i * width / 3 + left, below, inner_width, height - below - above};

@@ -1,13 +1,11 @@
 #include "studies/figures/tables.h"
-#include "tools/picture/canvas/image.h"
 #include "tools/picture/chart/legend.h"
 #include "tools/picture/figures/figures.h"
-#include "tools/picture/section/panels.h"
+#include "tools/picture/section/cut.h"
 #include "tools/picture/surface/frames.h"
 #include "tools/picture/surface/scene.h"
 
 #include <fmt/format.h>
-#include <vtkImageData.h>
 
 #include <algorithm>
 #include <cmath>
@@ -16,7 +14,6 @@
 #include <set>
 
 namespace sbeh::picture {
-
 namespace {
 
 const View from_the_side{{0.35, -1.0, 0.55}, {0, 0, 1}};
@@ -30,7 +27,8 @@ struct Stationary {
   std::map<Point, Cut> sbeh;
   std::map<double, Cut> ssh;       // by V_r: the same for all L
   bool axisymmetric_cuts = false;  // of SBEH, where there is no 3D run
-  double half_width = 0, order_low = 1, order_high = 0;
+  double half_width = 0;
+  Range orders{1.0, 0.0};
   Extent extent;
 };
 
@@ -43,12 +41,9 @@ void read_shapes(const std::filesystem::path& folder, Stationary& all) {
     if (!row.in_3d) continue;
     studies::CurvedFile& state = all.in_3d[{row.reduced_volume, row.L}] =
         read_state(folder / row.in_3d->frame);
-    const auto& nodes = state.mesh.nodes;
-    const Eigen::Vector3d middle = (nodes.rowwise().maxCoeff() + nodes.rowwise().minCoeff()) / 2;
-    all.half_width =
-        std::max(all.half_width, 1.12 * (nodes.colwise() - middle).colwise().norm().maxCoeff());
-    all.order_low = std::min(all.order_low, state.fields.at("order").minCoeff());
-    all.order_high = std::max(all.order_high, state.fields.at("order").maxCoeff());
+    all.half_width = std::max(all.half_width, 1.12 * radius_of(state.mesh));
+    all.orders.include(state.fields.at("order").minCoeff());
+    all.orders.include(state.fields.at("order").maxCoeff());
   }
   all.volumes.assign(volumes.begin(), volumes.end());
   all.lengths.assign(lengths.begin(), lengths.end());
@@ -70,20 +65,14 @@ void read_cuts(const std::filesystem::path& file, Stationary& all) {
   for (const auto& [point, cut] : all.ssh) all.extent.include(cut);
 }
 
-// Grey and thin for the smallest L, black and thicker for the largest.
-LineStyle cut_style(std::size_t length, std::size_t count) {
-  const double fraction = count == 1 ? 1.0 : double(length) / double(count - 1);
-  const auto grey = static_cast<unsigned char>(190.0 * (1.0 - fraction));
-  return {.colour = {grey, grey, grey}, .width = 1.4 + 0.8 * fraction};
-}
 const LineStyle ssh_style{.colour = red, .width = 1.8, .dashed = true};
 
 std::vector<LegendEntry> legend_of(const Stationary& all) {
   const std::size_t count = all.lengths.size();
   const char* solver = all.axisymmetric_cuts ? "" : " in 3D";
-  return {line_entry(cut_style(0, count),
+  return {line_entry(style_by_length(0, count),
                      fmt::format("SBEH{}, {}", solver, length_title(all.lengths.front()))),
-          line_entry(cut_style(count - 1, count), "to " + length_title(all.lengths.back())),
+          line_entry(style_by_length(count - 1, count), "to " + length_title(all.lengths.back())),
           line_entry(ssh_style, "SSH")};
 }
 
@@ -92,7 +81,7 @@ void draw_cut_cell(Canvas& canvas, const Stationary& all, double volume, const R
   std::vector<CutLine> lines;
   for (std::size_t l = 0; l < all.lengths.size(); ++l)
     if (const auto cut = all.sbeh.find({volume, all.lengths[l]}); cut != all.sbeh.end())
-      lines.push_back({.cut = &cut->second, .style = cut_style(l, all.lengths.size())});
+      lines.push_back({.cut = &cut->second, .style = style_by_length(l, all.lengths.size())});
   if (const auto cut = all.ssh.find(volume); cut != all.ssh.end())
     lines.push_back({.cut = &cut->second, .style = ssh_style});
   if (!lines.empty()) draw_cuts(canvas, cell, scale, lines);
@@ -106,11 +95,9 @@ void draw_shape_cell(Canvas& canvas, const Stationary& all, const Point& point, 
                 {.size = 0.9 * text, .colour = dark_grey});
     return;
   }
-  draw_image(
-      canvas,
-      render(state->second.mesh, state->second.fields.at("order").row(0).transpose(), *colours,
-             from_the_side, all.half_width, int(cell.width), Edges::hidden, int(cell.height)),
-      cell.x, cell.y);
+  draw_surface(canvas, cell, state->second.mesh,
+               state->second.fields.at("order").row(0).transpose(), *colours, from_the_side,
+               all.half_width);
 }
 
 }  // namespace
@@ -120,14 +107,14 @@ void draw_figure_shapes(Canvas& canvas, const Options& options) {
   read_shapes(options.directory, all);
   read_cuts(options.directory / "cuts.csv", all);
   std::optional<ColourMap> colours;
-  if (!all.in_3d.empty()) colours.emplace(Palette::surfaces, all.order_low, all.order_high);
+  if (!all.in_3d.empty()) colours.emplace(Palette::surfaces, all.orders);
 
   const double text = options.text_size();
   const double left = canvas.text_width(volume_title(0.65), text) + 1.8 * text;
   const double right =
       2.0 * text + (colours ? 1.6 * text + colour_bar_margin(canvas, *colours, true, text) : 0.0);
   const auto columns = double(all.lengths.size()), rows = double(all.volumes.size());
-  const double width = options.size ? options.size->width : left + right + 300.0 * columns;
+  const double width = options.width(left + right + 300.0 * columns);
   const double side = std::floor((width - left - right) / columns);
   const double cell_height = std::floor(flatness * side);
   const auto legend = legend_of(all);
@@ -136,8 +123,7 @@ void draw_figure_shapes(Canvas& canvas, const Options& options) {
   const double scale = 0.42 * cut_width / all.extent.half_width;
   const double cut_height = 2.2 * all.extent.half_height * scale;
   const double head = 2.2 * text, below = legend_at + 0.8 * text, between = 2.6 * text;
-  const double height = options.size ? options.size->height
-                                     : head + rows * cell_height + between + cut_height + below;
+  const double height = options.height(head + rows * cell_height + between + cut_height + below);
   canvas.start(width, height);
   for (std::size_t l = 0; l < all.lengths.size(); ++l)
     canvas.text(left + (double(l) + 0.5) * side, height - 1.2 * text, length_title(all.lengths[l]),
@@ -154,13 +140,9 @@ void draw_figure_shapes(Canvas& canvas, const Options& options) {
     canvas.text(cut.centre_x(), cut.top() + 0.9 * text, volume_title(all.volumes[v]),
                 {.size = text});
   }
-  if (colours) {
-    const double length = std::min(rows * cell_height, 18.0 * text);
-    draw_colour_bar(canvas,
-                    {width - right + 1.2 * text,
-                     height - head - 0.5 * (rows * cell_height + length), text, length},
-                    *colours, "order β", text);
-  }
+  if (colours)
+    draw_short_bar(canvas, width - right + 1.2 * text,
+                   {height - head - rows * cell_height, height - head}, *colours, "order β", text);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "shapes");
 }

@@ -1,16 +1,20 @@
-#include "tools/picture/scan/cuts.h"
-
+#include "studies/states/profile_file.h"
 #include "tools/picture/chart/legend.h"
-#include "tools/picture/scan/cut_matrix.h"
+#include "tools/picture/scan/scan.h"
+#include "tools/picture/section/cut.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <optional>
+#include <utility>
 
 namespace sbeh::picture {
 namespace {
 
+constexpr std::size_t most_volumes = 6;
+constexpr std::size_t most_lengths = 7;
 constexpr double widest_cell = 330.0;  // pixels, when the size is ours to choose
 constexpr double widest_picture = 1600.0;
 constexpr double highest_picture = 1600.0;
@@ -20,16 +24,107 @@ LineStyle ssh_style(double text_size, bool with_sbeh) {
   return {.colour = red, .width = std::max(1.2, 0.085 * text_size), .dashed = with_sbeh};
 }
 
-// Grey and thin for the smallest L, black and thicker for the largest.
-LineStyle overlay_style(std::size_t length, std::size_t count) {
-  const double fraction = count == 1 ? 1.0 : double(length) / double(count - 1);
-  const auto grey = static_cast<unsigned char>(190.0 * (1.0 - fraction));
-  return {.colour = {grey, grey, grey}, .width = 1.4 + 0.8 * fraction};
+// Which cuts of a scan are shown, and in which row and column: rows are reduced volumes, columns are values of L; a
+// larger scan is thinned out evenly. With a single L the reduced volumes stand side by side. Below follow the
+// overlays, all L of one reduced volume each. Reduced volumes and L are given by their index in the scan.
+struct CutMatrix {
+  struct Cell {
+    std::size_t row, column, volume, length;
+    std::string remark;  // about a point that is not simply stationary
+  };
+
+  explicit CutMatrix(const ScanGrid& of);
+
+  const ScanGrid& scan;
+  std::vector<std::size_t> volumes;  // with an overlay for each
+  std::vector<std::string> row_titles, column_titles;
+  std::vector<Cell> cells;
+  std::size_t overlay_rows = 0;  // of at most as many cells as there are columns
+  std::map<const PointResult*, Cut> cuts;
+  Extent extent;
+  OrderRange orders;  // of the cuts of SBEH
+  std::string title = "Cross sections";
+
+  std::size_t rows() const { return row_titles.size(); }
+  std::size_t columns() const { return column_titles.size(); }
+  // nullptr if there is none.
+  const Cut* cut(Model model, std::size_t volume, std::size_t length) const {
+    const auto found = cuts.find(scan.find(model, volume, length));
+    return found == cuts.end() ? nullptr : &found->second;
+  }
+  std::string remark(std::size_t volume, std::size_t length) const;
+  std::vector<double> half_heights() const;
+};
+
+CutMatrix::CutMatrix(const ScanGrid& of)
+    : scan(of), volumes(evenly_spread(of.reduced_volumes().size(), most_volumes)) {
+  for (const std::size_t volume : volumes)
+    for (std::size_t length = 0; length < scan.lengths().size(); ++length)
+      for (const Model model : {Model::SBEH, Model::SSH}) {
+        const PointResult* point = scan.find(model, volume, length);
+        if (!point || !std::filesystem::exists(scan.profile(*point))) continue;
+        const Cut& cut = cuts[point] = mirrored(studies::read_profile(scan.profile(*point)));
+        extent.include(cut);
+        if (model == Model::SBEH) orders.include(cut);
+      }
+
+  const std::size_t all_volumes = scan.reduced_volumes().size(),
+                    all_lengths = scan.lengths().size();
+  const auto lengths = evenly_spread(all_lengths, most_lengths);
+  const bool is_row = lengths.size() == 1;
+  for (std::size_t v = 0; v < volumes.size(); ++v) {
+    row_titles.push_back(volume_title(scan.reduced_volumes()[volumes[v]]));
+    for (std::size_t l = 0; l < lengths.size(); ++l)
+      cells.push_back(
+          {is_row ? l : v, is_row ? v : l, volumes[v], lengths[l], remark(volumes[v], lengths[l])});
+  }
+  for (const std::size_t l : lengths) column_titles.push_back(length_title(scan.lengths()[l]));
+  if (is_row)
+    row_titles.swap(column_titles);
+  else if (scan.has(Model::SBEH))
+    overlay_rows = (volumes.size() + columns() - 1) / columns();
+  if (volumes.size() < all_volumes || lengths.size() < all_lengths)
+    title += fmt::format(": {} of {} reduced volumes, {} of {} values of L", volumes.size(),
+                         all_volumes, lengths.size(), all_lengths);
+}
+
+std::string CutMatrix::remark(std::size_t volume, std::size_t length) const {
+  std::vector<std::string> remarks;
+  for (const Model model : {Model::SBEH, Model::SSH}) {
+    if (!scan.has(model)) continue;
+    const char* name = model::name(model);
+    const PointResult* point = scan.find(model, volume, length);
+    if (!point)
+      remarks.push_back(fmt::format("no {}", name));
+    else if (point->status == PointStatus::failed)
+      remarks.push_back(fmt::format("{} failed", name));
+    else if (!cut(model, volume, length))
+      remarks.push_back(fmt::format("no {} profile", name));
+    else if (point->status == PointStatus::unresolved)
+      remarks.push_back(fmt::format("{} unresolved", name));
+  }
+  return fmt::format("{}", fmt::join(remarks, ", "));
+}
+
+// Of the highest cut in each row, overlays included.
+std::vector<double> CutMatrix::half_heights() const {
+  std::vector<double> halves(rows() + overlay_rows, 0.2 * extent.half_height);
+  const auto include = [&](std::size_t row, const Cut& cut) {
+    halves[row] = std::max(halves[row], cut.half_height);
+  };
+  for (std::size_t v = 0; v < volumes.size(); ++v)
+    for (std::size_t length = 0; length < scan.lengths().size(); ++length)
+      for (const Model model : {Model::SBEH, Model::SSH})
+        if (const Cut* shown = cut(model, volumes[v], length)) {
+          include(rows() == 1 ? 0 : v, *shown);
+          if (overlay_rows > 0) include(rows() + v / columns(), *shown);
+        }
+  return halves;
 }
 
 std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const std::optional<ColourMap>& colours,
                                    double text_size) {
-  const ScanGrid& scan = matrix.scan();
+  const ScanGrid& scan = matrix.scan;
   std::vector<LegendEntry> entries;
   if (colours) {
     entries.push_back(
@@ -38,12 +133,12 @@ std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const std::optional<
   if (scan.has(Model::SSH)) {
     entries.push_back(line_entry(ssh_style(text_size, colours.has_value()), "SSH"));
   }
-  if (colours && matrix.overlay_rows() > 0) {
+  if (colours && matrix.overlay_rows > 0) {
     const std::size_t last = scan.lengths().size() - 1;
-    entries.push_back(line_entry(overlay_style(0, last + 1),
+    entries.push_back(line_entry(style_by_length(0, last + 1),
                                  "all L: SBEH from " + length_title(scan.lengths()[0])));
     entries.push_back(
-        line_entry(overlay_style(last, last + 1), "to " + length_title(scan.lengths()[last])));
+        line_entry(style_by_length(last, last + 1), "to " + length_title(scan.lengths()[last])));
   }
   return entries;
 }
@@ -67,22 +162,22 @@ struct Layout {
 };
 
 // Fills `at.rows` from the top, and the height if that is ours to choose.
-void stack_rows(Layout& at, const CutMatrix& matrix, const std::optional<Size>& size) {
+void stack_rows(Layout& at, const CutMatrix& matrix, const Options& options) {
   at.rows.clear();
   const double gap = 1.3 * at.text;
   const double titles = 4.4 * at.text, overlay_title = 1.7 * at.text, separator = 0.6 * at.text;
   const double bottom = at.legend + 0.8 * at.text;
   const std::vector<double> halves = matrix.half_heights();
   const auto count = double(halves.size());
-  const auto overlays = double(matrix.overlay_rows());
+  const auto overlays = double(matrix.overlay_rows);
   const double fixed = titles + overlays * overlay_title + (overlays > 0.0 ? separator : 0.0)
                      + bottom + count * gap + double(matrix.rows()) * at.remarks;
   double sum = 0.0;
   for (const double half : halves) sum += 2.0 * half;
-  const double room = (size ? size->height : highest_picture) - fixed;
-  at.scale = std::min(largest_share * at.cell_width / (2.0 * matrix.half_width()),
+  const double room = options.height(highest_picture) - fixed;
+  at.scale = std::min(largest_share * at.cell_width / (2.0 * matrix.extent.half_width),
                       std::max(room, 5.0 * at.text) / sum);
-  at.height = size ? size->height : fixed + sum * at.scale;
+  at.height = options.height(fixed + sum * at.scale);
   const double spare = (at.height - fixed - sum * at.scale) / count;
 
   double y = at.height - titles;
@@ -102,36 +197,35 @@ Layout layout_of(const Canvas& canvas, const CutMatrix& matrix, const Options& o
   at.text = options.text_size();
   double title = 0.0;
   for (std::size_t row = 0; row < matrix.rows(); ++row) {
-    title = std::max(title, canvas.text_width(matrix.row_title(row), at.text));
+    title = std::max(title, canvas.text_width(matrix.row_titles[row], at.text));
   }
   at.left = title + 1.8 * at.text;
   at.right = 2.0 * at.text
            + (colours ? 1.6 * at.text + colour_bar_margin(canvas, *colours, true, at.text) : 0.0);
   const double margins = at.left + at.right;
   const auto columns = double(matrix.columns());
-  at.width = options.size ? options.size->width
-                          : std::min(widest_picture, margins + columns * widest_cell);
+  at.width = options.width(std::min(widest_picture, margins + columns * widest_cell));
   at.cell_width = (at.width - margins) / columns;
-  at.remarks = matrix.any_remark() ? 0.7 * at.text : 0.0;
+  if (std::ranges::any_of(matrix.cells, [](const auto& cell) { return !cell.remark.empty(); }))
+    at.remarks = 0.7 * at.text;
   at.legend = legend_height(canvas, entries, at.width - 2.0 * at.text, at.text);
-  stack_rows(at, matrix, options.size);
+  stack_rows(at, matrix, options);
   if (options.size) return at;
 
   // High cuts leave narrower cells; title and legend want some width all the same.
-  const double needed = 2.0 * matrix.half_width() * at.scale / largest_share;
+  const double needed = 2.0 * matrix.extent.half_width * at.scale / largest_share;
   at.width = std::max(margins + columns * needed, 40.0 * at.text);
   at.cell_width = (at.width - margins) / columns;
   at.legend = legend_height(canvas, entries, at.width - 2.0 * at.text, at.text);
-  stack_rows(at, matrix, options.size);
+  stack_rows(at, matrix, options);
   return at;
 }
 
-void draw_cell(Canvas& canvas, const CutMatrix& matrix, std::size_t row, std::size_t column,
-               const Layout& at, const std::optional<ColourMap>& colours) {
-  const std::size_t volume = matrix.volume(row, column), length = matrix.length(row, column);
-  const Cut* sbeh = matrix.cut(Model::SBEH, volume, length);
-  const Cut* ssh = matrix.cut(Model::SSH, volume, length);
-  Rect cell = at.cell(double(column), row);
+void draw_cell(Canvas& canvas, const CutMatrix& matrix, const CutMatrix::Cell& of, const Layout& at,
+               const std::optional<ColourMap>& colours) {
+  const Cut* sbeh = matrix.cut(Model::SBEH, of.volume, of.length);
+  const Cut* ssh = matrix.cut(Model::SSH, of.volume, of.length);
+  Rect cell = at.cell(double(of.column), of.row);
   cell.y += at.remarks;
   cell.height -= at.remarks;
   std::vector<CutLine> lines;
@@ -140,44 +234,43 @@ void draw_cell(Canvas& canvas, const CutMatrix& matrix, std::size_t row, std::si
   }
   if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text, colours.has_value())});
   if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
-  canvas.text(cell.centre_x(), cell.y, matrix.remark(volume, length),
-              {.size = 0.8 * at.text, .colour = dark_grey});
+  canvas.text(cell.centre_x(), cell.y, of.remark, {.size = 0.8 * at.text, .colour = dark_grey});
 }
 
 void draw_overlay(Canvas& canvas, const CutMatrix& matrix, std::size_t index, const Layout& at) {
   const std::size_t line = index / matrix.columns();
   const std::size_t in_line =
-      std::min(matrix.volumes().size() - line * matrix.columns(), matrix.columns());
+      std::min(matrix.volumes.size() - line * matrix.columns(), matrix.columns());
   const double column = double(index % matrix.columns()) + 0.5 * double(matrix.columns() - in_line);
   const Rect cell = at.cell(column, matrix.rows() + line);
 
-  const std::size_t volume = matrix.volumes()[index];
-  const std::size_t count = matrix.scan().lengths().size();
+  const std::size_t volume = matrix.volumes[index];
+  const std::size_t count = matrix.scan.lengths().size();
   std::vector<CutLine> lines;
   const Cut* ssh = nullptr;
   for (std::size_t length = 0; length < count; ++length) {
     if (const Cut* cut = matrix.cut(Model::SBEH, volume, length)) {
-      lines.push_back({.cut = cut, .style = overlay_style(length, count)});
+      lines.push_back({.cut = cut, .style = style_by_length(length, count)});
     }
     if (!ssh) ssh = matrix.cut(Model::SSH, volume, length);
   }
   if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text, true)});
   if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
   canvas.text(cell.centre_x(), cell.top() + 0.7 * at.text,
-              volume_title(matrix.scan().reduced_volumes()[volume]), {.size = at.text});
+              volume_title(matrix.scan.reduced_volumes()[volume]), {.size = at.text});
 }
 
 void draw_titles(Canvas& canvas, const CutMatrix& matrix, const Layout& at) {
-  canvas.text(0.5 * at.width, at.height - 1.4 * at.text, matrix.title(), {.size = 1.15 * at.text});
+  canvas.text(0.5 * at.width, at.height - 1.4 * at.text, matrix.title, {.size = 1.15 * at.text});
   for (std::size_t row = 0; row < matrix.rows(); ++row) {
-    canvas.text(at.left - 0.8 * at.text, at.rows[row].centre_y(), matrix.row_title(row),
+    canvas.text(at.left - 0.8 * at.text, at.rows[row].centre_y(), matrix.row_titles[row],
                 {.size = at.text, .align = Align::right});
   }
   for (std::size_t column = 0; column < matrix.columns(); ++column) {
     canvas.text(at.cell(double(column), 0).centre_x(), at.rows[0].top() + 0.8 * at.text,
-                matrix.column_title(column), {.size = at.text});
+                matrix.column_titles[column], {.size = at.text});
   }
-  if (matrix.overlay_rows() > 0) {
+  if (matrix.overlay_rows > 0) {
     const double y = at.rows[matrix.rows() - 1].y - 0.1 * at.text;
     canvas.line({{at.text, y}, {at.left + double(matrix.columns()) * at.cell_width, y}},
                 {.colour = light_grey, .width = 1.5});
@@ -190,33 +283,24 @@ void draw_titles(Canvas& canvas, const CutMatrix& matrix, const Layout& at) {
 
 void draw_cuts_picture(Canvas& canvas, const ScanGrid& scan, const Options& options) {
   const CutMatrix matrix(scan);
-  if (matrix.empty()) {
+  if (matrix.cuts.empty()) {
     fmt::print("no cuts: there is no profile in {}\n", (options.directory / "points").string());
     return;
   }
   std::optional<ColourMap> colours;
-  if (scan.has(Model::SBEH)) colours = matrix.orders().colours();
+  if (scan.has(Model::SBEH)) colours = matrix.orders.colours();
   const auto entries = legend_of(matrix, colours, options.text_size());
   const Layout at = layout_of(canvas, matrix, options, colours, entries);
 
   canvas.start(at.width, at.height);
   draw_titles(canvas, matrix, at);
-  for (std::size_t row = 0; row < matrix.rows(); ++row) {
-    for (std::size_t column = 0; column < matrix.columns(); ++column) {
-      draw_cell(canvas, matrix, row, column, at, colours);
-    }
+  for (const CutMatrix::Cell& cell : matrix.cells) draw_cell(canvas, matrix, cell, at, colours);
+  if (matrix.overlay_rows > 0) {
+    for (std::size_t i = 0; i < matrix.volumes.size(); ++i) draw_overlay(canvas, matrix, i, at);
   }
-  if (matrix.overlay_rows() > 0) {
-    for (std::size_t i = 0; i < matrix.volumes().size(); ++i) draw_overlay(canvas, matrix, i, at);
-  }
-  if (colours) {
-    const double top = at.rows.front().top(), bottom = at.rows.back().y;
-    const double length = std::min(top - bottom, 18.0 * at.text);
-    draw_colour_bar(
-        canvas,
-        {at.width - at.right + 1.2 * at.text, 0.5 * (top + bottom - length), at.text, length},
-        *colours, "order β", at.text);
-  }
+  if (colours)
+    draw_short_bar(canvas, at.width - at.right + 1.2 * at.text,
+                   {at.rows.back().y, at.rows.front().top()}, *colours, "order β", at.text);
   draw_legend(canvas, entries, {at.text, 0.4 * at.text, at.width - 2.0 * at.text, at.legend},
               at.text);
   canvas.write(options.directory / "cuts");

@@ -1,7 +1,5 @@
-#include "tools/picture/scan/diagram.h"
-
 #include "tools/picture/scan/diagram_lines.h"
-#include "tools/picture/scan/line_diagram.h"
+#include "tools/picture/scan/scan.h"
 
 #include <fmt/format.h>
 
@@ -28,12 +26,12 @@ std::vector<Quantity> quantities_of(const ScanGrid& scan) {
 
 // What the picture shows: the map of branches where there are several, then the quantities.
 struct Contents {
-  std::optional<BranchMap> branches;
   std::vector<Quantity> quantities;
-  std::vector<ColourMap> colours;  // of the quantities
-  std::vector<DiagramLine> lines;
-  std::vector<LegendEntry> legend;
   bool as_table;
+  std::optional<BranchMap> branches{};
+  std::vector<ColourMap> colours{};  // of the quantities
+  std::vector<DiagramLine> lines{};
+  std::vector<LegendEntry> legend{};
 };
 
 // Whether any of its points is among the scan's.
@@ -47,16 +45,10 @@ bool is_within(const DiagramLine& line, const ScanGrid& scan) {
 }
 
 Contents contents_of(const ScanGrid& scan, const Options& options) {
-  Contents c{.branches = {},
-             .quantities = quantities_of(scan),
-             .colours = {},
-             .lines = {},
-             .legend = {},
+  Contents c{.quantities = quantities_of(scan),
              .as_table = scan.reduced_volumes().size() * scan.lengths().size() <= most_table_cells};
-  for (const Quantity& quantity : c.quantities) {
-    const auto [low, high] = quantity.range();
-    c.colours.emplace_back(Palette::viridis, low, high);
-  }
+  for (const Quantity& quantity : c.quantities)
+    c.colours.emplace_back(Palette::viridis, quantity.range());
   const bool ordered = scan.has(Model::SBEH);
   if (options.branch.empty())
     c.branches = lowest_branches(scan, options.directory, ordered ? Model::SBEH : Model::SSH);
@@ -80,17 +72,17 @@ void draw_heat_maps(Canvas& canvas, const ScanGrid& scan, const Options& options
   for (const ColourMap& colours : contents.colours)
     bars += 1.7 * text + colour_bar_margin(canvas, colours, false, text);
   const auto count = double(contents.quantities.size() + (contents.branches ? 1 : 0));
-  const double width = options.size ? options.size->width : 533.0 * count;
+  const double width = options.width(533.0 * count);
   const double left = 5.2 * text, gap = 1.8 * text;
   const double inner_width = (width - left - bars - gap * count) / count;
   const double legend_at = legend_height(canvas, contents.legend, width - 2.0 * text, text);
   const double below = below_axis(text) + (contents.legend.empty() ? 0.0 : 0.8 * text + legend_at),
                above = 2.6 * text;
-  const double height = options.size ? options.size->height : below + above + 1.15 * inner_width;
+  const double height = options.height(below + above + 1.15 * inner_width);
   const double inner_height = height - below - above;
 
   const char *volume = "reduced volume Vᵣ", *constant = "elastic constant L";
-  HeatMapGrid grid{.x = {}, .y = {}, .as_table = contents.as_table};
+  HeatMapGrid grid{.as_table = contents.as_table};
   grid.x = grid.as_table ? table_axis(scan.reduced_volumes(), volume)
                          : distance_axis(scan.reduced_volumes(), volume, inner_width, 3.2 * text);
   grid.y = grid.as_table ? table_axis(scan.lengths(), constant)
@@ -125,13 +117,10 @@ void draw_heat_maps(Canvas& canvas, const ScanGrid& scan, const Options& options
 }  // namespace
 
 void draw_diagram_picture(Canvas& canvas, const ScanGrid& scan, const Options& options) {
-  const bool one_volume = scan.reduced_volumes().size() == 1;
-  const bool one_length = scan.lengths().size() == 1;
-  if (one_volume != one_length) {
+  if ((scan.reduced_volumes().size() == 1) != (scan.lengths().size() == 1))
     draw_line_diagram(canvas, scan, options);
-  } else {
+  else
     draw_heat_maps(canvas, scan, options);
-  }
 }
 
 }  // namespace sbeh::picture

@@ -1,8 +1,5 @@
 #include "tools/picture/scan/heat_map.h"
 
-#include "tools/picture/chart/chart.h"
-#include "tools/picture/scan/contours.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -20,7 +17,7 @@ constexpr double hatch_distance = 9.0;  // pixels
 constexpr double shortest_contour = 0.12;
 
 double to_pixels(double value, const Axis& axis, double origin, double length) {
-  return origin + (value - axis.low) / (axis.high - axis.low) * length;
+  return origin + axis.share(value) * length;
 }
 
 // The ends of parallel lines at 45° through the rectangle.
@@ -189,8 +186,7 @@ std::vector<LegendEntry> mark_legend(const std::vector<Quantity>& quantities, bo
   if (any(Mark::failed)) entries.push_back({box(Mark::failed, light_grey), "failed"});
   if (any(Mark::absent)) {
     const auto frame = [](Canvas& canvas, const Rect& r) {
-      canvas.line({{r.x, r.y}, {r.right(), r.y}, {r.right(), r.top()}, {r.x, r.top()}, {r.x, r.y}},
-                  {.colour = light_grey, .width = 1.5});
+      canvas.line(r.outline(), {.colour = light_grey, .width = 1.5});
     };
     entries.push_back({frame, "not in the scan"});
   }

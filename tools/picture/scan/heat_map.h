@@ -1,15 +1,14 @@
 // A quantity over (reduced volume, L) as coloured cells with their colour bar.
 #pragma once
 
-#include "tools/picture/chart/grid_axis.h"
 #include "tools/picture/chart/legend.h"
 #include "tools/picture/scan/quantity.h"
 
 namespace sbeh::picture {
 
 struct HeatMapGrid {
-  GridAxis x;            ///< reduced volume
-  GridAxis y;            ///< L
+  GridAxis x{};          ///< reduced volume
+  GridAxis y{};          ///< L
   bool as_table = true;  ///< few points: numbers in the cells; otherwise contour lines
 };
 

@@ -1,8 +1,6 @@
-#include "tools/picture/scan/line_diagram.h"
-
-#include "tools/picture/chart/chart.h"
 #include "tools/picture/chart/legend.h"
 #include "tools/picture/scan/quantity.h"
+#include "tools/picture/scan/scan.h"
 
 #include <fmt/format.h>
 
@@ -22,7 +20,6 @@ struct Series {
   LineStyle style;
   std::string name;
 
-  std::size_t size() const { return std::max(quantity.values.size(), quantity.values[0].size()); }
   double value(std::size_t i) const {
     return quantity.values.size() > 1 ? quantity.values[i][0] : quantity.values[0][i];
   }
@@ -37,50 +34,47 @@ struct Panel {
 };
 
 std::vector<Panel> panels_of(const ScanGrid& scan) {
-  const bool sbeh = scan.has(Model::SBEH), ssh = scan.has(Model::SSH);
+  const auto of_models = [&](Quantity (*quantity)(const ScanGrid&, Model)) {
+    std::vector<Series> all;
+    for (const Model model : {Model::SSH, Model::SBEH})
+      if (scan.has(model))
+        all.push_back({quantity(scan, model), model == Model::SBEH ? sbeh_style : ssh_style,
+                       model::name(model)});
+    return all;
+  };
   std::vector<Panel> panels;
-  if (sbeh && ssh) {
+  if (scan.has(Model::SBEH) && scan.has(Model::SSH)) {
     const Quantity gap = energy_gap(scan);
     panels.push_back({gap.title, {{gap, {.colour = black, .width = 2.4}, ""}}});
   } else {
     fmt::print("diagram: only one model, so the energy itself in place of the energy gap\n");
-    panels.push_back({"energy U", {}});
-    if (sbeh) panels[0].series.push_back({energy(scan, Model::SBEH), sbeh_style, "SBEH"});
-    if (ssh) panels[0].series.push_back({energy(scan, Model::SSH), ssh_style, "SSH"});
+    panels.push_back({"energy U", of_models(energy)});
   }
-  if (sbeh) panels.push_back({"smallest order β", {{smallest_order(scan), sbeh_style, "SBEH"}}});
-  Panel& curvature = panels.emplace_back(Panel{"largest |H|", {}});
-  if (ssh) {
-    curvature.series.push_back({largest_curvature(scan, Model::SSH), ssh_style, "SSH"});
-  }
-  if (sbeh) {
-    curvature.series.push_back({largest_curvature(scan, Model::SBEH), sbeh_style, "SBEH"});
-  }
+  if (scan.has(Model::SBEH))
+    panels.push_back({"smallest order β", {{smallest_order(scan), sbeh_style, "SBEH"}}});
+  panels.push_back({"largest |H|", of_models(largest_curvature)});
   return panels;
 }
 
 // Some room on either side, so that no marker is cut.
 Axis roomy_axis(double low, double high, double length, double spacing, const char* title) {
   const double room = high > low ? 0.06 * (high - low) : 0.05 * std::abs(high) + 1e-12;
-  low -= room;
-  high += room;
-  return cropped(linear_axis(low, high, length, spacing, title), low, high);
+  return exact_axis(low - room, high + room, length, spacing, title);
 }
 
 Axis value_axis(const Panel& panel, double length, double spacing) {
-  auto [low, high] = panel.series[0].quantity.range();
+  Range range;
   for (const Series& series : panel.series) {
-    const auto [own_low, own_high] = series.quantity.range();
-    low = std::min(low, own_low);
-    high = std::max(high, own_high);
+    range.include(series.quantity.range().low);
+    range.include(series.quantity.range().high);
   }
-  return roomy_axis(low, high, length, spacing, "");
+  return roomy_axis(range.low, range.high, length, spacing, "");
 }
 
 void draw_series(Chart& chart, const Series& series, const std::vector<double>& x, const Axis& y,
                  double marker) {
   Points line, good, unresolved, failed;
-  for (std::size_t i = 0; i < series.size(); ++i) {
+  for (std::size_t i = 0; i < x.size(); ++i) {
     const double value = series.value(i);
     if (!std::isfinite(value)) {
       if (series.mark(i) == Mark::failed) failed.push_back({x[i], y.low + 0.03 * (y.high - y.low)});
@@ -124,12 +118,12 @@ void draw_line_diagram(Canvas& canvas, const ScanGrid& scan, const Options& opti
   const auto legend = legend_of(panels);
   const double text = options.text_size();
   const auto count = double(panels.size());
-  const double width = options.size ? options.size->width : 533.0 * count;
+  const double width = options.width(533.0 * count);
   const double left = 4.6 * text, right = 1.2 * text;
   const double inner_width = width / count - left - right;
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double below = below_axis(text) + 0.8 * text + legend_at, above = 4.6 * text;
-  const double height = options.size ? options.size->height : below + above + 0.85 * inner_width;
+  const double height = options.height(below + above + 0.85 * inner_width);
   const double inner_height = height - below - above;
 
   const Axis x = roomy_axis(parameter.front(), parameter.back(), inner_width, 3.5 * text,

@@ -13,19 +13,11 @@ namespace sbeh::picture {
 namespace {
 
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
-constexpr double infinity = std::numeric_limits<double>::infinity();
 
 Mark mark_of(const PointResult* point) {
   if (!point) return Mark::absent;
-  switch (point->status) {
-    case PointStatus::stationary:
-      return Mark::none;
-    case PointStatus::unresolved:
-      return Mark::unresolved;
-    case PointStatus::failed:
-      break;
-  }
-  return Mark::failed;
+  if (point->status == PointStatus::stationary) return Mark::none;
+  return point->status == PointStatus::unresolved ? Mark::unresolved : Mark::failed;
 }
 
 struct Entry {
@@ -43,7 +35,7 @@ int branch_index(const ScanGrid& scan, const PointResult* point) {
 }
 
 Quantity tabulate(const ScanGrid& scan, std::string title, const Value& value) {
-  Quantity quantity{.title = std::move(title), .values = {}, .marks = {}, .regions = {}};
+  Quantity quantity{.title = std::move(title)};
   for (std::size_t volume = 0; volume < scan.reduced_volumes().size(); ++volume) {
     auto& values = quantity.values.emplace_back();
     auto& marks = quantity.marks.emplace_back();
@@ -80,29 +72,28 @@ bool Quantity::has(Mark mark) const {
       marks, [&](const auto& row) { return std::ranges::find(row, mark) != row.end(); });
 }
 
-std::pair<double, double> Quantity::range() const {
-  double low = infinity, high = -infinity;
+Range Quantity::range() const {
+  constexpr double infinity = std::numeric_limits<double>::infinity();
+  Range range;
   const auto include = [&](Mark wanted, double from, double to) {
-    for (std::size_t i = 0; i < values.size(); ++i) {
-      for (std::size_t j = 0; j < values[i].size(); ++j) {
-        const double value = values[i][j];
-        if (marks[i][j] != wanted || !(value >= from && value <= to)) continue;
-        low = std::min(low, value);
-        high = std::max(high, value);
-      }
-    }
+    for (std::size_t i = 0; i < values.size(); ++i)
+      for (std::size_t j = 0; j < values[i].size(); ++j)
+        if (const double value = values[i][j];
+            marks[i][j] == wanted && value >= from && value <= to)
+          range.include(value);
   };
   include(Mark::none, -infinity, infinity);
+  const auto [low, high] = range;
   const double far = low <= high ? std::max(2.0 * (high - low), 0.5 * std::abs(high)) : infinity;
   include(Mark::unresolved, low - far, high + far);
-  return low <= high ? std::pair(low, high) : std::pair(0.0, 1.0);
+  return range.low <= range.high ? range : Range{0.0, 1.0};
 }
 
 std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
                                          const std::filesystem::path& directory, Model model) {
   const std::filesystem::path file = directory / "lowest.csv";
   if (!std::filesystem::exists(file)) return {};
-  BranchMap map{.quantity = {}, .names = scan.branches()};
+  BranchMap map{{}, scan.branches()};
   std::map<std::pair<double, double>, int> lowest;
   for (const studies::LowestRow& row : studies::read_rows(studies::lowest_columns(), file)) {
     if (row.model != model) continue;

@@ -1,6 +1,7 @@
 // The quantities of a diagram over (reduced volume, L).
 #pragma once
 
+#include "tools/picture/canvas/geometry.h"
 #include "tools/picture/scan/scan_grid.h"
 
 #include <filesystem>
@@ -14,15 +15,16 @@ namespace sbeh::picture {
 enum class Mark { none, unresolved, failed, absent };
 
 struct Quantity {
-  std::string title;
-  std::vector<std::vector<double>> values;  ///< [reduced volume][L], NaN without value
-  std::vector<std::vector<Mark>> marks;
-  std::vector<std::vector<int>> regions;  ///< no contour crosses from one to another, or enters −1
+  std::string title{};
+  std::vector<std::vector<double>> values{};  ///< [reduced volume][L], NaN without value
+  std::vector<std::vector<Mark>> marks{};
+  std::vector<std::vector<int>>
+      regions{};  ///< no contour crosses from one to another, or enters −1
 
   bool has(Mark mark) const;
 
   /// Of the stationary points and of the unresolved ones that are not far away from them.
-  std::pair<double, double> range() const;
+  Range range() const;
 };
 
 /// Which branch is lowest: values are indices of `names`.

@@ -49,6 +49,11 @@ bool ScanGrid::has(Model model) const {
   return std::ranges::any_of(points_, [&](const auto& p) { return std::get<0>(p.first) == model; });
 }
 
+bool ScanGrid::has_series() const {
+  return std::ranges::any_of(
+      points_, [&](const auto& p) { return std::filesystem::exists(series(p.second)); });
+}
+
 const PointResult* ScanGrid::find(Model model, std::size_t reduced_volume,
                                   std::size_t length) const {
   const auto found = points_.find({model, reduced_volumes_[reduced_volume], lengths_[length]});

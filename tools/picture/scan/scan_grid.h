@@ -27,6 +27,7 @@ class ScanGrid {
   const std::vector<std::string>& branches() const { return branches_; }
 
   bool has(Model model) const;
+  bool has_series() const;  ///< of any point
 
   /// nullptr if the scan has no such row.
   const PointResult* find(Model model, std::size_t reduced_volume, std::size_t length) const;

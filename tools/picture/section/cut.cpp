@@ -1,5 +1,8 @@
 #include "tools/picture/section/cut.h"
 
+#include "tools/picture/chart/chart.h"
+
+#include <algorithm>
 #include <cmath>
 
 namespace sbeh::picture {
@@ -25,16 +28,13 @@ Cut thinned(const Cut& cut, double spacing) {
   Cut kept = cut;
   kept.points.assign(1, cut.points.front());
   kept.order.assign(1, cut.order.front());
-  double travelled = 0.0;
-  double turned = 0.0;
+  double travelled = 0.0, turned = 0.0;
   for (std::size_t i = 1; i < cut.points.size(); ++i) {
     const auto& [x, y] = cut.points[i];
-    const double dx = x - cut.points[i - 1][0];
-    const double dy = y - cut.points[i - 1][1];
+    const double dx = x - cut.points[i - 1][0], dy = y - cut.points[i - 1][1];
     travelled += std::hypot(dx, dy);
     if (i + 1 < cut.points.size()) {
-      const double ex = cut.points[i + 1][0] - x;
-      const double ey = cut.points[i + 1][1] - y;
+      const double ex = cut.points[i + 1][0] - x, ey = cut.points[i + 1][1] - y;
       turned += std::abs(std::atan2(dx * ey - dy * ex, dx * ex + dy * ey));
     }
     const bool last = i + 1 == cut.points.size();
@@ -46,6 +46,45 @@ Cut thinned(const Cut& cut, double spacing) {
     }
   }
   return kept;
+}
+
+void Extent::include(const Cut& cut) {
+  half_width = std::max(half_width, cut.half_width);
+  half_height = std::max(half_height, cut.half_height);
+}
+
+void OrderRange::include(const Cut& cut) {
+  for (const double order : cut.order)
+    if (std::isfinite(order)) Range::include(order);
+}
+
+ColourMap OrderRange::colours() const {
+  return {Palette::lines, high > low ? Range(*this) : Range{0.0, 1.0}};
+}
+
+LineStyle style_by_length(std::size_t length, std::size_t count) {
+  const double fraction = count == 1 ? 1.0 : double(length) / double(count - 1);
+  const auto grey = static_cast<unsigned char>(190.0 * (1.0 - fraction));
+  return {.colour = {grey, grey, grey}, .width = 1.4 + 0.8 * fraction};
+}
+
+void draw_cuts(Canvas& canvas, const Rect& cell, double scale, const std::vector<CutLine>& lines) {
+  constexpr double point_distance = 3.0;  // pixels
+  const double x = 0.5 * cell.width / scale;
+  const double y = 0.5 * cell.height / scale;
+  Chart chart(canvas, cell, 1.0, {.low = -x, .high = x}, {.low = -y, .high = y});
+  for (const CutLine& line : lines) {
+    const Cut cut = thinned(*line.cut, point_distance / scale);
+    if (!line.colours) {
+      chart.curve(cut.points, line.style);
+      continue;
+    }
+    std::vector<Colour> colours;
+    for (const double order : cut.order) {
+      colours.push_back(std::isfinite(order) ? (*line.colours)(order) : dark_grey);
+    }
+    chart.coloured_curve(cut.points, colours, line.style.width);
+  }
 }
 
 }  // namespace sbeh::picture

@@ -1,8 +1,8 @@
-// The closed cross section of an axisymmetric shape.
+// Closed cross sections of axisymmetric shapes, and how they are drawn: in cells of one scale.
 #pragma once
 
 #include "axisym/curve.h"
-#include "tools/picture/canvas/geometry.h"
+#include "tools/picture/chart/colours.h"
 
 #include <vector>
 
@@ -20,5 +20,32 @@ Cut mirrored(const axisym::State& profile);
 
 /// Only the points a picture can show: those farther apart than `spacing`, or where the curve turns.
 Cut thinned(const Cut& cut, double spacing);
+
+/// The largest half width and half height of all cuts shown together.
+struct Extent {
+  double half_width = 0.0;
+  double half_height = 0.0;
+  void include(const Cut& cut);
+};
+
+/// The range of β over cuts, for the colours.
+struct OrderRange : Range {
+  OrderRange() : Range{1.0, 0.0} {}
+  void include(const Cut& cut);
+  ColourMap colours() const;
+};
+
+/// One cut in a cell: coloured by its order if `colours` is set, otherwise as `style` says.
+struct CutLine {
+  const Cut* cut = nullptr;
+  const ColourMap* colours = nullptr;
+  LineStyle style;
+};
+
+/// Of the cut number `length` of `count` at ascending L: grey and thin at first, black and thicker at last.
+LineStyle style_by_length(std::size_t length, std::size_t count);
+
+/// Centred in the cell, `scale` pixels per unit of length in both directions.
+void draw_cuts(Canvas& canvas, const Rect& cell, double scale, const std::vector<CutLine>& lines);
 
 }  // namespace sbeh::picture

@@ -1,8 +1,6 @@
-#include "tools/picture/studies/classical.h"
-
-#include "studies/seifert/seifert.h"
-#include "tools/picture/chart/chart.h"
+#include "studies/seifert/seifert_tables.h"
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/studies/studies.h"
 
 #include <algorithm>
 #include <map>
@@ -63,20 +61,19 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
   if (!others.empty()) legend.push_back(marker_entry(Marker::hollow, dark_grey, others));
   legend.push_back(marker_entry(Marker::full, black, "special points"));
 
-  const double width = options.size ? options.size->width : 1100.0;
-  const double height = options.size ? options.size->height : 800.0;
+  const double width = options.width(1100.0), height = options.height(800.0);
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double below = below_axis(text) + 0.8 * text + legend_at;
   const Rect inside{5.2 * text, below, width - 6.8 * text, height - below - 1.6 * text};
-  double low[2] = {1e300, 1e300}, high[2] = {-1e300, -1e300};
+  Range volumes, energies;
   for (const auto& [key, points] : all.points)
-    for (const auto& point : points)
-      for (int c = 0; c < 2; ++c) {
-        low[c] = std::min(low[c], point[c]);
-        high[c] = std::max(high[c], point[c]);
-      }
-  const Axis x = linear_axis(low[0], high[0], inside.width, 4.0 * text, "reduced volume Vᵣ");
-  const Axis y = linear_axis(low[1], high[1], inside.height, 3.2 * text, "F / 8πκ");
+    for (const auto& [volume, energy] : points) {
+      volumes.include(volume);
+      energies.include(energy);
+    }
+  const Axis x =
+      linear_axis(volumes.low, volumes.high, inside.width, 4.0 * text, "reduced volume Vᵣ");
+  const Axis y = linear_axis(energies.low, energies.high, inside.height, 3.2 * text, "F / 8πκ");
 
   canvas.start(width, height);
   Chart chart(canvas, inside, text, x, y);

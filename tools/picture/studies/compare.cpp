@@ -1,8 +1,6 @@
-#include "tools/picture/studies/compare.h"
-
-#include "studies/compare/compare.h"
-#include "tools/picture/chart/chart.h"
+#include "studies/compare/compare_tables.h"
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/studies/studies.h"
 
 #include <algorithm>
 #include <cmath>
@@ -60,15 +58,15 @@ std::vector<Curve> read_curves(const std::filesystem::path& file) {
 }
 
 struct Box {
-  double r = 0.0, low = 1e300, high = -1e300, length = 0.0;
+  double r = 0.0, length = 0.0;
+  Range z;
 };
 Box box_of(const std::vector<Curve>& curves) {
   Box box;
   for (const Curve& curve : curves)
     for (std::size_t i = 0; i < curve.section.size(); ++i) {
       box.r = std::max(box.r, curve.section[i][0]);
-      box.low = std::min(box.low, curve.section[i][1]);
-      box.high = std::max(box.high, curve.section[i][1]);
+      box.z.include(curve.section[i][1]);
       box.length = std::max(box.length, curve.distance[i][0]);
     }
   return box;
@@ -80,22 +78,26 @@ Points other_half(const Points& half) {
   return mirrored;
 }
 
+void draw_curve(Chart& chart, const Curve& curve, const Points& points, double text) {
+  if (curve.is_marked())
+    chart.markers(points, Marker::full, curve.style().colour, 0.18 * text);
+  else
+    chart.curve(points, curve.style());
+}
+
 void draw_section(Canvas& canvas, const Rect& inside, double text, const Axis& r, const Axis& z,
                   const std::vector<Curve>& curves) {
   Chart chart(canvas, inside, text, r, z);
   for (const Curve& curve : curves)
     for (const Points& half : {curve.section, other_half(curve.section)})
-      if (curve.is_marked())
-        chart.markers(half, Marker::full, curve.style().colour, 0.18 * text);
-      else
-        chart.curve(half, curve.style());
+      draw_curve(chart, curve, half, text);
 }
 
 // Whole decades, without lesser ticks between.
 Axis decades(double low, double high, std::string title) {
   const Axis all = decade_axis(std::floor(std::log10(low)), std::ceil(std::log10(high) + 0.05),
                                std::move(title));
-  Axis axis{.low = all.low, .high = all.high, .title = all.title, .ticks = {}, .labels = {}};
+  Axis axis{.low = all.low, .high = all.high, .title = all.title};
   for (std::size_t i = 0; i < all.ticks.size(); ++i)
     if (!all.labels[i].empty()) {
       axis.ticks.push_back(all.ticks[i]);
@@ -107,25 +109,18 @@ Axis decades(double low, double high, std::string title) {
 // Distances far below the largest, such as where curves cross, stay on the lower edge.
 void draw_distances(Canvas& canvas, const Rect& inside, double text, const Axis& s,
                     const std::vector<Curve>& curves) {
-  double low = 1e300, high = 1e-300;
+  Range largest;
   for (const Curve& curve : curves)
-    if (curve.largest > 0.0) {
-      low = std::min(low, curve.largest);
-      high = std::max(high, curve.largest);
-    }
-  if (low > high) return;  // there is nothing but the first method
-  const double floor = std::max(1e-3 * low, 1e-16);
-  const Axis y = decades(floor, high, "distance");
+    if (curve.largest > 0.0) largest.include(curve.largest);
+  if (largest.low > largest.high) return;  // there is nothing but the first method
+  const Axis y = decades(std::max(1e-3 * largest.low, 1e-16), largest.high, "distance");
   Chart chart(canvas, inside, text, s, y);
   for (const Curve& curve : curves) {
     if (curve.largest == 0.0) continue;
     Points points;
     for (const auto& [length, distance] : curve.distance)
       points.push_back({length, std::log10(std::max(distance, std::pow(10.0, y.low)))});
-    if (curve.is_marked())
-      chart.markers(points, Marker::full, curve.style().colour, 0.18 * text);
-    else
-      chart.curve(points, curve.style());
+    draw_curve(chart, curve, points, text);
   }
 }
 
@@ -141,29 +136,29 @@ void draw_compared_profiles(Canvas& canvas, const Options& options) {
                                        : line_entry(curve.style(), name(curve.method)));
   const Box box = box_of(curves);
   const double left = 5.6 * text, right = 1.6 * text, below = below_axis(text);
-  const double width = options.size ? options.size->width : 1000.0;
+  const double width = options.width(1000.0);
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double distances = 13.0 * text;  // height of the lower chart
   const double fixed = 2.0 * below + distances + legend_at + 3.6 * text;
-  const double highest = (options.size ? double(options.size->height) : 1500.0) - fixed;
+  const double highest = options.height(1500.0) - fixed;
   // One scale for r and z, as large as width and height allow.
-  const double margin = 0.06 * std::max(box.r, 0.5 * (box.high - box.low));
-  const double across = 2.0 * (box.r + margin), up = box.high - box.low + 2.0 * margin;
+  const double margin = 0.06 * std::max(box.r, 0.5 * box.z.width());
+  const double across = 2.0 * (box.r + margin), up = box.z.width() + 2.0 * margin;
   const double scale = std::min((width - left - right) / across, std::max(highest, text) / up);
-  const double height = options.size ? options.size->height : fixed + scale * up;
+  const double height = options.height(fixed + scale * up);
   const Rect section{left + 0.5 * (width - left - right - scale * across),
                      height - 1.2 * text - scale * up, scale * across, scale * up};
   const Rect lower{left, legend_at + 0.8 * text + below, width - left - right, distances};
 
   const auto axis = [&](double low, double high, const char* title) {
-    return cropped(linear_axis(low, high, scale * (high - low), 4.0 * text, title), low, high);
+    return exact_axis(low, high, scale * (high - low), 4.0 * text, title);
   };
   canvas.start(width, height);
   draw_section(canvas, section, text, axis(-box.r - margin, box.r + margin, "r"),
-               axis(box.low - margin, box.high + margin, "z"), curves);
-  const Axis s = linear_axis(0.0, box.length, lower.width, 5.0 * text,
-                             std::string("arc length of ") + name(curves.front().method));
-  draw_distances(canvas, lower, text, cropped(s, 0.0, box.length), curves);
+               axis(box.z.low - margin, box.z.high + margin, "z"), curves);
+  const Axis s = exact_axis(0.0, box.length, lower.width, 5.0 * text,
+                            std::string("arc length of ") + name(curves.front().method));
+  draw_distances(canvas, lower, text, s, curves);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "profiles");
 }

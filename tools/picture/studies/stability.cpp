@@ -1,9 +1,6 @@
-#include "tools/picture/studies/stability.h"
-
-#include "studies/stability/stability_run.h"
-#include "tools/picture/chart/chart.h"
-#include "tools/picture/chart/grid_axis.h"
+#include "studies/stability/stability_table.h"
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/studies/studies.h"
 
 #include <fmt/format.h>
 
@@ -104,20 +101,19 @@ void draw_map(Canvas& canvas, const Rect& inside, const Panel& panel, double tex
 
 // Rates over V_r, with their uncertainty and the zero line.
 void draw_rates(Canvas& canvas, const Rect& inside, const Panel& panel, double text) {
-  double low = 0.0, high = 0.0;
+  Range rates{0.0, 0.0};
   for (const Run& run : panel.runs)
     if (std::isfinite(run.rate)) {
-      low = std::min(low, run.rate - run.error);
-      high = std::max(high, run.rate + run.error);
+      rates.include(run.rate - run.error);
+      rates.include(run.rate + run.error);
     }
-  const double room = 0.12 * (high - low) + 1e-6;
+  const double room = 0.12 * rates.width() + 1e-6;
   const auto volumes = panel.values(&Run::reduced_volume);
   const double side = 0.1 * std::max(volumes.back() - volumes.front(), 0.05);
   const double left = volumes.front() - side, right = volumes.back() + side;
-  const Axis x =
-      cropped(linear_axis(left, right, inside.width, 4.0 * text, "reduced volume Vᵣ"), left, right);
-  const Axis y = cropped(linear_axis(low - room, high + room, inside.height, 3.0 * text, "rate/κ"),
-                         low - room, high + room);
+  const Axis x = exact_axis(left, right, inside.width, 4.0 * text, "reduced volume Vᵣ");
+  const Axis y =
+      exact_axis(rates.low - room, rates.high + room, inside.height, 3.0 * text, "rate/κ");
   Chart chart(canvas, inside, text, x, y);
   chart.curve({{left, 0.0}, {right, 0.0}}, {.colour = dark_grey, .width = 1.2, .dashed = true});
   Points line;
@@ -132,8 +128,8 @@ void draw_rates(Canvas& canvas, const Rect& inside, const Panel& panel, double t
                   {.colour = look.colour, .width = 1.6});
     chart.markers({{run.reduced_volume, rate}}, look.marker, look.colour, 0.8 * text);
     if (const std::string goal = run.goal(); !goal.empty())
-      canvas.text(inside.x + (run.reduced_volume - x.low) / (x.high - x.low) * inside.width,
-                  inside.y + (rate - y.low) / (y.high - y.low) * inside.height + 1.1 * text, goal,
+      canvas.text(inside.x + x.share(run.reduced_volume) * inside.width,
+                  inside.y + y.share(rate) * inside.height + 1.1 * text, goal,
                   {.size = 0.75 * text, .colour = look.colour});
   }
 }
@@ -158,13 +154,12 @@ void draw_stability(Canvas& canvas, const Options& options) {
   const auto legend = legend_of(panels);
   const std::size_t across = std::min<std::size_t>(panels.size(), 3),
                     down = (panels.size() + across - 1) / across;
-  const double width = options.size ? options.size->width : std::max(560.0 * double(across), 820.0);
+  const double width = options.width(std::max(560.0 * double(across), 820.0));
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double bottom = 1.6 * text + legend_at, below = below_axis(text), above = 2.8 * text;
   const double left = 5.8 * text, right = 1.2 * text, top = 2.2 * text;
   const double inner_width = width / double(across) - left - right;
-  const double height = options.size ? options.size->height
-                                     : bottom + top + double(down) * (below + above + inner_width);
+  const double height = options.height(bottom + top + double(down) * (below + above + inner_width));
   const double inner_height = (height - bottom - top) / double(down) - below - above;
   canvas.start(width, height);
   canvas.text(0.5 * width, height - 1.2 * text, "Growth rate of a perturbation, over κ(2/3)",

@@ -1,6 +1,6 @@
 #include "tools/picture/surface/frames.h"
 
-#include "studies/io/errors.h"
+#include "tools/picture/options.h"
 
 #include <fmt/format.h>
 
@@ -44,7 +44,7 @@ studies::CurvedFile read_state(const std::filesystem::path& frame) {
   if (auto* curved = std::get_if<studies::CurvedFile>(&file))
     if (curved->fields.contains("order") && curved->fields.contains("mean_curvature"))
       return std::move(*curved);
-  throw studies::InputError(fmt::format("{}: is no frame of a run", frame.string()));
+  throw InputError(fmt::format("{}: is no frame of a run", frame.string()));
 }
 
 }  // namespace sbeh::picture

@@ -129,6 +129,11 @@ void add_light(vtkRenderer* renderer, const Vector3d& from, double intensity) {
   renderer->AddLight(light);
 }
 
+// Half way between the least and the largest coordinates.
+Vector3d middle_of(const meshing::CurvedMesh& mesh) {
+  return (mesh.nodes.rowwise().maxCoeff() + mesh.nodes.rowwise().minCoeff()) / 2;
+}
+
 void set_camera(vtkRenderer* renderer, const Vector3d& middle, const View& view, double half_width,
                 double height_by_width) {
   vtkCamera* camera = renderer->GetActiveCamera();
@@ -143,10 +148,14 @@ void set_camera(vtkRenderer* renderer, const Vector3d& middle, const View& view,
 
 }  // namespace
 
-vtkSmartPointer<vtkImageData> render(const meshing::CurvedMesh& mesh, const Eigen::VectorXd& values,
-                                     const ColourMap& colours, const View& view, double half_width,
-                                     int pixels, Edges show_edges, int pixels_high) {
-  const int height = pixels_high > 0 ? pixels_high : pixels;
+double radius_of(const meshing::CurvedMesh& mesh) {
+  return (mesh.nodes.colwise() - middle_of(mesh)).colwise().norm().maxCoeff();
+}
+
+void draw_surface(Canvas& canvas, const Rect& cell, const meshing::CurvedMesh& mesh,
+                  const Eigen::VectorXd& values, const ColourMap& colours, const View& view,
+                  double half_width, Edges show_edges) {
+  const int width = int(cell.width), height = int(cell.height);
   vtkNew<vtkPolyDataMapper> surface_mapper, edge_mapper;
   surface_mapper->SetResolveCoincidentTopologyToPolygonOffset();
   surface_mapper->SetInputData(surface_of(mesh, values, colours));
@@ -173,17 +182,16 @@ vtkSmartPointer<vtkImageData> render(const meshing::CurvedMesh& mesh, const Eige
   vtkNew<vtkRenderWindow> window;
   window->SetOffScreenRendering(1);
   window->SetMultiSamples(8);
-  window->SetSize(pixels, height);
+  window->SetSize(width, height);
   window->AddRenderer(renderer);
-  set_camera(renderer, (mesh.nodes.rowwise().maxCoeff() + mesh.nodes.rowwise().minCoeff()) / 2,
-             view, half_width, double(height) / pixels);
+  set_camera(renderer, middle_of(mesh), view, half_width, double(height) / width);
   window->Render();
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(window);
   image->ReadFrontBufferOff();
   image->ShouldRerenderOff();
   image->Update();
-  return image->GetOutput();
+  canvas.image(image->GetOutput(), cell.x, cell.y);
 }
 
 }  // namespace sbeh::picture

@@ -1,12 +1,8 @@
-// A surface in space, rendered into an image.
+// A surface in space, rendered into a picture.
 #pragma once
 
 #include "meshing/curved_mesh.h"
 #include "tools/picture/chart/colours.h"
-
-#include <vtkSmartPointer.h>
-
-class vtkImageData;
 
 namespace sbeh::picture {
 
@@ -15,14 +11,17 @@ struct View {
   Eigen::Vector3d from;
   Eigen::Vector3d up;
 };
+inline const View side_view{{0.5, -1.0, 0.45}, {0, 0, 1}}, top_view{{0, 0, 1}, {0, 1, 0}};
 
 enum class Edges { shown, hidden };
 
-/// Image of `pixels` width, and as much height unless `pixels_high` says otherwise. The surface is coloured
-/// by `values`, one per node, and may show the edges of its triangles; `half_width` is the length from
-/// the middle of the image to its left or right side.
-vtkSmartPointer<vtkImageData> render(const meshing::CurvedMesh& mesh, const Eigen::VectorXd& values,
-                                     const ColourMap& colours, const View& view, double half_width,
-                                     int pixels, Edges edges = Edges::shown, int pixels_high = 0);
+/// The largest distance of a node from the middle of all.
+double radius_of(const meshing::CurvedMesh& mesh);
+
+/// Renders the surface into the whole pixels of a cell. It is coloured by `values`, one per node, and may show the
+/// edges of its triangles; `half_width` is the length from the middle of the cell to its left or right side.
+void draw_surface(Canvas& canvas, const Rect& cell, const meshing::CurvedMesh& mesh,
+                  const Eigen::VectorXd& values, const ColourMap& colours, const View& view,
+                  double half_width, Edges edges = Edges::hidden);
 
 }  // namespace sbeh::picture

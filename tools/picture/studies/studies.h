@@ -1,0 +1,22 @@
+// The pictures of the classical diagram, of a comparison and of a study of stability, each written as PNG and
+// SVG into the folder of its tables. All throw InputError.
+#pragma once
+
+#include "tools/picture/canvas/canvas.h"
+#include "tools/picture/options.h"
+
+namespace sbeh::picture {
+
+/// branches: reduced energy over reduced volume, from branches.csv and points.csv of `sbeh seifert`. Curves of
+/// the first witness, the others as marks on them, and the special points.
+void draw_classical_diagram(Canvas& canvas, const Options& options);
+
+/// profiles: from profiles.csv of `sbeh compare`. Cross sections of all methods on top of each other, the 3D
+/// solver's nodes as marks, and below them the distance from the first method over the arc length.
+void draw_compared_profiles(Canvas& canvas, const Options& options);
+
+/// stability: which axisymmetric states are stable in 3D, from stability.csv. Markers over (V_r, L), or rates
+/// over V_r where there is one L.
+void draw_stability(Canvas& canvas, const Options& options);
+
+}  // namespace sbeh::picture
