@@ -69,9 +69,8 @@ std::string displayable(const std::string& text) {
                                                                                 {"×", "x"}}};
   std::string result = text;
   for (const auto& [letter, plain] : spelled) {
-    for (std::size_t at; (at = result.find(letter)) != std::string::npos;) {
+    for (std::size_t at; (at = result.find(letter)) != std::string::npos;)
       result.replace(at, std::string(letter).size(), plain);
-    }
   }
   return result;
 }

@@ -21,9 +21,8 @@ std::string power_of_ten(int exponent) {
 }
 
 std::string decade_label(int exponent, int factor) {
-  if (exponent >= -3 && exponent <= 3) {
+  if (exponent >= -3 && exponent <= 3)
     return fmt::format("{:g}", factor * std::pow(10.0, exponent));
-  }
   return factor == 1 ? power_of_ten(exponent)
                      : fmt::format("{}·{}", factor, power_of_ten(exponent));
 }

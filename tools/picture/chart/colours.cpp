@@ -1,6 +1,5 @@
 #include "tools/picture/chart/colours.h"
 
-#include <fmt/format.h>
 #include <vtkColorTransferFunction.h>
 #include <vtkNew.h>
 
@@ -74,9 +73,7 @@ void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
                 {.size = 0.85 * text_size, .align = Align::left});
   }
   const double x = rect.right() + colour_bar_margin(canvas, map, true, text_size) - 0.6 * text_size;
-  if (!title.empty()) {
-    canvas.text(x, rect.centre_y(), title, {.size = text_size, .upward = true});
-  }
+  if (!title.empty()) canvas.text(x, rect.centre_y(), title, {.size = text_size, .upward = true});
 }
 
 void draw_short_bar(Canvas& canvas, double x, const Range& room, const ColourMap& map,
@@ -88,18 +85,16 @@ void draw_short_bar(Canvas& canvas, double x, const Range& room, const ColourMap
 
 double colour_bar_margin(const Canvas& canvas, const ColourMap& map, bool title, double text_size) {
   double widest = 0.0;
-  for (const auto& label : map.scale().labels) {
+  for (const auto& label : map.scale().labels)
     widest = std::max(widest, canvas.text_width(label, 0.85 * text_size));
-  }
   return 0.5 * text_size + widest + (title ? 1.8 * text_size : 0.0);
 }
 
 std::vector<Colour> line_colours(std::size_t count) {
   const ColourMap map(Palette::lines, {0.0, 1.0});
   std::vector<Colour> colours;
-  for (std::size_t i = 0; i < count; ++i) {
+  for (std::size_t i = 0; i < count; ++i)
     colours.push_back(map(count == 1 ? 1.0 : 0.08 + 0.92 * double(i) / double(count - 1)));
-  }
   return colours;
 }
 

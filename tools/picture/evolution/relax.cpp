@@ -9,7 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <cmath>
+#include <functional>
 #include <limits>
 #include <numeric>
 
@@ -22,27 +22,23 @@ constexpr double shown_decades = 5;  // from the largest energy down: what is le
 
 struct Part {
   std::string name;
-  std::vector<double> values;
+  std::function<double(const model::Energy&)> of;
   double shift;
   LineStyle style;
 };
 
 // The total is the widest and below the others: at full order the bending energy is the same.
-std::vector<Part> parts_of(const std::vector<studies::SeriesRow>& series, const Options& options) {
+std::vector<Part> parts_of(const Options& options) {
+  const std::string name = options.energy_name(), suffix = name.substr(1);  // " + 4π"
   const double shift = options.energy_shift;
-  const std::string suffix = options.energy_name().substr(1);  // " + 4π"
-  std::vector<Part> parts{
-      {"total " + options.energy_name(), {}, shift, {.colour = black, .width = 4.5}},
-      {"thermotropic" + suffix, {}, shift, {.colour = {0, 158, 115}, .width = 2.0, .dashed = true}},
-      {"bending", {}, 0.0, {.colour = {213, 94, 0}, .width = 2.0}},
-      {"distortion", {}, 0.0, {.colour = {0, 114, 178}, .width = 2.0}}};
-  for (const studies::SeriesRow& row : series) {
-    const model::Energy& energy = row.record.energy;
-    const double values[] = {energy.total(), energy.thermotropic, energy.bending,
-                             energy.distortion};
-    for (std::size_t k = 0; k < parts.size(); ++k) parts[k].values.push_back(values[k]);
-  }
-  return parts;
+  using model::Energy;
+  return {{"total " + name, &Energy::total, shift, {.colour = black, .width = 4.5}},
+          {"thermotropic" + suffix,
+           &Energy::thermotropic,
+           shift,
+           {.colour = {0, 158, 115}, .width = 2.0, .dashed = true}},
+          {"bending", &Energy::bending, 0.0, {.colour = {213, 94, 0}, .width = 2.0}},
+          {"distortion", &Energy::distortion, 0.0, {.colour = {0, 114, 178}, .width = 2.0}}};
 }
 
 }  // namespace
@@ -50,16 +46,17 @@ std::vector<Part> parts_of(const std::vector<studies::SeriesRow>& series, const 
 void draw_evolution_energy(Canvas& canvas, const Options& options) {
   const auto series =
       studies::read_rows(studies::series_columns(), options.directory / "series.csv");
-  std::vector<double> time;
-  time.reserve(series.size());
-  for (const studies::SeriesRow& row : series) time.push_back(row.record.time);
-
   std::vector<Points> curves;
   std::vector<LineStyle> styles;
   std::vector<LegendEntry> legend;
   double floor = -std::numeric_limits<double>::infinity();
-  for (const Part& part : parts_of(series, options)) {
-    Points points = log_log(time, part.values, part.shift);
+  for (const Part& part : parts_of(options)) {
+    std::vector<double> time, value;
+    for (const studies::SeriesRow& row : series) {
+      time.push_back(row.record.time);
+      value.push_back(part.of(row.record.energy));
+    }
+    Points points = log_log(time, value, part.shift);
     for (const auto& point : points) floor = std::max(floor, point[1] - shown_decades);
     std::erase_if(points, [&](const auto& point) { return point[1] < floor; });
     if (points.size() < 2) continue;

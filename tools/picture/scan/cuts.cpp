@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <map>
 #include <optional>
-#include <utility>
 
 namespace sbeh::picture {
 namespace {
@@ -130,9 +129,8 @@ std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const std::optional<
     entries.push_back(
         coloured_line_entry(*colours, 0.32 * text_size, "SBEH, coloured by its order"));
   }
-  if (scan.has(Model::SSH)) {
+  if (scan.has(Model::SSH))
     entries.push_back(line_entry(ssh_style(text_size, colours.has_value()), "SSH"));
-  }
   if (colours && matrix.overlay_rows > 0) {
     const std::size_t last = scan.lengths().size() - 1;
     entries.push_back(line_entry(style_by_length(0, last + 1),
@@ -196,9 +194,8 @@ Layout layout_of(const Canvas& canvas, const CutMatrix& matrix, const Options& o
   Layout at;
   at.text = options.text_size();
   double title = 0.0;
-  for (std::size_t row = 0; row < matrix.rows(); ++row) {
+  for (std::size_t row = 0; row < matrix.rows(); ++row)
     title = std::max(title, canvas.text_width(matrix.row_titles[row], at.text));
-  }
   at.left = title + 1.8 * at.text;
   at.right = 2.0 * at.text
            + (colours ? 1.6 * at.text + colour_bar_margin(canvas, *colours, true, at.text) : 0.0);
@@ -229,9 +226,8 @@ void draw_cell(Canvas& canvas, const CutMatrix& matrix, const CutMatrix::Cell& o
   cell.y += at.remarks;
   cell.height -= at.remarks;
   std::vector<CutLine> lines;
-  if (sbeh && colours) {
+  if (sbeh && colours)
     lines.push_back({.cut = sbeh, .colours = &*colours, .style = {.width = 0.32 * at.text}});
-  }
   if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text, colours.has_value())});
   if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
   canvas.text(cell.centre_x(), cell.y, of.remark, {.size = 0.8 * at.text, .colour = dark_grey});
@@ -249,9 +245,8 @@ void draw_overlay(Canvas& canvas, const CutMatrix& matrix, std::size_t index, co
   std::vector<CutLine> lines;
   const Cut* ssh = nullptr;
   for (std::size_t length = 0; length < count; ++length) {
-    if (const Cut* cut = matrix.cut(Model::SBEH, volume, length)) {
+    if (const Cut* cut = matrix.cut(Model::SBEH, volume, length))
       lines.push_back({.cut = cut, .style = style_by_length(length, count)});
-    }
     if (!ssh) ssh = matrix.cut(Model::SSH, volume, length);
   }
   if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text, true)});

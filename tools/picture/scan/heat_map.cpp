@@ -180,9 +180,8 @@ std::vector<LegendEntry> mark_legend(const std::vector<Quantity>& quantities, bo
     };
   };
   std::vector<LegendEntry> entries;
-  if (any(Mark::unresolved)) {
+  if (any(Mark::unresolved))
     entries.push_back({box(Mark::unresolved, {190, 200, 205}), "unresolved"});
-  }
   if (any(Mark::failed)) entries.push_back({box(Mark::failed, light_grey), "failed"});
   if (any(Mark::absent)) {
     const auto frame = [](Canvas& canvas, const Rect& r) {

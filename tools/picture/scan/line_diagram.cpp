@@ -93,9 +93,8 @@ void draw_series(Chart& chart, const Series& series, const std::vector<double>& 
 
 std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
   std::vector<LegendEntry> entries;
-  for (const Series& series : panels.back().series) {
+  for (const Series& series : panels.back().series)
     entries.push_back(line_entry(series.style, series.name));
-  }
   std::ranges::reverse(entries);
   const auto marked = [&](Mark mark) {
     return std::ranges::any_of(panels, [&](const Panel& panel) {
@@ -138,9 +137,8 @@ void draw_line_diagram(Canvas& canvas, const ScanGrid& scan, const Options& opti
     const Rect inside{double(i) * width / count + left, below, inner_width, inner_height};
     const Axis y = value_axis(panels[i], inner_height, 3.0 * text);
     Chart chart(canvas, inside, text, x, y);
-    for (const Series& series : panels[i].series) {
+    for (const Series& series : panels[i].series)
       draw_series(chart, series, parameter, y, 0.6 * text);
-    }
     canvas.text(inside.centre_x(), inside.top() + 1.2 * text, panels[i].title, {.size = text});
   }
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);

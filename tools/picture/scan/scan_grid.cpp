@@ -75,11 +75,9 @@ double energy_of(const PointResult& point) {
 std::vector<std::size_t> evenly_spread(std::size_t size, std::size_t count) {
   std::vector<std::size_t> chosen;
   const std::size_t n = std::min(size, count);
-  for (std::size_t i = 0; i < n; ++i) {
-    chosen.push_back(n == 1 ? 0
-                            : static_cast<std::size_t>(
-                                std::llround(double(i) * double(size - 1) / double(n - 1))));
-  }
+  for (std::size_t i = 0; i < n; ++i)
+    chosen.push_back(
+        n == 1 ? 0 : std::size_t(std::llround(double(i) * double(size - 1) / double(n - 1))));
   return chosen;
 }
 

@@ -80,9 +80,8 @@ void draw_cuts(Canvas& canvas, const Rect& cell, double scale, const std::vector
       continue;
     }
     std::vector<Colour> colours;
-    for (const double order : cut.order) {
+    for (const double order : cut.order)
       colours.push_back(std::isfinite(order) ? (*line.colours)(order) : dark_grey);
-    }
     chart.coloured_curve(cut.points, colours, line.style.width);
   }
 }

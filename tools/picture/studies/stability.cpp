@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <map>
 #include <set>
 #include <tuple>
 
@@ -28,47 +29,32 @@ constexpr std::array<Look, 4> looks{
     Look{Verdict::failed, "failed", Marker::cross, {90, 90, 90}},
 };
 
-struct Run {
-  double reduced_volume, L, rate, error;  // the last two of rate/κ; NaN where not known
-  Verdict verdict;
-  std::string end_state;
+using studies::StabilityKey;
+using Run = studies::StabilityResult;
+using Panels = std::map<std::tuple<model::Model, axisym::Branch, int, int>,  // and l, m
+                        std::vector<Run>>;
 
-  std::string goal() const {
-    return verdict == Verdict::leaves && !end_state.empty() ? "to " + end_state : "";
-  }
-};
-
-// The runs of one model, branch and mode.
-struct Panel {
-  std::tuple<model::Model, axisym::Branch, int, int> key;  // and l, m
-  std::vector<Run> runs;
-
-  std::string title() const {
-    const auto& [model, branch, l, m] = key;
-    return fmt::format("{} {}, l = {}, m = {}", name(model), name(branch), l, m);
-  }
-  std::vector<double> values(double Run::*member) const {
-    std::set<double> all;
-    for (const Run& run : runs) all.insert(run.*member);
-    return {all.begin(), all.end()};
-  }
-};
-
-std::vector<Panel> read_panels(const std::filesystem::path& file) {
-  std::vector<Panel> panels;
-  for (const auto& row : studies::read_rows(studies::stability_columns(), file)) {
-    const studies::StabilityKey& k = row.key;
-    const auto key = std::tuple(k.model, k.branch, k.l, k.m);
-    auto at = std::ranges::find(panels, key, &Panel::key);
-    if (at == panels.end()) at = panels.insert(at, {.key = key, .runs = {}});
-    const double error =
-        row.growth ? row.growth->error * row.reduced_rate / row.growth->rate : studies::not_known;
-    at->runs.push_back(
-        {k.reduced_volume, k.L, row.reduced_rate, error, row.verdict, row.end_state});
-  }
+Panels read_panels(const std::filesystem::path& file) {
+  Panels panels;
+  for (const Run& run : studies::read_rows(studies::stability_columns(), file))
+    panels[{run.key.model, run.key.branch, run.key.l, run.key.m}].push_back(run);
   if (panels.empty()) throw InputError(file.string() + ": has no rows yet.");
-  std::ranges::sort(panels, {}, &Panel::key);
   return panels;
+}
+
+std::vector<double> values_of(const std::vector<Run>& runs, double StabilityKey::*member) {
+  std::set<double> all;
+  for (const Run& run : runs) all.insert(run.key.*member);
+  return {all.begin(), all.end()};
+}
+
+// Of rate/κ; NaN where not known.
+double error_of(const Run& run) {
+  return run.growth ? run.growth->error * run.reduced_rate / run.growth->rate : studies::not_known;
+}
+
+std::string goal_of(const Run& run) {
+  return run.verdict == Verdict::leaves && !run.end_state.empty() ? "to " + run.end_state : "";
 }
 
 const Look& look_of(const Run& run) {
@@ -81,34 +67,35 @@ std::string signed_text(double value) {
 }
 
 // A marker per run with its rate below.
-void draw_map(Canvas& canvas, const Rect& inside, const Panel& panel, double text) {
-  const GridAxis x = table_axis(panel.values(&Run::reduced_volume), "reduced volume Vᵣ"),
-                 y = table_axis(panel.values(&Run::L), "elastic constant L");
+void draw_map(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs, double text) {
+  const GridAxis x = table_axis(values_of(runs, &StabilityKey::reduced_volume),
+                                "reduced volume Vᵣ"),
+                 y = table_axis(values_of(runs, &StabilityKey::L), "elastic constant L");
   Chart chart(canvas, inside, text, x.axis, y.axis);
-  for (const Run& run : panel.runs) {
-    const double across = share_of(x, run.reduced_volume), up = share_of(y, run.L);
+  for (const Run& run : runs) {
+    const double across = share_of(x, run.key.reduced_volume), up = share_of(y, run.key.L);
     const Look& look = look_of(run);
     chart.markers({{x.axis.low + across * (x.axis.high - x.axis.low),
                     y.axis.low + up * (y.axis.high - y.axis.low)}},
                   look.marker, look.colour, 0.9 * text);
     const double px = inside.x + across * inside.width, py = inside.y + up * inside.height;
-    if (std::isfinite(run.rate))
-      canvas.text(px, py - 1.1 * text, signed_text(run.rate),
+    if (std::isfinite(run.reduced_rate))
+      canvas.text(px, py - 1.1 * text, signed_text(run.reduced_rate),
                   {.size = 0.8 * text, .colour = look.colour});
-    canvas.text(px, py + 1.1 * text, run.goal(), {.size = 0.75 * text, .colour = look.colour});
+    canvas.text(px, py + 1.1 * text, goal_of(run), {.size = 0.75 * text, .colour = look.colour});
   }
 }
 
 // Rates over V_r, with their uncertainty and the zero line.
-void draw_rates(Canvas& canvas, const Rect& inside, const Panel& panel, double text) {
+void draw_rates(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs, double text) {
   Range rates{0.0, 0.0};
-  for (const Run& run : panel.runs)
-    if (std::isfinite(run.rate)) {
-      rates.include(run.rate - run.error);
-      rates.include(run.rate + run.error);
+  for (const Run& run : runs)
+    if (std::isfinite(run.reduced_rate)) {
+      rates.include(run.reduced_rate - error_of(run));
+      rates.include(run.reduced_rate + error_of(run));
     }
   const double room = 0.12 * rates.width() + 1e-6;
-  const auto volumes = panel.values(&Run::reduced_volume);
+  const auto volumes = values_of(runs, &StabilityKey::reduced_volume);
   const double side = 0.1 * std::max(volumes.back() - volumes.front(), 0.05);
   const double left = volumes.front() - side, right = volumes.back() + side;
   const Axis x = exact_axis(left, right, inside.width, 4.0 * text, "reduced volume Vᵣ");
@@ -117,29 +104,29 @@ void draw_rates(Canvas& canvas, const Rect& inside, const Panel& panel, double t
   Chart chart(canvas, inside, text, x, y);
   chart.curve({{left, 0.0}, {right, 0.0}}, {.colour = dark_grey, .width = 1.2, .dashed = true});
   Points line;
-  for (const Run& run : panel.runs)
-    if (std::isfinite(run.rate)) line.push_back({run.reduced_volume, run.rate});
+  for (const Run& run : runs)
+    if (std::isfinite(run.reduced_rate)) line.push_back({run.key.reduced_volume, run.reduced_rate});
   chart.curve(line, {.colour = {170, 170, 170}, .width = 1.6});
-  for (const Run& run : panel.runs) {
+  for (const Run& run : runs) {
     const Look& look = look_of(run);
-    const double rate = std::isfinite(run.rate) ? run.rate : 0.0;
-    if (std::isfinite(run.error))
-      chart.curve({{run.reduced_volume, rate - run.error}, {run.reduced_volume, rate + run.error}},
+    const double volume = run.key.reduced_volume, error = error_of(run);
+    const double rate = std::isfinite(run.reduced_rate) ? run.reduced_rate : 0.0;
+    if (std::isfinite(error))
+      chart.curve({{volume, rate - error}, {volume, rate + error}},
                   {.colour = look.colour, .width = 1.6});
-    chart.markers({{run.reduced_volume, rate}}, look.marker, look.colour, 0.8 * text);
-    if (const std::string goal = run.goal(); !goal.empty())
-      canvas.text(inside.x + x.share(run.reduced_volume) * inside.width,
-                  inside.y + y.share(rate) * inside.height + 1.1 * text, goal,
-                  {.size = 0.75 * text, .colour = look.colour});
+    chart.markers({{volume, rate}}, look.marker, look.colour, 0.8 * text);
+    canvas.text(inside.x + x.share(volume) * inside.width,
+                inside.y + y.share(rate) * inside.height + 1.1 * text, goal_of(run),
+                {.size = 0.75 * text, .colour = look.colour});
   }
 }
 
-std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
+std::vector<LegendEntry> legend_of(const Panels& panels) {
   std::vector<LegendEntry> entries;
   for (const Look& look : looks) {
-    const bool used = std::ranges::any_of(panels, [&](const Panel& panel) {
+    const bool used = std::ranges::any_of(panels, [&](const auto& panel) {
       return std::ranges::any_of(
-          panel.runs, [&](const Run& run) { return look_of(run).verdict == look.verdict; });
+          panel.second, [&](const Run& run) { return look_of(run).verdict == look.verdict; });
     });
     if (used) entries.push_back(marker_entry(look.marker, look.colour, look.meaning));
   }
@@ -149,7 +136,7 @@ std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
 }  // namespace
 
 void draw_stability(Canvas& canvas, const Options& options) {
-  const std::vector<Panel> panels = read_panels(options.directory / "stability.csv");
+  const Panels panels = read_panels(options.directory / "stability.csv");
   const double text = options.text_size();
   const auto legend = legend_of(panels);
   const std::size_t across = std::min<std::size_t>(panels.size(), 3),
@@ -164,15 +151,20 @@ void draw_stability(Canvas& canvas, const Options& options) {
   canvas.start(width, height);
   canvas.text(0.5 * width, height - 1.2 * text, "Growth rate of a perturbation, over κ(2/3)",
               {.size = 1.1 * text});
-  for (std::size_t i = 0; i < panels.size(); ++i) {
+  std::size_t i = 0;
+  for (const auto& [key, runs] : panels) {
     const double x = double(i % across) * width / double(across) + left;
     const double y = height - top - double(i / across + 1) * (below + above + inner_height) + below;
     const Rect inside{x, y, inner_width, inner_height};
-    canvas.text(inside.centre_x(), inside.top() + 1.2 * text, panels[i].title(), {.size = text});
-    if (panels[i].values(&Run::L).size() > 1)
-      draw_map(canvas, inside, panels[i], text);
+    const auto& [model, branch, l, m] = key;
+    canvas.text(inside.centre_x(), inside.top() + 1.2 * text,
+                fmt::format("{} {}, l = {}, m = {}", name(model), name(branch), l, m),
+                {.size = text});
+    if (values_of(runs, &StabilityKey::L).size() > 1)
+      draw_map(canvas, inside, runs, text);
     else
-      draw_rates(canvas, inside, panels[i], text);
+      draw_rates(canvas, inside, runs, text);
+    ++i;
   }
   draw_legend(canvas, legend, {text, 0.6 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "stability");

@@ -19,7 +19,6 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
-#include <cmath>
 #include <vector>
 
 namespace sbeh::picture {
