@@ -102,6 +102,7 @@ int run(int count, char** arguments) {
   scan->add_option("--branch", options.branch, "Only this branch, e.g. oblate");
   for (const auto& [name, description, pictures] : commands) {
     std::vector<std::string> names;
+    names.reserve(pictures.size());
     for (const Picture& picture : pictures) names.emplace_back(picture.name);
     add_command(app, name, description, options, size, names);
   }

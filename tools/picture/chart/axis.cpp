@@ -36,6 +36,7 @@ double unevenness(const std::vector<double>& values) {
 
 std::vector<double> logarithms(const std::vector<double>& values) {
   std::vector<double> result;
+  result.reserve(values.size());
   for (const double value : values) result.push_back(std::log10(value));
   return result;
 }

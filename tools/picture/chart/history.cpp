@@ -89,12 +89,12 @@ void draw_histories(Canvas& canvas, const Options& options, const Histories& all
   const double row_height = (height - foot) / rows;
   canvas.start(width, height);
   for (std::size_t panel = 0; panel < count; ++panel) {
-    const auto column = double(panel % layout.columns), row = double(panel / layout.columns);
-    const Rect inside{left + column * (inner_width + gap),
-                      height - (row + 1.0) * row_height + below, inner_width,
+    const std::size_t column = panel % layout.columns, row = panel / layout.columns;
+    const Rect inside{left + double(column) * (inner_width + gap),
+                      height - double(row + 1) * row_height + below, inner_width,
                       row_height - below - above};
     Axis energy = axes.energy;
-    if (panel % layout.columns != 0) {
+    if (column != 0) {
       energy.title.clear();
       std::ranges::fill(energy.labels, "");
     }

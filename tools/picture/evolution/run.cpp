@@ -65,7 +65,8 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
   }
   for (std::size_t i = 0; i < count; ++i) {
     const double x = text + double(i % columns) * side;
-    double top = height - double(i / columns) * (2 * side + title);
+    const std::size_t row = i / columns;
+    double top = height - double(row) * (2 * side + title);
     canvas.text(x + side / 2, top - 1.2 * text, "t = " + short_number(frames[i].time),
                 {.size = text});
     top -= title;

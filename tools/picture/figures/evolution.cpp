@@ -101,8 +101,9 @@ void draw_figure_evolution(Canvas& canvas, const Options& options) {
     canvas.text(text, top - 1.2 * text, model.name, {.size = 1.15 * text, .align = Align::left});
     top -= heading;
     for (std::size_t i = 0; i < all.instants.size(); ++i) {
-      const Rect cell{text + double(i % columns) * side, top - double(i / columns + 1) * row_height,
-                      side, row_height};
+      const std::size_t row = i / columns;
+      const Rect cell{text + double(i % columns) * side, top - double(row + 1) * row_height, side,
+                      row_height};
       draw_shape(canvas, model.shapes[i], all.instants[i], all,
                  model.has_free_order ? colours : plain, cell, text);
     }

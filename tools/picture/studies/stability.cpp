@@ -58,7 +58,7 @@ std::string goal_of(const Run& run) {
 }
 
 const Look& look_of(const Run& run) {
-  const auto at = std::ranges::find(looks, run.verdict, &Look::verdict);
+  const auto* at = std::ranges::find(looks, run.verdict, &Look::verdict);
   return at == looks.end() ? looks.back() : *at;
 }
 
@@ -154,7 +154,8 @@ void draw_stability(Canvas& canvas, const Options& options) {
   std::size_t i = 0;
   for (const auto& [key, runs] : panels) {
     const double x = double(i % across) * width / double(across) + left;
-    const double y = height - top - double(i / across + 1) * (below + above + inner_height) + below;
+    const std::size_t row = i / across;
+    const double y = height - top - double(row + 1) * (below + above + inner_height) + below;
     const Rect inside{x, y, inner_width, inner_height};
     const auto& [model, branch, l, m] = key;
     canvas.text(inside.centre_x(), inside.top() + 1.2 * text,
