@@ -91,7 +91,7 @@ std::string CutMatrix::remark(std::size_t volume, std::size_t length) const {
   std::vector<std::string> remarks;
   for (const Model model : {Model::SBEH, Model::SSH}) {
     if (!scan.has(model)) continue;
-    const char* name = model::name(model);
+    const char* name = sbeh::name(model);
     const PointResult* point = scan.find(model, volume, length);
     if (!point)
       remarks.push_back(fmt::format("no {}", name));

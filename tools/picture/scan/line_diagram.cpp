@@ -39,7 +39,7 @@ std::vector<Panel> panels_of(const ScanGrid& scan) {
     for (const Model model : {Model::SSH, Model::SBEH})
       if (scan.has(model))
         all.push_back({quantity(scan, model), model == Model::SBEH ? sbeh_style : ssh_style,
-                       model::name(model)});
+                       sbeh::name(model)});
     return all;
   };
   std::vector<Panel> panels;
