@@ -25,6 +25,15 @@ using model::element_count;
 /// The state that evolves: position and order at the nodes. A value: copying it is a checkpoint.
 using State = model::Profile;
 
+/// A state at rest with what holds it there: a critical point of the Lagrangian of stationary/stationary.h (or a guess of one).
+struct StationaryState {
+  State state;
+  Field H;       // nodes, mean curvature
+  Field Lambda;  // nodes, multiplier of the curvature equation, about −(κ(H − H₀) + κ_G B_φφ)
+  double tension;   ///< Σ = −∂U/∂A
+  double pressure;  ///< P = ∂U/∂V
+};
+
 /// Shape functions of one element at one quadrature point; derivatives by the element's own
 /// coordinate in [0, 1].
 struct ShapeValues {

@@ -5,7 +5,7 @@
 #include "axisym/options.h"
 #include "axisym/time_step.h"
 #include "model/time/flow_record.h"
-#include "model/time/schedule.h"
+#include "model/time/step_control.h"
 
 namespace sbeh::axisym {
 

@@ -1,7 +1,7 @@
 // What a user may choose of the numerics: the mesh of the generating curve and the time steps.
 #pragma once
 
-#include "model/time/time_control.h"
+#include "model/time/step_control.h"
 
 namespace sbeh::axisym {
 
@@ -25,6 +25,11 @@ void for_each_parameter(N& numerics, auto&& visit) {
   visit(P{"grading", model::between(0, 4), "how strongly elements gather where curvature is large"},
         numerics.grading);
   for_each_parameter(static_cast<model::const_as<model::TimeControl, N>&>(numerics), visit);
+}
+
+inline void Numerics::validate() const {
+  model::check_parameters(*this);
+  TimeControl::validate();
 }
 
 }  // namespace sbeh::axisym

@@ -46,8 +46,9 @@ class Cumulative {
   std::vector<double> sum_;
 };
 
-// The Gauss–Lobatto points of the new elements on the old curve, joints shared.
+// The Gauss–Lobatto points of the new elements on the old curve, joints shared. 0 elements: as many as before.
 std::vector<Place> places(const Nodes& X, const Field& H, double grading, int elements) {
+  if (elements == 0) elements = element_count(X);
   const int intervals = samples * element_count(X);
   Eigen::VectorXd length(intervals), bend(intervals);
   for (int k = 0; k < intervals; ++k) {
@@ -113,13 +114,11 @@ Field sample_at_lobatto(const State& state, const Field& f, double grading, int 
 }
 
 State redistribute(const State& state, double grading, int elements) {
-  return interpolate(state, places(state.X, mean_curvature(state.X), grading,
-                                   elements > 0 ? elements : element_count(state.X)));
+  return interpolate(state, places(state.X, mean_curvature(state.X), grading, elements));
 }
 
 StationaryState redistribute(const StationaryState& s, double grading, int elements) {
-  const auto at =
-      places(s.state.X, s.H, grading, elements > 0 ? elements : element_count(s.state.X));
+  const auto at = places(s.state.X, s.H, grading, elements);
   return {.state = interpolate(s.state, at),
           .H = interpolate(s.H, at),
           .Lambda = interpolate(s.Lambda, at),

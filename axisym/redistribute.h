@@ -1,7 +1,7 @@
 // Where the nodes sit along the generating curve.
 #pragma once
 
-#include "axisym/stationary_state.h"
+#include "axisym/curve.h"
 
 namespace sbeh::axisym {
 

@@ -1,6 +1,6 @@
 #include "axisym/shape_class.h"
 
-#include "model/numerics/polygon.h"
+#include "model/numerics/profile.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,7 +10,8 @@ namespace sbeh::axisym {
 
 namespace {
 
-constexpr int pieces = 9;  // of an element
+constexpr int pieces = 9;                 // of an element
+constexpr double asymmetry_limit = 1e-3;  // above it a shape counts as not symmetric
 
 Eigen::Matrix2Xd polygon(const Nodes& X) {
   Eigen::Matrix2Xd points(2, pieces * element_count(X) + 1);
@@ -21,8 +22,7 @@ Eigen::Matrix2Xd polygon(const Nodes& X) {
   return points;
 }
 
-}  // namespace
-
+// Largest difference of r at equal arc length from either pole, in radii of the sphere of equal area.
 double asymmetry(const Nodes& X) {
   const Eigen::Matrix2Xd p = polygon(X);
   const Eigen::Index n = p.cols();
@@ -40,6 +40,8 @@ double asymmetry(const Nodes& X) {
     largest = std::max(largest, std::abs(p(0, i) - radius(s.back() - s[std::size_t(i)])));
   return largest;
 }
+
+}  // namespace
 
 ShapeClass classify(const Nodes& X) {
   const double width = 2 * X.row(0).maxCoeff();

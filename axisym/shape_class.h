@@ -14,12 +14,6 @@ enum class ShapeClass {
 };
 constexpr auto names(ShapeClass) { return std::array{"oblate", "prolate", "stomatocyte", "pear"}; }
 
-/// Largest difference of r at equal arc length from either pole, in radii of the sphere of equal area.
-double asymmetry(const Nodes& X);
-
-/// Above this asymmetry a shape counts as not symmetric.
-inline constexpr double asymmetry_limit = 1e-3;
-
 ShapeClass classify(const Nodes& X);
 
 /// Whether the curve, taken as the polygon through points spaced a third of the nodes' distance,

@@ -1,27 +1,14 @@
 #include "axisym/time_step.h"
 
-#include "axisym/coupled_system.h"
 #include "axisym/curvature.h"
 #include "axisym/weak_form.h"
-#include "model/numerics/band_matrix.h"
 #include "model/order_step.h"
 
 namespace sbeh::axisym {
 
-struct TimeStepper::Workspace {
-  Workspace(const model::Material& material, model::Model model, int elements)
-      : coupled(material, area_constraint(model), elements), order(3 * elements + 1, 3) {}
-  CoupledSystem coupled;
-  model::BandMatrix order;
-
-  // False when the matrix is singular.
-  bool solve_order(const model::Material& m, const State& old, const Field& H,
-                   const StepFields& fields, double tau, Field& beta);
-};
-
-bool TimeStepper::Workspace::solve_order(const model::Material& m, const State& old, const Field& H,
-                                         const StepFields& fields, double tau, Field& beta) {
-  order.set_zero();
+bool TimeStepper::solve_order(const State& old, const Field& H, const StepFields& fields,
+                              double tau, Field& beta) {
+  order_.set_zero();
   beta = Field::Zero(old.beta.size());
   const Nodes relative = fields.V - fields.Y / tau;
   for_each_point(old.X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
@@ -29,7 +16,7 @@ bool TimeStepper::Workspace::solve_order(const model::Material& m, const State& 
     for (int a = 0; a < 4; ++a) slip += s.phi[a] * relative.col(3 * e + a).dot(p.t);
     const double h = value_at(H, e, s);
     const double beta_old = value_at(old.beta, e, s);
-    const model::OrderData d = model::order_step_point(m,
+    const model::OrderData d = model::order_step_point(material_,
                                                        {.beta = beta_old,
                                                         .beta_old = beta_old,
                                                         .H = h,
@@ -41,14 +28,14 @@ bool TimeStepper::Workspace::solve_order(const model::Material& m, const State& 
     for (int a = 0; a < 4; ++a) {
       beta[3 * e + a] += p.dS * d.rhs * s.phi[a];
       for (int b = 0; b < 4; ++b)
-        order(3 * e + a, 3 * e + b) +=
+        order_(3 * e + a, 3 * e + b) +=
             p.dS
             * (d.reaction * s.phi[a] * s.phi[b] + advection * s.phi[a] * s.dphi[b]
                + diffusion * s.dphi[a] * s.dphi[b]);
     }
   });
-  if (!order.factor()) return false;
-  order.solve(beta);
+  if (!order_.factor()) return false;
+  order_.solve(beta);
   return beta.allFinite();
 }
 
@@ -83,21 +70,18 @@ Dissipation dissipation_of(const model::Material& m, const State& old, const Ste
 TimeStepper::TimeStepper(const model::Material& material, model::Model model, int elements)
     : material_(effective(material, model)),
       model_(model),
-      work_(std::make_unique<Workspace>(material_, model, elements)) {}
-TimeStepper::~TimeStepper() = default;
-TimeStepper::TimeStepper(TimeStepper&&) noexcept = default;
-TimeStepper& TimeStepper::operator=(TimeStepper&&) noexcept = default;
+      coupled_(material_, area_constraint(model), elements),
+      order_(3 * elements + 1, 3) {}
 
 StepResult TimeStepper::step(const State& old, const Target& target, double tau) {
   StepResult result;
   const Field H = mean_curvature(old.X);
   if (H.size() == 0 || !H.allFinite()) return result;
-  if (!work_->coupled.solve(old, H, target, tau, result.fields)) return result;
+  if (!coupled_.solve(old, H, target, tau, result.fields)) return result;
   result.state.X = old.X + result.fields.Y;
   result.state.X(0, 0) = result.state.X(0, old.X.cols() - 1) = 0;  // exactly
   result.state.beta = old.beta;
-  if (has_free_order(model_)
-      && !work_->solve_order(material_, old, H, result.fields, tau, result.state.beta))
+  if (has_free_order(model_) && !solve_order(old, H, result.fields, tau, result.state.beta))
     return result;
   result.dissipation = dissipation_of(material_, old, result.fields, result.state.beta, tau);
   result.ok = true;

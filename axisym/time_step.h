@@ -5,8 +5,6 @@
 #include "model/energy.h"
 #include "model/material.h"
 
-#include <memory>
-
 namespace sbeh::axisym {
 
 using model::Dissipation;
@@ -25,18 +23,19 @@ struct StepResult {
 class TimeStepper {
  public:
   TimeStepper(const model::Material& material, model::Model model, int elements);
-  ~TimeStepper();
-  TimeStepper(TimeStepper&&) noexcept;
-  TimeStepper& operator=(TimeStepper&&) noexcept;
 
   /// Advances by tau > 0. The curve must have the number of elements given to the constructor.
   StepResult step(const State& old, const Target& target, double tau);
 
  private:
-  struct Workspace;
+  // False when the matrix is singular.
+  bool solve_order(const State& old, const Field& H, const StepFields& fields, double tau,
+                   Field& beta);
+
   model::Material material_;
   model::Model model_;
-  std::unique_ptr<Workspace> work_;
+  CoupledSystem coupled_;
+  model::BandMatrix order_;
 };
 
 }  // namespace sbeh::axisym

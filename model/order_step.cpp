@@ -1,5 +1,7 @@
 #include "model/order_step.h"
 
+#include "model/numerics/root.h"
+
 namespace sbeh::model {
 
 OrderData order_step_point(const Material& m, const OrderPoint& x, double tau) {
@@ -15,6 +17,16 @@ OrderData order_step_point(const Material& m, const OrderPoint& x, double tau) {
       .rhs = drag * x.beta_old / tau           // (B1)
            - m.potential.slope_at_zero(),      // (B5)
   };
+}
+
+std::optional<double> sphere_rest_order(const Material& material) {
+  const auto force = [&](double beta) { return order_force(material, beta, -2., 1.); };
+  constexpr int samples = 4096;
+  for (int k = samples; k > 1; --k) {
+    const double high = double(k) / samples, low = double(k - 1) / samples;
+    if (force(high) >= 0 && force(low) < 0) return root_between(force, low, high).middle();
+  }
+  return {};
 }
 
 }  // namespace sbeh::model

@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/time/flow_record.h"
-#include "model/time/schedule.h"
+#include "model/time/step_control.h"
 #include "model/time/two_step.h"
 #include "surface3d/diagnostics.h"
 #include "surface3d/mesh/remesh.h"

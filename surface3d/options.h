@@ -2,8 +2,7 @@
 #pragma once
 
 #include "meshing/resolution.h"
-#include "model/names.h"
-#include "model/time/time_control.h"
+#include "model/time/step_control.h"
 #include "surface3d/time_step.h"
 
 #include <array>

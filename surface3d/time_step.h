@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/material.h"
-#include "model/time/flow_step.h"
+#include "model/time/flow_record.h"
 #include "surface3d/coupled_system.h"
 #include "surface3d/lagged_solver.h"
 

@@ -1,6 +1,6 @@
 #include "axisym/shooting/seifert_shooting.h"
 
-#include "model/numerics/polygon.h"
+#include "model/numerics/profile.h"
 
 #include <fmt/format.h>
 

@@ -13,7 +13,6 @@ double length_of(const Increment& t) {
   return std::sqrt((t.d.squaredNorm() + t.beta.squaredNorm()) / double(t.d.size())
                    + t.parameter * t.parameter);
 }
-
 }  // namespace
 
 Increment scaled(Increment t, double factor) {
@@ -29,14 +28,14 @@ double largest_change(const Increment& step) {
 }
 
 PlanePoint Line::at(double mu) const {
-  if (mu == 1) return to_;  // exactly
-  return {from_.reduced_volume + mu * (to_.reduced_volume - from_.reduced_volume),
-          from_.L + mu * (to_.L - from_.L)};
+  if (mu == 1) return to;  // exactly
+  return {from.reduced_volume + mu * (to.reduced_volume - from.reduced_volume),
+          from.L + mu * (to.L - from.L)};
 }
 
 Eigen::VectorXd Line::gradient_rate(double mu, const StationaryState& s) const {
-  if (to_.L == from_.L) return Eigen::VectorXd::Zero(node_unknowns * s.state.beta.size());
-  return (to_.L - from_.L) * gradient_rate_by_L(material(mu), s, node_normals(s.state.X));
+  if (to.L == from.L) return Eigen::VectorXd::Zero(node_unknowns * s.state.beta.size());
+  return (to.L - from.L) * gradient_rate_by_L(material(mu), s, node_normals(s.state.X));
 }
 
 namespace {
@@ -49,7 +48,7 @@ Parameter across(const Line& line, const LineState& at, const Increment& directi
 }
 
 NewtonSystem system_at(const Line& line, const LineState& at) {
-  return {line.material(at.mu), line.model(), int(at.s.state.beta.size())};
+  return {line.material(at.mu), line.model, int(at.s.state.beta.size())};
 }
 
 }  // namespace
@@ -91,14 +90,14 @@ std::optional<double> newton_step(const Line& line, LineState& at, const PathSta
   Increment step;
   if (!system.linearise(at.s) || !system.newton_step(line.target(at.mu), parameter, 0, step))
     return {};
-  system.apply(step, 1, at.s);
+  displace(step, 1, at.s);
   at.mu += step.parameter;
   return largest_change(step);
 }
 
 PathState with_fresh_nodes(const Line& line, const PathState& state, double grading) {
   const NewtonResult r = solve_stationary(
-      line.material(state.mu), line.model(), line.target(state.mu), redistribute(state.s, grading),
+      line.material(state.mu), line.model, line.target(state.mu), redistribute(state.s, grading),
       {.iterations = Line::limits.most_iterations, .tolerance = Line::limits.tolerance});
   if (r.status != NewtonStatus::converged) return state;
   // The tangent as a field over the old nodes still tells which way is forward.

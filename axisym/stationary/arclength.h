@@ -25,30 +25,24 @@ struct PathState : LineState {
 };
 
 /// A straight line through the (V_r, L) plane, μ = 0 at `from`, 1 at `to`, and beyond both.
-class Line {
- public:
+struct Line {
   using Solution = LineState;
   using Point = PathState;
   static constexpr model::ContinuationLimits limits{
       .most_iterations = 9, .tolerance = 1e-6, .far = 0.3, .fold = 1e-8};
 
-  Line(const model::Material& material, model::Model model, PlanePoint from, PlanePoint to)
-      : material_(material), model_(model), from_(from), to_(to) {}
+  model::Material membrane;  ///< whose L is that of the line
+  model::Model model;
+  PlanePoint from, to;
 
   PlanePoint at(double mu) const;
   Target target(double mu) const { return target_of(at(mu).reduced_volume); }
-  model::Material material(double mu) const { return material_.with_L(at(mu).L); }
-  model::Model model() const { return model_; }
+  model::Material material(double mu) const { return membrane.with_L(at(mu).L); }
   /// Whether there are states to look for: V_r <= 1, L > 0.
   bool contains(double mu) const { return at(mu).L > 0 && at(mu).reduced_volume <= 1; }
 
   double volume_rate() const { return target(1).volume - target(0).volume; }
   Eigen::VectorXd gradient_rate(double mu, const StationaryState& s) const;
-
- private:
-  model::Material material_;
-  model::Model model_;
-  PlanePoint from_, to_;
 };
 
 Increment scaled(Increment t, double factor);

@@ -2,9 +2,11 @@
 
 #include "axisym/redistribute.h"
 #include "axisym/start_shapes.h"
-#include "axisym/stationary/bifurcation.h"
+#include "axisym/stationary/arclength.h"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 
 namespace sbeh::axisym {
 
@@ -27,6 +29,114 @@ std::optional<BranchEntry> enter_branch(Branch branch, const model::Material& ma
 
 namespace {
 
+// --- Pitchfork: the classical stomatocytes leave the oblates ------------------------------------------
+
+// The direction of shape and order in which the energy curves least, up-down antisymmetric, with
+// ∫(d² + β²) dS = 1, and that curvature of the energy.
+struct SoftMode {
+  double eigenvalue;
+  Increment direction;
+};
+
+// A motion that is odd about the equator and no translation: cos 3πs along the curve.
+Increment antisymmetric_seed(Eigen::Index nodes) {
+  Increment seed;
+  seed.d.resize(nodes);
+  for (Eigen::Index i = 0; i < nodes; ++i)
+    seed.d[i] = std::cos(3 * std::numbers::pi * double(i) / double(nodes - 1));
+  seed.Lambda = seed.H = seed.beta = Field::Zero(nodes);
+  return seed;
+}
+
+double product(const Field& areas, const Increment& a, const Increment& b) {
+  return areas.dot(a.d.cwiseProduct(b.d) + a.beta.cwiseProduct(b.beta));
+}
+
+// The softest antisymmetric mode of an up-down symmetric state by inverse iteration, area and volume
+// kept. Empty when the iteration does not settle.
+std::optional<SoftMode> antisymmetric_mode(const model::Material& material, model::Model model,
+                                           const StationaryState& s) {
+  const Eigen::Index nodes = s.state.beta.size();
+  NewtonSystem system(material, model, int(nodes));
+  if (!system.linearise(s)) return {};
+  const Field& areas = system.areas();
+  Increment x = antisymmetric_seed(nodes);
+  double eigenvalue = 0;
+  for (int iteration = 0; iteration < 40; ++iteration) {
+    x = scaled(x, 1 / std::sqrt(product(areas, x, x)));
+    Eigen::VectorXd load = Eigen::VectorXd::Zero(node_unknowns * nodes);
+    for (Eigen::Index i = 0; i < nodes; ++i) {
+      load[index(i, node_d)] = areas[i] * x.d[i];
+      load[index(i, node_beta)] = areas[i] * x.beta[i];
+    }
+    Increment next;
+    if (!system.tangent(-load, 0, next)) return {};
+    next.parameter = 0;
+    const double estimate = 1 / product(areas, x, next);
+    x = next;
+    if (std::abs(estimate - eigenvalue) <= 1e-9 * std::abs(estimate) + 1e-12) {
+      x = scaled(x, 1 / std::sqrt(product(areas, x, x)));
+      return SoftMode{estimate, x};
+    }
+    eigenvalue = estimate;
+  }
+  return {};
+}
+
+// A symmetric state on the line with its softest antisymmetric mode.
+struct Sample {
+  double mu;
+  StationaryState s;
+  SoftMode mode;
+};
+
+// Plain Newton steps keep the symmetry; the arclength's tangent would see the other branch.
+std::optional<Sample> sample(const Line& line, double mu, const StationaryState& near,
+                             const Numerics& numerics) {
+  const NewtonResult r = solve_stationary(line.material(mu), line.model, line.target(mu),
+                                          redistribute(near, numerics.grading));
+  if (r.status != NewtonStatus::converged) return {};
+  const auto mode = antisymmetric_mode(line.material(mu), line.model, r.solution);
+  if (!mode) return {};
+  return Sample{mu, r.solution, *mode};
+}
+
+// Follows the symmetric branch of `from` along the line until the antisymmetric mode's eigenvalue
+// changes sign, and locates its zero to about 1e-10 in μ; the state is the one last solved for, within
+// 1e-6 of it, its tangent that of the crossing branch. Empty when it does not on 0 <= μ <= 1.
+std::optional<PathState> find_pitchfork(const Line& line, const StationaryState& from,
+                                        const Numerics& numerics) {
+  auto a = sample(line, 0, from, numerics);
+  constexpr int steps = 16;
+  for (int k = 1; k <= steps && a; ++k) {
+    auto b = sample(line, double(k) / steps, a->s, numerics);
+    if (!b) return {};
+    if (a->mode.eigenvalue * b->mode.eigenvalue > 0) {
+      a = b;
+      continue;
+    }
+    // Secants. At the zero itself the matrix is singular: the last estimate is not solved for.
+    const auto zero = [&] {
+      const double fa = a->mode.eigenvalue, fb = b->mode.eigenvalue;
+      return (a->mu * fb - b->mu * fa) / (fb - fa);
+    };
+    for (int iteration = 0; iteration < 12 && std::abs(zero() - b->mu) > 1e-7; ++iteration) {
+      const auto next = sample(line, zero(), b->s, numerics);
+      if (!next) break;
+      a = b;
+      b = next;
+    }
+    Increment along = b->mode.direction;
+    along.parameter = 0;
+    const double rms =
+        std::sqrt((along.d.squaredNorm() + along.beta.squaredNorm()) / double(along.d.size()));
+    return PathState{{zero(), b->s}, scaled(along, 1 / rms), 0};
+  }
+  return {};
+}
+
+// --- The way up from it -------------------------------------------------------------------------------
+
 BranchState state_of(const Line& line, const PathState& p) {
   return {line.at(p.mu), p.s, p.determinant_sign};
 }
@@ -35,7 +145,7 @@ BranchState state_of(const Line& line, const PathState& p) {
 std::optional<PathState> lifted(const Line& line, const PathState& coarse,
                                 const Numerics& numerics) {
   const NewtonResult r =
-      solve_stationary(line.material(coarse.mu), line.model(), line.target(coarse.mu),
+      solve_stationary(line.material(coarse.mu), line.model, line.target(coarse.mu),
                        redistribute(coarse.s, numerics.grading, numerics.elements));
   if (r.status != NewtonStatus::converged) return {};
   auto fine = with_tangent(line, {coarse.mu, r.solution});
@@ -61,20 +171,18 @@ std::optional<PathState> climb(const Line& line, PathState here, double grading,
 std::optional<BranchEntry> enter_stomatocytes(const BranchState& oblate,
                                               const model::Material& material,
                                               const Numerics& numerics) {
-  const PlanePoint end{0.45, material.L1};
-  const Line line(material, Model::SSH, oblate.at, end);
-  const auto pitchfork = find_pitchfork(material, Model::SSH, oblate, end, numerics);
+  const Line line{material, Model::SSH, oblate.at, {0.45, material.L1}};
+  const auto pitchfork = find_pitchfork(line, oblate.solution, numerics);
   if (!pitchfork) return {};
-  BranchEntry entry{{}, state_of(line, pitchfork->state), {}};
+  BranchEntry entry{{}, state_of(line, *pitchfork), {}};
 
   // The way up needs no fine mesh; the fold does.
   Numerics coarse = numerics;
   coarse.elements = std::min(numerics.elements, 32);
-  BranchState start = oblate;
-  start.solution = redistribute(oblate.solution, numerics.grading, coarse.elements);
-  const auto rough = find_pitchfork(material, Model::SSH, start, end, coarse);
+  const auto rough = find_pitchfork(
+      line, redistribute(oblate.solution, numerics.grading, coarse.elements), coarse);
   double ds = 0.1;
-  const auto near = rough ? climb(line, rough->state, coarse.grading, ds) : std::nullopt;
+  const auto near = rough ? climb(line, *rough, coarse.grading, ds) : std::nullopt;
   auto here = near ? lifted(line, *near, numerics) : std::nullopt;
   for (int step = 0; here && step < 60; ++step) {
     const auto next = advance(line, *here, ds, 1e-6);

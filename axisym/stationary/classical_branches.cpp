@@ -3,7 +3,6 @@
 #include "axisym/curvature.h"
 #include "axisym/diagnostics.h"
 #include "axisym/shape_class.h"
-#include "axisym/stationary/branch_entry.h"
 #include "axisym/stationary/stability.h"
 #include "model/numerics/root.h"
 
@@ -170,15 +169,6 @@ SpecialPoints ElementBranches::special_points_with_errors() {
     (points.*member).error =
         std::abs((points.*member).reduced_volume - (rough.*member).reduced_volume);
   return points;
-}
-
-std::vector<ClassicalShape> element_branch(Branch branch, std::span<const double> reduced_volumes,
-                                           const Numerics& numerics) {
-  return ElementBranches(numerics).shapes(branch, reduced_volumes);
-}
-
-SpecialPoints element_special_points(const Numerics& numerics) {
-  return ElementBranches(numerics).special_points_with_errors();
 }
 
 }  // namespace sbeh::axisym

@@ -38,9 +38,4 @@ class ElementBranches {
   std::optional<BranchEntry> stomatocytes_;
 };
 
-/// The same for one branch, or the points, alone.
-std::vector<ClassicalShape> element_branch(Branch branch, std::span<const double> reduced_volumes,
-                                           const Numerics& numerics);
-SpecialPoints element_special_points(const Numerics& numerics);
-
 }  // namespace sbeh::axisym

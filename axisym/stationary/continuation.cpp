@@ -20,7 +20,7 @@ constexpr int direct_iterations = 6;  // more than these: the prediction was not
 
 std::optional<NewtonResult> solve_near(const Line& line, double mu, const StationaryState& guess,
                                        int determinant_sign) {
-  const NewtonResult r = solve_stationary(line.material(mu), line.model(), line.target(mu), guess,
+  const NewtonResult r = solve_stationary(line.material(mu), line.model, line.target(mu), guess,
                                           {.iterations = direct_iterations});
   if (r.status != NewtonStatus::converged) return {};
   if (determinant_sign != 0 && r.determinant_sign != determinant_sign) return {};
@@ -42,7 +42,7 @@ BranchState arrived(const Line& line, double mu, const StationaryState& s, int d
 
 FollowResult follow(const model::Material& material, model::Model model, const BranchState& from,
                     PlanePoint to, const Numerics& numerics) {
-  const Line line(material, model, from.at, to);
+  const Line line{material, model, from.at, to};
   auto here = with_tangent(line, {0, from.solution});
   if (!here) return {Arrival::lost, from};
   const int sign = here->determinant_sign;

@@ -25,23 +25,13 @@ Eigen::VectorXd scattered(const Increment& row) {
   return v;
 }
 
-void displace(const Nodes& normals, const Increment& step, double scale, StationaryState& s) {
-  s.state.X += normals * (scale * step.d).asDiagonal();
-  s.state.beta += scale * step.beta;
-  s.Lambda += scale * step.Lambda;
-  s.H += scale * step.H;
-  s.tension += scale * step.tension;
-  s.pressure += scale * step.pressure;
-}
-
 }  // namespace
 
 NewtonSystem::NewtonSystem(const model::Material& material, model::Model model, int nodes)
     : material_(material), model_(model), derivatives_(nodes) {}
 
 bool NewtonSystem::linearise(const StationaryState& s) {
-  normals_ = node_normals(s.state.X);
-  assemble(material_, s, normals_, derivatives_);
+  assemble(material_, s, node_normals(s.state.X), derivatives_);
   for_each_pinned(model_, s.state.beta.size(), [&](int i) {
     derivatives_.hessian.set_identity_row(i);
     derivatives_.gradient[i] = 0;
@@ -117,12 +107,13 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
   return true;
 }
 
-void NewtonSystem::apply(const Increment& step, double scale, StationaryState& s) const {
-  displace(normals_, step, scale, s);
-}
-
 void displace(const Increment& step, double scale, StationaryState& s) {
-  displace(node_normals(s.state.X), step, scale, s);
+  s.state.X += node_normals(s.state.X) * (scale * step.d).asDiagonal();
+  s.state.beta += scale * step.beta;
+  s.Lambda += scale * step.Lambda;
+  s.H += scale * step.H;
+  s.tension += scale * step.tension;
+  s.pressure += scale * step.pressure;
 }
 
 }  // namespace sbeh::axisym

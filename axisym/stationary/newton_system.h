@@ -46,14 +46,9 @@ class NewtonSystem {
   bool newton_step(const Target& target, const Parameter& parameter, double arc, Increment& step);
   /// The change of the solution per change of μ (parameter = 1).
   bool tangent(const Eigen::VectorXd& gradient_rate, double volume_rate, Increment& direction);
-
   /// The direction along the branch with row·(d, β, μ) = 1; regular at folds as well.
   bool tangent(const Parameter& parameter, Increment& direction);
 
-  /// s moves by scale · step along the normals of the last linearisation.
-  void apply(const Increment& step, double scale, StationaryState& s) const;
-
-  const Eigen::VectorXd& gradient() const { return derivatives_.gradient; }
   /// Area that every node stands for, ∫ |φ_i| dS, at the last linearisation.
   const Field& areas() const { return areas_; }
   /// Largest force and order residual per area of its node, at the last linearisation.
@@ -68,7 +63,6 @@ class NewtonSystem {
   model::Material material_;
   model::Model model_;
   LagrangianDerivatives derivatives_;
-  Nodes normals_;
   Field areas_;
   int determinant_sign_ = 0;
 };

@@ -56,7 +56,7 @@ NewtonResult solve_stationary(const model::Material& material, model::Model mode
     ++result.iterations;
     result.determinant_sign = system.determinant_sign();
     const double change = std::max(step.d.cwiseAbs().maxCoeff(), step.beta.cwiseAbs().maxCoeff());
-    system.apply(step, std::min(1., options.longest_step / change), s);
+    displace(step, std::min(1., options.longest_step / change), s);
     if (change < options.tolerance) {
       result.status = NewtonStatus::converged;
       return result;

@@ -10,7 +10,6 @@
 // normals turn with the curve, which the derivatives leave out.
 #pragma once
 
-#include "axisym/stationary_state.h"
 #include "axisym/time_step.h"
 
 namespace sbeh::axisym {

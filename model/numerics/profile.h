@@ -1,4 +1,4 @@
-// A meridian: the curve that generates a surface of revolution, with the order on it.
+// A meridian: the curve that generates a surface of revolution, with the order on it; polygons in its plane.
 #pragma once
 
 #include <Eigen/Core>
@@ -13,5 +13,8 @@ struct Profile {
 
 /// Of P3 elements, each with the nodes 3e … 3e + 3.
 inline int element_count(const Eigen::Matrix2Xd& X) { return int(X.cols() - 1) / 3; }
+
+/// Whether two sides of the open polygon that are not neighbours meet. Points are columns.
+bool meets_itself(const Eigen::Matrix2Xd& polygon);
 
 }  // namespace sbeh::model

@@ -2,8 +2,6 @@
 // solvers share; the physics of a step is theirs.
 #pragma once
 
-#include "model/time/flow_record.h"
-#include "model/time/schedule.h"
 #include "model/time/step_control.h"
 
 #include <algorithm>
@@ -43,93 +41,78 @@ class Flow {
 
   /// From a time on; `from.energy` may be left out at the start.
   FlowResult<State> run(const State& start, const FlowRecord& from, const FlowSchedule& schedule,
-                        const FlowObserver<State>& observe = {});
+                        const FlowObserver<State>& observe = {}) {
+    FlowResult<State> run{.stop = FlowStop::end_time, .state = start, .last = from, .steps = 0};
+    StepControl steps(control_, Integrator::largest_growth, from.next_step);
+    Stops stops(schedule, from.time);
+    run.last.energy = solver_.energy(start);
+    run.last.next_step = steps.tau();
+    const bool begins = from.next_step == 0;  // and does not go on
+    if (begins && observe && !observe(run.last, run.state, stops.begin_at_one()))
+      return run.stop = FlowStop::interrupted, run;
+
+    while (run.last.time < schedule.end_time) {
+      const Trial trial = steps.trial(stops.next() - run.last.time);
+      const FlowStep<State> step = integrator_.advance(run.state, trial.tau);
+      const Energy energy = step.ok() ? solver_.energy(step.state) : Energy{};
+      run.fault = step.ok() ? steps.judge(step.error, run.last.energy, energy) : step.fault;
+      if (run.fault != FlowFault::none) {
+        ++run.last.rejected;
+        if (steps.reject(trial, run.fault, step.error)) continue;
+        return run.stop = FlowStop::step_too_small, run;
+      }
+      steps.accept(trial, step.error);
+      run.last = record_of(step, trial.tau, run.state, run.last, energy);
+      if (trial.exact) run.last.time = stops.next(), stops.pass();
+      integrator_.accept(run.state, step, trial.tau);
+      run.state = step.state;
+      ++run.steps;
+      renew_mesh(run, steps);
+      run.last.next_step = steps.tau();
+      run.last.ends = end_of(run, schedule);
+      if (observe && !observe(run.last, run.state, trial.exact))
+        return run.stop = FlowStop::interrupted, run;
+      if (run.last.ends) return run.stop = *run.last.ends, run;
+    }
+    return run;
+  }
 
  private:
   FlowRecord record_of(const FlowStep<State>& step, double tau, const State& old,
-                       const FlowRecord& before, const Energy& after);
-  void renew_mesh(FlowResult<State>& run, StepControl& steps);
-  std::optional<FlowStop> end_of(const FlowResult<State>& run, const FlowSchedule& schedule);
+                       const FlowRecord& before, const Energy& after) {
+    const Distance moved = solver_.distance(old, step.state);
+    const double spent = tau * step.dissipation.total();
+    return {.time = before.time + tau,
+            .time_step = tau,
+            .energy = after,
+            .dissipation = step.dissipation,
+            .energy_balance = spent > 0 ? (before.energy.total() - after.total()) / spent : 1,
+            .normal_speed = moved.normal / tau,
+            .order_speed = moved.order / tau,
+            .speed_max = step.speed_max,
+            .lambda = step.lambda,
+            .rejected = before.rejected};
+  }
+
+  void renew_mesh(FlowResult<State>& run, StepControl& steps) {
+    if (!solver_.renew(run.state)) return;
+    integrator_.forget();
+    run.last.energy = solver_.energy(run.state);
+    steps.restart();
+  }
+
+  std::optional<FlowStop> end_of(const FlowResult<State>& run, const FlowSchedule& schedule) {
+    if (const auto obstacle = solver_.obstacle(run.state)) return obstacle;
+    if (schedule.stop_at_rest
+        && std::max(run.last.normal_speed, run.last.order_speed) < control_.rest_speed)
+      return FlowStop::at_rest;
+    if (run.last.time >= schedule.end_time) return FlowStop::end_time;
+    return {};
+  }
 
   Solver& solver_;
   Integrator& integrator_;
   TimeControl control_;
 };
-
-template <FlowSolver Solver, FlowIntegrator<typename Solver::State> Integrator>
-auto Flow<Solver, Integrator>::run(const State& start, const FlowRecord& from,
-                                   const FlowSchedule& schedule, const FlowObserver<State>& observe)
-    -> FlowResult<State> {
-  FlowResult<State> run{.stop = FlowStop::end_time, .state = start, .last = from, .steps = 0};
-  StepControl steps(control_, Integrator::largest_growth, from.next_step);
-  Stops stops(schedule, from.time);
-  run.last.energy = solver_.energy(start);
-  run.last.next_step = steps.tau();
-  const bool begins = from.next_step == 0;  // and does not go on
-  if (begins && observe && !observe(run.last, run.state, stops.begin_at_one()))
-    return run.stop = FlowStop::interrupted, run;
-
-  while (run.last.time < schedule.end_time) {
-    const Trial trial = steps.trial(stops.next() - run.last.time);
-    const FlowStep<State> step = integrator_.advance(run.state, trial.tau);
-    const Energy energy = step.ok() ? solver_.energy(step.state) : Energy{};
-    run.fault = step.ok() ? steps.judge(step.error, run.last.energy, energy) : step.fault;
-    if (run.fault != FlowFault::none) {
-      ++run.last.rejected;
-      if (steps.reject(trial, run.fault, step.error)) continue;
-      return run.stop = FlowStop::step_too_small, run;
-    }
-    steps.accept(trial, step.error);
-    run.last = record_of(step, trial.tau, run.state, run.last, energy);
-    if (trial.exact) run.last.time = stops.next(), stops.pass();
-    integrator_.accept(run.state, step, trial.tau);
-    run.state = step.state;
-    ++run.steps;
-    renew_mesh(run, steps);
-    run.last.next_step = steps.tau();
-    run.last.ends = end_of(run, schedule);
-    if (observe && !observe(run.last, run.state, trial.exact))
-      return run.stop = FlowStop::interrupted, run;
-    if (run.last.ends) return run.stop = *run.last.ends, run;
-  }
-  return run;
-}
-
-template <FlowSolver Solver, FlowIntegrator<typename Solver::State> Integrator>
-FlowRecord Flow<Solver, Integrator>::record_of(const FlowStep<State>& step, double tau,
-                                               const State& old, const FlowRecord& before,
-                                               const Energy& after) {
-  const Distance moved = solver_.distance(old, step.state);
-  const double spent = tau * step.dissipation.total();
-  return {.time = before.time + tau,
-          .time_step = tau,
-          .energy = after,
-          .dissipation = step.dissipation,
-          .energy_balance = spent > 0 ? (before.energy.total() - after.total()) / spent : 1,
-          .normal_speed = moved.normal / tau,
-          .order_speed = moved.order / tau,
-          .speed_max = step.speed_max,
-          .lambda = step.lambda,
-          .rejected = before.rejected};
-}
-
-template <FlowSolver Solver, FlowIntegrator<typename Solver::State> Integrator>
-void Flow<Solver, Integrator>::renew_mesh(FlowResult<State>& run, StepControl& steps) {
-  if (!solver_.renew(run.state)) return;
-  integrator_.forget();
-  run.last.energy = solver_.energy(run.state);
-  steps.restart();
-}
-
-template <FlowSolver Solver, FlowIntegrator<typename Solver::State> Integrator>
-std::optional<FlowStop> Flow<Solver, Integrator>::end_of(const FlowResult<State>& run,
-                                                         const FlowSchedule& schedule) {
-  if (const auto obstacle = solver_.obstacle(run.state)) return obstacle;
-  if (schedule.stop_at_rest
-      && std::max(run.last.normal_speed, run.last.order_speed) < control_.rest_speed)
-    return FlowStop::at_rest;
-  if (run.last.time >= schedule.end_time) return FlowStop::end_time;
-  return {};
-}
 
 }  // namespace sbeh::model

@@ -2,6 +2,30 @@
 
 namespace sbeh::model {
 
+std::string describe(FlowFault fault) {
+  switch (fault) {
+    case FlowFault::none:
+      return "";
+    case FlowFault::linear_solve:
+      return "the linear system of a step could not be solved: it is singular, as for a shape that "
+             "cannot move within its area and volume, or the mesh is too coarse or degenerate";
+    case FlowFault::degenerate:
+      return "a step turns a triangle over or leaves the surface degenerate, however small: the "
+             "mesh is too coarse for the shape; more triangles may help";
+    case FlowFault::area_volume:
+      return "area and volume could not be restored after a step: the mesh is too coarse for the "
+             "shape; more triangles may help";
+    case FlowFault::error:
+      return "the error of a step stays above the tolerance, however small: the shape or the order "
+             "has become sharper than the mesh resolves; more triangles or a larger tolerance may "
+             "help";
+    case FlowFault::energy_rises:
+      return "the energy rises in every step, however small: the mesh does not resolve the shape "
+             "or the order; more triangles may help";
+  }
+  return "";
+}
+
 std::string describe(FlowStop stop) {
   switch (stop) {
     case FlowStop::end_time:

@@ -1,14 +1,44 @@
-// What a run says of itself: one record for each accepted step, and the result.
+// One step in time as an integrator gives it, what may be wrong with it, and what a run says of itself: one
+// record for each accepted step, and the result.
 #pragma once
 
 #include "model/energy.h"
-#include "model/time/flow_step.h"
 
+#include <algorithm>
 #include <functional>
 #include <optional>
 #include <string>
 
 namespace sbeh::model {
+
+/// Why a step was not accepted.
+enum class FlowFault {
+  none,
+  linear_solve,  ///< a system was singular, or its iteration did not converge
+  degenerate,    ///< a triangle is turned over, or the curve or surface is not finite
+  area_volume,   ///< area and volume could not be restored
+  error,         ///< above the tolerance
+  energy_rises
+};
+/// What was wrong and what may help, in one sentence; empty without a fault.
+std::string describe(FlowFault fault);
+
+/// The rest holds only when there is no fault.
+template <class State>
+struct FlowStep {
+  FlowFault fault = FlowFault::linear_solve;
+  State state = {};
+  Dissipation dissipation = {};
+  double lambda = 0, speed_max = 0;
+  double error = 0;  ///< of a first-order step: largest normal distance or change of order
+  bool ok() const { return fault == FlowFault::none; }
+};
+
+/// Largest normal distance and change of order between two states.
+struct Distance {
+  double normal, order;
+  double largest() const { return std::max(normal, order); }
+};
 
 enum class FlowStop { end_time, at_rest, unresolved, self_contact, step_too_small, interrupted };
 /// Words for tables and messages.

@@ -1,9 +1,29 @@
 #include "model/time/step_control.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace sbeh::model {
+
+void TimeControl::validate() const {
+  check_parameters(*this);
+  if (smallest_step > largest_step || first_step > largest_step)
+    throw std::invalid_argument(
+        fmt::format("largest_step = {}: must be >= first_step and smallest_step", largest_step));
+}
+
+Stops::Stops(const FlowSchedule& schedule, double from) : times_(schedule.output_times) {
+  times_.push_back(schedule.end_time);
+  std::sort(times_.begin(), times_.end());
+  const auto same = [](double a, double b) { return b - a <= same_time * std::abs(b); };
+  times_.erase(std::unique(times_.begin(), times_.end(), same), times_.end());
+  if (same(times_.back(), schedule.end_time)) times_.back() = schedule.end_time;
+  begin_at_one_ = times_.front() <= from;
+  while (next_ < times_.size() && times_[next_] <= from) ++next_;
+}
 
 namespace {
 

@@ -1,11 +1,77 @@
-// The steps of a run: which are accepted, and which τ comes next.
+// The steps of a run: what a user may choose of them, the times that they meet exactly, which of them are
+// accepted, and which τ comes next.
 #pragma once
 
-#include "model/energy.h"
-#include "model/time/flow_step.h"
-#include "model/time/time_control.h"
+#include "model/parameter.h"
+#include "model/time/flow_record.h"
+
+#include <cstddef>
+#include <vector>
 
 namespace sbeh::model {
+
+/// How a run chooses its time steps; see the table below.
+struct TimeControl {
+  double tolerance = 1e-5;
+  double first_step = 1e-6;
+  double smallest_step = 1e-12;
+  double largest_step = 0.05;  // the coupling of shape and order oscillates from about 0.1 on
+  bool extrapolate = true;
+  double rest_speed = 1e-6;
+
+  /// Throws std::invalid_argument with name, value and constraint.
+  void validate() const;
+
+  bool operator==(const TimeControl&) const = default;
+};
+
+/// The table of its parameters.
+template <maybe_const<TimeControl> T>
+void for_each_parameter(T& control, auto&& visit) {
+  using P = Parameter;
+  visit(P{"tolerance", between(1e-12, 0.1), "error allowed in one step, of positions and order"},
+        control.tolerance);
+  visit(P{"first_step", between(1e-14, 10), "τ of the first try, also on a new mesh"},
+        control.first_step);
+  visit(P{"smallest_step", between(1e-16, 1), "τ below which the run stops: time step too small"},
+        control.smallest_step);
+  visit(P{"largest_step", between(1e-14, 1e3), "τ never exceeds it"}, control.largest_step);
+  visit(P{"extrapolate",
+          {},
+          "a step and two half steps combined to second order in τ; false: the two half steps, "
+          "first order"},
+        control.extrapolate);
+  visit(P{"rest_speed", between(1e-14, 1), "a run is stationary when no point is faster than this"},
+        control.rest_speed);
+}
+
+/// When a run ends, and the times that it meets exactly.
+struct FlowSchedule {
+  double end_time = 1;
+  std::vector<double> output_times = {};  ///< in any order; those beyond the end are ignored, those
+                                          ///< that differ by less than same_time are met once
+  bool stop_at_rest = true;               ///< at TimeControl::rest_speed
+};
+
+/// Relative difference below which two times are one.
+inline constexpr double same_time = 1e-10;
+
+/// The output times and the end, as a run that begins at a time comes to them.
+class Stops {
+ public:
+  Stops(const FlowSchedule& schedule, double from);
+
+  /// Whether the run begins at one.
+  bool begin_at_one() const { return begin_at_one_; }
+  /// The next one; not to be asked for beyond the end.
+  double next() const { return times_[next_]; }
+  void pass() { ++next_; }
+
+ private:
+  std::vector<double> times_;  // ascending
+  std::size_t next_ = 0;
+  bool begin_at_one_;
+};
 
 /// A step to be tried.
 struct Trial {

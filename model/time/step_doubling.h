@@ -2,7 +2,7 @@
 #pragma once
 
 #include "model/numerics/area_volume.h"
-#include "model/time/flow_step.h"
+#include "model/time/flow_record.h"
 
 #include <cmath>
 #include <concepts>
@@ -39,7 +39,28 @@ class StepDoubling {
   StepDoubling(Solver& solver, const Target& target, bool extrapolate)
       : solver_(solver), target_(target), extrapolate_(extrapolate) {}
 
-  FlowStep<State> advance(const State& old, double tau);
+  FlowStep<State> advance(const State& old, double tau) {
+    auto whole = solver_.step(old, target_, tau);
+    if (!whole.ok()) return whole;
+    auto first = solver_.step(old, target_, tau / 2);
+    if (!first.ok()) return first;
+    // Every step of the extrapolation begins without drift: pulled back halfway, the two halves would
+    // have lost what the whole step is to cancel.
+    const Target middle = extrapolate_ ? solver_.measure(first.state) : target_;
+    auto result = solver_.step(first.state, middle, tau / 2);
+    if (!result.ok()) return result;
+
+    result.error = solver_.distance(result.state, whole.state).largest();
+    result.dissipation = combine(0.5, first.dissipation, 0.5, result.dissipation);
+    if (extrapolate_) {  // the first-order errors cancel
+      result.state.X = 2 * result.state.X - whole.state.X;
+      result.state.beta = 2 * result.state.beta - whole.state.beta;
+      result.dissipation = combine(2, result.dissipation, -1, whole.dissipation);
+    }
+    complete(solver_, target_, result);
+    return result;
+  }
+
   void accept(const State&, const FlowStep<State>&, double) {}
   void forget() {}
 
@@ -48,28 +69,5 @@ class StepDoubling {
   Target target_;
   bool extrapolate_;
 };
-
-template <OneStepSolver Solver>
-auto StepDoubling<Solver>::advance(const State& old, double tau) -> FlowStep<State> {
-  auto whole = solver_.step(old, target_, tau);
-  if (!whole.ok()) return whole;
-  auto first = solver_.step(old, target_, tau / 2);
-  if (!first.ok()) return first;
-  // Every step of the extrapolation begins without drift: pulled back halfway, the two halves would
-  // have lost what the whole step is to cancel.
-  const Target middle = extrapolate_ ? solver_.measure(first.state) : target_;
-  auto result = solver_.step(first.state, middle, tau / 2);
-  if (!result.ok()) return result;
-
-  result.error = solver_.distance(result.state, whole.state).largest();
-  result.dissipation = combine(0.5, first.dissipation, 0.5, result.dissipation);
-  if (extrapolate_) {  // the first-order errors cancel
-    result.state.X = 2 * result.state.X - whole.state.X;
-    result.state.beta = 2 * result.state.beta - whole.state.beta;
-    result.dissipation = combine(2, result.dissipation, -1, whole.dissipation);
-  }
-  complete(solver_, target_, result);
-  return result;
-}
 
 }  // namespace sbeh::model

@@ -38,7 +38,28 @@ class TwoStep {
 
   TwoStep(Solver& solver, const Target& target) : solver_(solver), target_(target) {}
 
-  FlowStep<State> advance(const State& old, double tau);
+  FlowStep<State> advance(const State& old, double tau) {
+    if (!past_) {
+      auto first = StepDoubling<Solver>(solver_, target_, true).advance(old, tau);
+      rates_ = first.dissipation;
+      return first;
+    }
+    const double r = tau / past_->tau;
+    const auto ahead = [&](double by) -> State {
+      return {old.X + by * (old.X - past_->state.X),
+              old.beta + by * (old.beta - past_->state.beta)};
+    };
+    const State at = ahead(r);
+    auto result = solver_.step(at, ahead(r * r / (1 + 2 * r)), solver_.measure(at),
+                               tau * (1 + r) / (1 + 2 * r));
+    if (!result.ok()) return result;
+    result.error = r / (2 * (1 + r)) * solver_.distance(at, result.state).largest();
+    rates_ = result.dissipation;
+    result.dissipation = combine(0.5, past_->dissipation, 0.5, rates_);
+    complete(solver_, target_, result);
+    return result;
+  }
+
   void accept(const State& old, const FlowStep<State>&, double tau) {
     past_ = Past{old, tau, rates_};
   }
@@ -53,27 +74,5 @@ class TwoStep {
   std::optional<Past> past_;
   Dissipation rates_;  // at the end of the last step tried
 };
-
-template <TwoStepSolver Solver>
-auto TwoStep<Solver>::advance(const State& old, double tau) -> FlowStep<State> {
-  if (!past_) {
-    auto first = StepDoubling<Solver>(solver_, target_, true).advance(old, tau);
-    rates_ = first.dissipation;
-    return first;
-  }
-  const double r = tau / past_->tau;
-  const auto ahead = [&](double by) -> State {
-    return {old.X + by * (old.X - past_->state.X), old.beta + by * (old.beta - past_->state.beta)};
-  };
-  const State at = ahead(r);
-  auto result = solver_.step(at, ahead(r * r / (1 + 2 * r)), solver_.measure(at),
-                             tau * (1 + r) / (1 + 2 * r));
-  if (!result.ok()) return result;
-  result.error = r / (2 * (1 + r)) * solver_.distance(at, result.state).largest();
-  rates_ = result.dissipation;
-  result.dissipation = combine(0.5, past_->dissipation, 0.5, rates_);
-  complete(solver_, target_, result);
-  return result;
-}
 
 }  // namespace sbeh::model

@@ -1,6 +1,7 @@
 #include "studies/compare/compare.h"
 
-#include "model/time/schedule.h"
+#include "model/time/step_control.h"
+#include "studies/compare/compare_tables.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"

@@ -1,7 +1,7 @@
 #include "studies/evolution/relax_start.h"
 
 #include "axisym/start_shapes.h"
-#include "model/rest_order.h"
+#include "model/order_step.h"
 
 #include <fmt/format.h>
 

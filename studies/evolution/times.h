@@ -1,7 +1,7 @@
 // The table [time] of an evolution: until when it goes, and when something is written.
 #pragma once
 
-#include "model/time/schedule.h"
+#include "model/time/step_control.h"
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"
 

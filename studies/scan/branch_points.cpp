@@ -4,7 +4,7 @@
 #include "axisym/start_shapes.h"
 #include "axisym/stationary/stability.h"
 #include "axisym/stationary/stationary.h"
-#include "model/rest_order.h"
+#include "model/order_step.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/stopwatch.h"
 

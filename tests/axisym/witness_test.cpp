@@ -25,7 +25,7 @@ struct Witnesses {
   std::vector<ClassicalShape> elements, shooting, minimiser;
 };
 Witnesses witnesses(Branch branch, const std::vector<double>& volumes) {
-  return {element_branch(branch, volumes, fine()), shoot_branch(branch, volumes),
+  return {ElementBranches(fine()).shapes(branch, volumes), shoot_branch(branch, volumes),
           minimise_branch(branch, volumes)};
 }
 
@@ -54,8 +54,8 @@ TEST(ThreeWitnesses, agree_on_the_stomatocytes) {
 }
 
 TEST(ThreeWitnesses, agree_on_the_special_points_within_their_errors_and_to_five_digits) {
-  const SpecialPoints a = element_special_points(fine()), b = shoot_special_points(),
-                      c = minimise_special_points();
+  const SpecialPoints a = ElementBranches(fine()).special_points_with_errors(),
+                      b = shoot_special_points(), c = minimise_special_points();
   for (const auto member : {&SpecialPoints::prolate_oblate, &SpecialPoints::oblate_stomatocyte,
                             &SpecialPoints::stomatocyte_fold, &SpecialPoints::oblate_symmetry_loss,
                             &SpecialPoints::oblate_self_contact}) {
@@ -125,7 +125,7 @@ TEST(ShapeClass, is_told_of_the_classical_shapes) {
   for (const auto& [branch, shape] : {std::pair{Branch::oblate, ShapeClass::oblate},
                                       {Branch::prolate, ShapeClass::prolate},
                                       {Branch::stomatocyte, ShapeClass::stomatocyte}}) {
-    const Nodes X = element_branch(branch, at, numerics).front().profile;
+    const Nodes X = ElementBranches(numerics).shapes(branch, at).front().profile;
     EXPECT_EQ(classify(X), shape) << name(branch);
     EXPECT_FALSE(crosses_itself(X)) << name(branch);
   }
@@ -134,7 +134,7 @@ TEST(ShapeClass, is_told_of_the_classical_shapes) {
 TEST(SelfContact, of_the_oblates_begins_where_their_poles_touch) {
   const Numerics numerics = with_elements(48);
   const std::array<double, 2> volumes{0.504, 0.501};
-  const auto shapes = element_branch(Branch::oblate, volumes, numerics);
+  const auto shapes = ElementBranches(numerics).shapes(Branch::oblate, volumes);
   EXPECT_FALSE(shapes[0].self_contact);
   EXPECT_TRUE(shapes[1].self_contact);
 }
@@ -142,7 +142,7 @@ TEST(SelfContact, of_the_oblates_begins_where_their_poles_touch) {
 TEST(Stomatocytes, beyond_their_fold_are_refused_with_the_reduced_volume) {
   const std::array<double, 1> beyond{0.67};
   try {
-    element_branch(Branch::stomatocyte, beyond, with_elements(32));
+    ElementBranches(with_elements(32)).shapes(Branch::stomatocyte, beyond);
     FAIL() << "accepted";
   } catch (const std::domain_error& error) {
     EXPECT_NE(std::string(error.what()).find("0.67"), std::string::npos) << error.what();

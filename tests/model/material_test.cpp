@@ -1,8 +1,8 @@
 // The moduli, the potential and the rest order of the material.
 #include "model/material.h"
 
+#include "model/order_step.h"
 #include "model/potential.h"
-#include "model/rest_order.h"
 #include "model/terms.h"
 #include "tests/model/general_material.h"
 

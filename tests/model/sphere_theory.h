@@ -17,7 +17,7 @@
 #pragma once
 
 #include "model/material.h"
-#include "model/rest_order.h"
+#include "model/order_step.h"
 
 #include <Eigen/Core>
 #include <boost/numeric/odeint.hpp>

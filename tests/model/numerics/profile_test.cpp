@@ -1,4 +1,4 @@
-#include "model/numerics/polygon.h"
+#include "model/numerics/profile.h"
 
 #include <gtest/gtest.h>
 
