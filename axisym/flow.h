@@ -9,11 +9,7 @@
 
 namespace sbeh::axisym {
 
-using model::describe;
-using model::FlowRecord;
-using model::FlowSchedule;
-using model::FlowStop;
-using model::same_time;
+using model::describe, model::FlowRecord, model::FlowSchedule, model::FlowStop, model::same_time;
 using FlowObserver = model::FlowObserver<State>;
 using FlowResult = model::FlowResult<State>;
 

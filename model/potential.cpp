@@ -16,11 +16,4 @@ Potential::Potential(std::vector<double> coefficients) : coefficients_(std::move
       throw std::invalid_argument("potential: coefficient " + std::to_string(k) + " is not finite");
 }
 
-double Potential::curvature(double beta) const {
-  double sum = 0;
-  for (std::size_t k = coefficients_.size(); k-- > 2;)
-    sum = sum * beta + double(k * (k - 1)) * coefficients_[k];
-  return sum;
-}
-
 }  // namespace sbeh::model

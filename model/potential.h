@@ -45,9 +45,6 @@ class Potential {
   /// u'(0): what the order step keeps explicit; 0 for the Landau–de Gennes form.
   double slope_at_zero() const { return coefficients_.size() > 1 ? coefficients_[1] : 0; }
 
-  /// u''(β)
-  double curvature(double beta) const;
-
   bool operator==(const Potential&) const = default;
 
  private:

@@ -8,9 +8,7 @@
 
 namespace sbeh::axisym::spectral {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 

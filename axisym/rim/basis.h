@@ -1,6 +1,6 @@
 // Elements of high degree along half of a symmetric curve, shrinking towards its rim.
 //
-// An alternative to the trigonometric bases of spectral_curve.h for rims of any sharpness. Near a rim the
+// An alternative to the trigonometric bases of spectral/curve.h for rims of any sharpness. Near a rim the
 // one-constant energy per length is (3L/4)|∂_s w|² with w = β exp(i√3ψ): the straight way from above to
 // below leads past w = 0 where the tangent turns by less than π/√3, and through it otherwise. In the
 // first case β and ψ are smooth at a scale β_rim that may be tiny. In the second β vanishes at the rim

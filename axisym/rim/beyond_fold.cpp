@@ -1,6 +1,6 @@
 #include "axisym/rim/beyond_fold.h"
 
-#include "axisym/rim/profile.h"
+#include "axisym/rim/path.h"
 #include "axisym/spectral/classical.h"
 #include "model/numerics/root.h"
 
@@ -16,8 +16,7 @@
 namespace sbeh::axisym {
 
 using namespace spectral;
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 using std::numbers::pi;
 
 namespace {
@@ -45,19 +44,16 @@ struct Leg {
     return states.front();
   }
 
-  // The two neighbours around an L; empty when it is not on the leg.
-  std::optional<RimState> guess(double L) const {
+  // At this L, from its two neighbours; empty when it is not on the leg.
+  std::optional<RimState> at(const RimProblem& problem, double L) const {
     for (std::size_t k = 1; k < states.size(); ++k) {
       const RimState &a = states[k - 1], &b = states[k];
       if ((a.L - L) * (b.L - L) > 0) continue;
       const double t = (L - a.L) / (b.L - a.L);
-      return RimState{L, (1 - t) * a.y + t * b.y, (1 - t) * a.multipliers + t * b.multipliers};
+      return solve(problem,
+                   {L, (1 - t) * a.y + t * b.y, (1 - t) * a.multipliers + t * b.multipliers});
     }
     return {};
-  }
-  std::optional<RimState> at(const RimProblem& problem, double L) const {
-    const auto near = guess(L);
-    return near ? solve(problem, *near) : std::nullopt;
   }
 };
 
@@ -215,19 +211,6 @@ class SharpStates {
   Leg leg_;
 };
 
-// Where the energies of two families are equal, between the two L.
-std::optional<double> equal_energy(const std::function<std::optional<double>(double)>& gap,
-                                   double low, double high) {
-  bool known = true;
-  const auto f = [&](double L) {
-    const auto here = gap(L);
-    known = known && here;
-    return here.value_or(0);  // ends the search
-  };
-  const double L = model::root_between(f, low, high, 40).middle();
-  return known ? std::optional(L) : std::nullopt;
-}
-
 // The sharp state of the smooth one's energy, at the largest L of those.
 std::optional<RimRecord> meeting(const RimProblem& problem, const Leg& smooth,
                                  const SharpStates& sharp) {
@@ -245,8 +228,14 @@ std::optional<RimRecord> meeting(const RimProblem& problem, const Leg& smooth,
     const double low = std::max(top * double(samples - k) / samples, sharp.lowest());
     const auto below = gap(low);
     if (below && *above * *below < 0) {
-      const auto L = equal_energy(gap, low, high);
-      return L ? sharp.at(*L, RimKind::equal_energy) : std::nullopt;
+      bool known = true;
+      const auto f = [&](double L) {
+        const auto here = gap(L);
+        known = known && here;
+        return here.value_or(0);  // ends the search
+      };
+      const double L = model::root_between(f, low, high, 40).middle();
+      return known ? sharp.at(L, RimKind::equal_energy) : std::nullopt;
     }
     above = below;
     high = low;

@@ -2,7 +2,7 @@
 // states with a sharp rim.
 //
 // All on half curves symmetric top to bottom with elements of high degree that shrink towards the rim
-// (rim_basis.h), for the one-constant approximation.
+// (rim/basis.h), for the one-constant approximation.
 #pragma once
 
 #include "axisym/curve.h"
@@ -41,7 +41,7 @@ struct RimRecord {
   double pressure;  ///< P = ∂U/∂V at fixed area
   /// Axisymmetric ones in which U falls, a kink staying one; at a fold: on its stable side.
   int negative_directions;
-  State state;  ///< the whole curve, see rim_profile.h
+  State state;  ///< the whole curve, see profile_of of rim/path.h
 };
 
 /// The states at one reduced volume: the fold, the saddle and the sharp state at those of the L (ascending)

@@ -4,6 +4,7 @@
 // obstacle, minima or not.
 #pragma once
 
+#include "axisym/curve.h"
 #include "axisym/rim/basis.h"
 #include "axisym/spectral/newton.h"
 #include "model/numerics/continuation.h"
@@ -72,5 +73,9 @@ using model::advance, model::arc_step, model::locate_fold;
 /// area and volume kept; a kink stays one. At a fold, where one eigenvalue is zero, it is left to
 /// rounding.
 int negative_directions(const RimProblem& problem, const RimState& s);
+
+/// The whole curve from pole to pole, three P3 elements for each of the rim mesh and side: nodes are exact,
+/// what is between them is interpolated. The equator is at z = 0.
+State profile_of(const RimProblem& problem, const Eigen::VectorXd& y);
 
 }  // namespace sbeh::axisym::spectral

@@ -223,10 +223,4 @@ State integrate_with_equal_steps(const Pole& pole, double arc_length, int steps,
   return as_vector(x);
 }
 
-double hamiltonian(const Pole& pole, const State& at) {
-  const double H = at[Row::H], X = at[Row::X], psi = at[Row::psi];
-  return X / 2 * H * H + H * sin(psi) - pole.tension * X + pole.pressure / 2 * X * X * sin(psi)
-       + at[Row::gamma] * cos(psi);
-}
-
 }  // namespace sbeh::axisym::shooting

@@ -58,7 +58,4 @@ Eigen::Matrix<double, Row::count, Eigen::Dynamic> sample(const Pole& pole, doubl
 State integrate_with_equal_steps(const Pole& pole, double arc_length, int steps,
                                  double series_start);
 
-/// h
-double hamiltonian(const Pole& pole, const State& at);
-
 }  // namespace sbeh::axisym::shooting

@@ -8,12 +8,8 @@
 
 namespace sbeh::axisym::spectral {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using std::numbers::pi;
-
-double ClassicalMinimum::reduced_energy() const { return state.energy / (8 * pi); }
 
 std::shared_ptr<const Basis> basis_for(Branch branch, double reduced_volume, int cutoff) {
   if (branch != Branch::stomatocyte) return basis(Symmetry::top_bottom, cutoff);
@@ -24,9 +20,10 @@ std::shared_ptr<const Basis> basis_for(Branch branch, double reduced_volume, int
       {.a = 1 - 0.08 * std::pow(0.72, (0.65 - v) / 0.1), .x0 = 0.5 - 0.053 * v - 0.03 * v * v});
 }
 
-int usual_cutoff(Branch branch) { return branch == Branch::stomatocyte ? 72 : 36; }
-
 namespace {
+
+// Highest wave number that suffices for most shapes of the branch.
+int usual_cutoff(Branch branch) { return branch == Branch::stomatocyte ? 72 : 36; }
 
 // f = √(2πr) (ψ' + sin ψ/r), so that ½ Σ f² = F/κ; and its Jacobian by length and angle.
 VectorXd root_curvature(const Basis& B, const Angles& x, MatrixXd* by_y) {
@@ -45,8 +42,9 @@ VectorXd root_curvature(const Basis& B, const Angles& x, MatrixXd* by_y) {
   return f;
 }
 
-}  // namespace
-
+// Minimises over the curves of this problem's basis by least squares: the residuals are √dS H and the
+// shifted penalties of area, volume and closure. Leaves errors of about 1e-5 in the measures; empty if
+// a curve ran into the axis.
 std::optional<VectorXd> minimise_squares(const Problem& classical, const VectorXd& target,
                                          VectorXd y) {
   const std::optional<Expansion> first = expand(classical, y);
@@ -74,13 +72,7 @@ std::optional<VectorXd> minimise_squares(const Problem& classical, const VectorX
   return y;
 }
 
-std::optional<ClassicalMinimum> sharpen(Branch branch, double reduced_volume, const Curve& start) {
-  const Problem problem = Problem::classical(start.basis);
-  const auto state = minimise(problem, target_of(problem, reduced_volume), pack(start));
-  if (!state || !is_of_class(branch, curve_of(problem, state->y))) return {};
-  return ClassicalMinimum{reduced_volume, problem, *state};
-}
-
+// Least squares on a coarse basis, then Newton's method with as many modes as it takes.
 std::optional<ClassicalMinimum> minimum_from(Branch branch, double reduced_volume,
                                              const Curve& start) {
   constexpr double resolved = 1e-11;
@@ -97,6 +89,15 @@ std::optional<ClassicalMinimum> minimum_from(Branch branch, double reduced_volum
     curve = found->curve();
   }
   return {};
+}
+
+}  // namespace
+
+std::optional<ClassicalMinimum> sharpen(Branch branch, double reduced_volume, const Curve& start) {
+  const Problem problem = Problem::classical(start.basis);
+  const auto state = minimise(problem, target_of(problem, reduced_volume), pack(start));
+  if (!state || !is_of_class(branch, curve_of(problem, state->y))) return {};
+  return ClassicalMinimum{reduced_volume, problem, *state};
 }
 
 std::optional<ClassicalMinimum> minimum(Branch branch, double reduced_volume) {

@@ -4,6 +4,8 @@
 #include "axisym/classical_shape.h"
 #include "axisym/spectral/newton.h"
 
+#include <numbers>
+
 namespace sbeh::axisym::spectral {
 
 /// A minimum of F/κ that is of the class asked for.
@@ -13,30 +15,19 @@ struct ClassicalMinimum {
   Critical state;
 
   Curve curve() const { return curve_of(problem, state.y); }
-  double reduced_energy() const;  ///< F/(8πκ)
+  double reduced_energy() const { return state.energy / (8 * std::numbers::pi); }  ///< F/(8πκ)
   double tension() const { return state.multipliers[0]; }
   double pressure() const { return -state.multipliers[1]; }
 };
 
 /// The basis on which a shape is computed: the points gather at a stomatocyte's narrow rim.
 std::shared_ptr<const Basis> basis_for(Branch branch, double reduced_volume, int cutoff);
-/// Highest wave number that suffices for most shapes of the branch.
-int usual_cutoff(Branch branch);
-
-/// Minimises over the curves of this problem's basis by least squares: the residuals are √dS H and the
-/// shifted penalties of area, volume and closure. Leaves errors of about 1e-5 in the measures; empty if
-/// a curve ran into the axis.
-std::optional<Eigen::VectorXd> minimise_squares(const Problem& classical,
-                                                const Eigen::VectorXd& target, Eigen::VectorXd y);
 
 /// Newton's method on the basis of `start`. Empty unless it ends in a minimum of this class.
 std::optional<ClassicalMinimum> sharpen(Branch branch, double reduced_volume, const Curve& start);
 
-/// Least squares on a coarse basis, then Newton's method with as many modes as it takes for the last
-/// coefficients to be below 1e-11.
-std::optional<ClassicalMinimum> minimum_from(Branch branch, double reduced_volume,
-                                             const Curve& start);
-/// The same from a spheroid, or from a sphere with an invagination.
+/// Least squares on a coarse basis from a spheroid, or from a sphere with an invagination; then Newton's
+/// method with as many modes as it takes for the last coefficients to be below 1e-11.
 std::optional<ClassicalMinimum> minimum(Branch branch, double reduced_volume);
 /// The same from a shape of the branch at another volume, in as many steps as it takes.
 std::optional<ClassicalMinimum> minimum_along(Branch branch, double reduced_volume,

@@ -13,8 +13,7 @@
 
 namespace sbeh::axisym::spectral {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::MatrixXd, Eigen::VectorXd;
 using std::numbers::pi;
 
 namespace {

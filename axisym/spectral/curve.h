@@ -31,12 +31,12 @@ struct Grading {
   double inverse(double sigma) const;
 };
 
-/// Collocation points and the trigonometric functions on them, or those of rim_basis.h. Symmetric bases
+/// Collocation points and the trigonometric functions on them, or those of rim/basis.h. Symmetric bases
 /// hold half the curve.
 struct Basis {
   Symmetry symmetry;
   Grading grading;
-  int cutoff;             // largest k, 0 for those of rim_basis.h
+  int cutoff;             // largest k, 0 for those of rim/basis.h
   std::vector<int> k;     // n wave numbers of the angle: 1, 2, 3 … or 2, 4, 6 …, or none
   Eigen::VectorXd x;      // N points
   Eigen::VectorXd dx;     // N: dx/dσ

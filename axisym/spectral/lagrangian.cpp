@@ -11,8 +11,7 @@
 
 namespace sbeh::axisym::spectral {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::MatrixXd, Eigen::VectorXd;
 using std::numbers::pi;
 
 namespace {
@@ -101,21 +100,11 @@ struct Sampled {
     for (std::size_t f = 0; f < fields; ++f) q[f] = value[f][j];
     return q;
   }
-  // ∂(field)/∂(its block of unknowns), N x block.
+  // ∂(field)/∂(its block of unknowns), N x block; of all but the length.
   const MatrixXd& jacobian(int field) const {
     const Basis& B = *problem.basis;
-    switch (field) {
-      case psi:
-        return B.S;
-      case dpsi:
-        return B.dS;
-      case radius:
-        return R;
-      case order:
-        return B.C;
-      default:
-        return B.dC;
-    }
+    const std::array<const MatrixXd*, length> all{&B.S, &B.dS, &R, &B.C, &B.dC};
+    return *all[std::size_t(field)];
   }
   // Σ_j of pointwise derivatives times Jacobians: a gradient by y.
   VectorXd pull_back(const MatrixXd& g) const {  // N x fields, weights included

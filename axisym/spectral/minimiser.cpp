@@ -15,8 +15,7 @@
 namespace sbeh::axisym {
 
 using namespace spectral;
-using Eigen::Index;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::VectorXd;
 
 namespace {
 
@@ -118,17 +117,10 @@ std::optional<Ordered> ordered_from(const model::Material& material, double redu
 
 }  // namespace
 
-std::optional<ClassicalShape> minimise_classical(Branch branch, double reduced_volume,
-                                                 const ClassicalShape* near) {
+std::optional<ClassicalShape> minimise_classical(Branch branch, double reduced_volume) {
   require_reduced_volume(reduced_volume);
-  constexpr int cutoff = 24;  // as many modes as a polygon determines well
-  const auto found =
-      near ? minimum_along(
-          branch, reduced_volume, near->reduced_volume,
-          curve_through(near->profile, basis_for(branch, near->reduced_volume, cutoff)))
-           : minimum(branch, reduced_volume);
-  if (!found) return {};
-  return shape_of(branch, *found);
+  const auto found = minimum(branch, reduced_volume);
+  return found ? std::optional(shape_of(branch, *found)) : std::nullopt;
 }
 
 std::vector<ClassicalShape> minimise_branch(Branch branch,

@@ -17,13 +17,12 @@
 
 namespace sbeh::axisym {
 
-/// The minimum of F on a branch, sought from a spheroid or an invaginated sphere, or from `near`.
+/// The minimum of F on a branch, sought from a spheroid or an invaginated sphere.
 /// Oblates and prolates are minima among the shapes symmetric top to bottom. Empty where the search does
 /// not end in a resolved minimum of the class asked for. Stomatocytes are found from 0.1 to 2e-5 below
 /// their largest volume, 0.66085.
 /// Throws std::invalid_argument unless 0 < V_r < 1.
-std::optional<ClassicalShape> minimise_classical(Branch branch, double reduced_volume,
-                                                 const ClassicalShape* near = nullptr);
+std::optional<ClassicalShape> minimise_classical(Branch branch, double reduced_volume);
 
 /// The branch at these volumes, in their order, each from the one before; without those where it has no
 /// minimum.

@@ -11,9 +11,7 @@
 
 namespace sbeh::axisym::spectral {
 
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 
 namespace {
 
@@ -64,8 +62,7 @@ std::optional<Critical> minimise(const Problem& problem, const VectorXd& target,
                       .multipliers = lambda,
                       .energy = at->energy,
                       .residual = residual,
-                      .stiffness = lowest,
-                      .iterations = iteration};
+                      .stiffness = lowest};
     }
     before = residual;
 

@@ -12,7 +12,6 @@ struct Critical {
   double energy;
   double residual;  ///< largest of the misses of the measures and of ∂𝓛/∂(n-th mode)/(1 + n)
   double stiffness;  ///< smallest eigenvalue of the second variation at fixed measures, > 0
-  int iterations;
 };
 
 /// Minimises U at these measures, starting from y. Empty unless it ends in a minimum, to rounding

@@ -15,9 +15,7 @@ namespace sbeh::axisym {
 namespace {
 
 using namespace spectral;
-using Eigen::Index;
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using std::numbers::pi;
 
 // Bounds what rounding does to the five volumes: beyond 40 modes they change by at most 2e-13.
@@ -135,21 +133,19 @@ SpecialPoints points_with(int symmetric_cutoff, int stomatocyte_cutoff) {
   points.oblate_stomatocyte = equal_energies(oblate, stomatocyte, 0.59);
   points.stomatocyte_fold = largest_volume(stomatocyte);
 
-  double energy = 0;
-  const auto softness = [&](double v) {
-    const ClassicalMinimum shape = oblate.at(v);
-    energy = shape.reduced_energy();
-    return odd_stiffness(shape);
+  const auto zero = [&](auto&& quantity) {
+    double energy = 0;
+    const auto at = [&](double v) {
+      const ClassicalMinimum shape = oblate.at(v);
+      energy = shape.reduced_energy();
+      return quantity(shape);
+    };
+    const double v = model::root_near(0.52, 0.515, at, last_change);
+    return SpecialPoint{v, energy, 0};
   };
-  const double loss = model::root_near(0.52, 0.515, softness, last_change);
-  points.oblate_symmetry_loss = {loss, energy, 0};
-  const auto thickness = [&](double v) {
-    const ClassicalMinimum shape = oblate.at(v);
-    energy = shape.reduced_energy();
-    return pole_distance(shape.curve());
-  };
-  const double contact = model::root_near(0.52, 0.515, thickness, last_change);
-  points.oblate_self_contact = {contact, energy, 0};
+  points.oblate_symmetry_loss = zero(odd_stiffness);
+  points.oblate_self_contact =
+      zero([](const ClassicalMinimum& shape) { return pole_distance(shape.curve()); });
   return points;
 }
 

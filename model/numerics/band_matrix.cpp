@@ -26,14 +26,6 @@ void BandMatrix::set_identity_row(int i) {
     (*this)(i, j) = i == j ? 1 : 0;
 }
 
-Eigen::VectorXd BandMatrix::times(const Eigen::VectorXd& x) const {
-  Eigen::VectorXd y = Eigen::VectorXd::Zero(n_);
-  for (int j = 0; j < n_; ++j)
-    for (int i = std::max(0, j - width_); i <= std::min(n_ - 1, j + width_); ++i)
-      y[i] += (*this)(i, j) * x[j];
-  return y;
-}
-
 bool BandMatrix::factor() {
   const int info = LAPACKE_dgbtrf_work(LAPACK_COL_MAJOR, n_, n_, width_, width_, storage_.data(),
                                        int(storage_.rows()), pivots_.data());

@@ -22,8 +22,6 @@ class BandMatrix {
 
   /// Row i becomes that of the identity.
   void set_identity_row(int i);
-  /// A x, before factor().
-  Eigen::VectorXd times(const Eigen::VectorXd& x) const;
 
   /// LU with partial pivoting, in place. False when A is singular or not finite.
   [[nodiscard]] bool factor();

@@ -4,8 +4,7 @@
 
 namespace sbeh::model {
 
-using Eigen::MatrixXd;
-using Eigen::VectorXd;
+using Eigen::MatrixXd, Eigen::VectorXd;
 
 TangentSplit::TangentSplit(const MatrixXd& gradients)
     : normal_(gradients.cols()), tangential_(gradients.rows() - gradients.cols()), qr_(gradients) {}

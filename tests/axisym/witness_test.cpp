@@ -9,6 +9,7 @@
 #include "axisym/stationary/newton_system.h"
 #include "axisym/stationary/stability.h"
 #include "tests/axisym/cases.h"
+#include "tests/model/densely.h"
 
 #include <Eigen/Eigenvalues>
 #include <gtest/gtest.h>
@@ -89,10 +90,7 @@ int negative_directions_densely(const Material& material, Model model, const Sta
   LagrangianDerivatives L(n);
   assemble(material, s, node_normals(s.state.X), L);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size + 2, size + 2);
-  for (int i = 0; i < size; ++i)
-    for (int j = std::max(0, i - L.hessian.half_width());
-         j <= std::min(size - 1, i + L.hessian.half_width()); ++j)
-      K(i, j) = L.hessian(i, j);
+  K.topLeftCorner(size, size) = densely(L.hessian);
   K.topRightCorner(size, 2) = L.constraints;
   K.bottomLeftCorner(2, size) = L.constraints.transpose();
   for_each_pinned(model, n, [&](int i) {

@@ -21,6 +21,7 @@
 
 #include <Eigen/Core>
 #include <boost/numeric/odeint.hpp>
+#include <ceres/jet.h>
 
 #include <array>
 
@@ -86,7 +87,8 @@ class TwoModes {
 
  private:
   double order_stiffness() const {
-    return 2 * m_.kappa_slope(1.) + m_.kappa_gauss_slope(1.) + m_.potential.curvature(beta_);
+    return 2 * m_.kappa_slope(1.) + m_.kappa_gauss_slope(1.)
+         + m_.potential.slope(ceres::Jet<double, 1>(beta_, 0)).v[0];
   }
   Material m_;
   Model model_;

@@ -2,7 +2,7 @@
 // the finite elements, against other meshes, and as the limit of a vanishing residual stiffness.
 #include "axisym/rim/beyond_fold.h"
 
-#include "axisym/rim/profile.h"
+#include "axisym/rim/path.h"
 #include "axisym/stationary/stability.h"
 #include "tests/axisym/cases.h"
 

@@ -1,6 +1,7 @@
 // Derivatives along branches of stationary states: the tangent, and the energy by L, V and A.
 #include "axisym/stationary/newton_system.h"
 #include "tests/axisym/cases.h"
+#include "tests/model/densely.h"
 
 namespace sbeh::axisym {
 namespace {
@@ -88,7 +89,7 @@ TEST(Tangent, solves_the_assembled_equations) {
     Eigen::VectorXd v(node_unknowns * nodes);
     for (Eigen::Index i = 0; i < nodes; ++i)
       v.segment<node_unknowns>(node_unknowns * i) << t.d[i], t.Lambda[i], t.H[i], t.beta[i];
-    Eigen::VectorXd miss = L.hessian.times(v)
+    Eigen::VectorXd miss = densely(L.hessian) * v
                          + L.constraints * Eigen::Vector2d(t.tension, t.pressure)
                          + gradient_rate(b, direction);
     miss[node_d] = 0;  // the north pole is held
