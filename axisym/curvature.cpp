@@ -3,9 +3,6 @@
 #include "model/numerics/area_volume.h"
 #include "model/numerics/band_matrix.h"
 
-#include <cmath>
-#include <numbers>
-
 namespace sbeh::axisym {
 
 Field mean_curvature(const Nodes& X) {

@@ -2,7 +2,6 @@
 
 #include <Eigen/Dense>
 
-#include <cassert>
 #include <cmath>
 #include <stdexcept>
 

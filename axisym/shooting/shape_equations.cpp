@@ -213,14 +213,4 @@ Eigen::Matrix<double, Row::count, Eigen::Dynamic> sample(const Pole& pole, doubl
   return states;
 }
 
-State integrate_with_equal_steps(const Pole& pole, double arc_length, int steps,
-                                 double series_start) {
-  const System<double> system{constants<double>(pole)};
-  Numbers<double> x = pole_series(system.pole, series_start);
-  Stepper<double> stepper;
-  const double step = (arc_length - series_start) / steps;
-  for (int i = 0; i < steps; ++i) stepper.do_step(system, x, 0., step);
-  return as_vector(x);
-}
-
 }  // namespace sbeh::axisym::shooting

@@ -54,8 +54,4 @@ Eigen::Matrix<double, Row::count, Eigen::Dynamic> sample(const Pole& pole, doubl
                                                          int intervals,
                                                          const Options& options = {});
 
-/// Without error control, from the end of the series: order 8.
-State integrate_with_equal_steps(const Pole& pole, double arc_length, int steps,
-                                 double series_start);
-
 }  // namespace sbeh::axisym::shooting

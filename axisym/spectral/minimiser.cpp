@@ -1,7 +1,6 @@
 #include "axisym/spectral/minimiser.h"
 
 #include "axisym/spectral/classical.h"
-#include "model/numerics/profile.h"
 
 #include <boost/math/tools/minima.hpp>
 

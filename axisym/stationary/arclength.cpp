@@ -7,13 +7,10 @@
 
 namespace sbeh::axisym {
 
-namespace {
-// Length of a direction: root mean square of motion and order, and the parameter.
 double length_of(const Increment& t) {
   return std::sqrt((t.d.squaredNorm() + t.beta.squaredNorm()) / double(t.d.size())
                    + t.parameter * t.parameter);
 }
-}  // namespace
 
 Increment scaled(Increment t, double factor) {
   for (Field* f : {&t.d, &t.Lambda, &t.H, &t.beta}) *f *= factor;

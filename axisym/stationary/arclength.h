@@ -45,6 +45,8 @@ struct Line {
   Eigen::VectorXd gradient_rate(double mu, const StationaryState& s) const;
 };
 
+/// Length of a direction: root mean square of motion and order, and the parameter.
+double length_of(const Increment& t);
 Increment scaled(Increment t, double factor);
 
 /// Largest displacement or change of order in a step.

@@ -126,11 +126,8 @@ std::optional<PathState> find_pitchfork(const Line& line, const StationaryState&
       a = b;
       b = next;
     }
-    Increment along = b->mode.direction;
-    along.parameter = 0;
-    const double rms =
-        std::sqrt((along.d.squaredNorm() + along.beta.squaredNorm()) / double(along.d.size()));
-    return PathState{{zero(), b->s}, scaled(along, 1 / rms), 0};
+    const Increment& along = b->mode.direction;
+    return PathState{{zero(), b->s}, scaled(along, 1 / length_of(along)), 0};
   }
   return {};
 }

@@ -4,7 +4,6 @@
 #include "axisym/stationary/arclength.h"
 
 #include <algorithm>
-#include <cmath>
 #include <numbers>
 #include <optional>
 

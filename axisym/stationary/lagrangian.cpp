@@ -108,9 +108,7 @@ Eigen::Matrix<double, data, 1> padded(const First& density) {
 LagrangianDerivatives::LagrangianDerivatives(int nodes)
     : hessian(node_unknowns * nodes, 4 * node_unknowns - 1),
       gradient(node_unknowns * nodes),
-      constraints(node_unknowns * nodes, 2),
-      area(0),
-      volume(0) {}
+      constraints(node_unknowns * nodes, 2) {}
 
 void assemble(const model::Material& material, const StationaryState& state, const Nodes& normals,
               LagrangianDerivatives& out) {

@@ -78,7 +78,7 @@ struct LagrangianDerivatives {
   model::BandMatrix hessian;    // 4 nodes x 4 nodes
   Eigen::VectorXd gradient;     // 4 nodes
   Eigen::MatrixXd constraints;  // 4 nodes x 2: ∂A, −∂V
-  double area, volume;
+  double area = 0, volume = 0;
   explicit LagrangianDerivatives(int nodes);
 };
 

@@ -102,17 +102,6 @@ TEST(ShapeEquations, have_the_derivatives_that_differences_show) {
   }
 }
 
-TEST(ShapeEquations, are_integrated_with_order_8) {
-  const double start = 0.4, length = 2;  // steps no longer than the distance from the singular pole
-  const auto state = [&](double step) {
-    const int steps = int(std::lround((length - start) / step));
-    return integrate_with_equal_steps(somewhere, length, steps, start);
-  };
-  const State exact = state(0.0125);
-  const auto error = [&](double step) { return largest_difference(state(step), exact); };
-  EXPECT_NEAR(observed_order("state after equal steps", {0.4, 0.2, 0.1}, error), 8, 0.5);
-}
-
 TEST(ShapeEquations, have_a_pole_series_of_order_6) {
   const auto state = [](double start) { return integrate(somewhere, 1.5, {1e-15, start})->state; };
   const State exact = state(1e-3);
