@@ -11,7 +11,8 @@
 
 namespace sbeh::axisym::spectral {
 
-using Eigen::MatrixXd, Eigen::VectorXd;
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
 using std::numbers::pi;
 
 namespace {
@@ -100,11 +101,21 @@ struct Sampled {
     for (std::size_t f = 0; f < fields; ++f) q[f] = value[f][j];
     return q;
   }
-  // ∂(field)/∂(its block of unknowns), N x block; of all but the length.
+  // ∂(field)/∂(its block of unknowns), N x block.
   const MatrixXd& jacobian(int field) const {
     const Basis& B = *problem.basis;
-    const std::array<const MatrixXd*, length> all{&B.S, &B.dS, &R, &B.C, &B.dC};
-    return *all[std::size_t(field)];
+    switch (field) {
+      case psi:
+        return B.S;
+      case dpsi:
+        return B.dS;
+      case radius:
+        return R;
+      case order:
+        return B.C;
+      default:
+        return B.dC;
+    }
   }
   // Σ_j of pointwise derivatives times Jacobians: a gradient by y.
   VectorXd pull_back(const MatrixXd& g) const {  // N x fields, weights included
