@@ -1,7 +1,6 @@
 #include "studies/compare/compare.h"
 
 #include "model/time/step_control.h"
-#include "studies/compare/compare_tables.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"

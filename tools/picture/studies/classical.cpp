@@ -1,4 +1,4 @@
-#include "studies/seifert/seifert_tables.h"
+#include "studies/seifert/seifert.h"
 #include "tools/picture/chart/legend.h"
 #include "tools/picture/studies/studies.h"
 

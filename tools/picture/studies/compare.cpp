@@ -1,4 +1,5 @@
-#include "studies/compare/compare_tables.h"
+#include "studies/compare/compare.h"
+
 #include "tools/picture/chart/legend.h"
 #include "tools/picture/studies/studies.h"
 

@@ -1,4 +1,5 @@
-#include "studies/stability/stability_table.h"
+#include "studies/stability/stability.h"
+
 #include "tools/picture/chart/legend.h"
 #include "tools/picture/studies/studies.h"
 
