@@ -104,7 +104,7 @@ std::vector<std::vector<int>> neighbours(const CurvedMesh& mesh) {
 }  // namespace
 
 ClosestPoint::ClosestPoint(const CurvedMesh& mesh)
-    : mesh_(mesh), around_(neighbours(mesh)), nearest_(lattice(mesh)) {
+    : mesh_(mesh), around_(neighbours(mesh)), nearest_(nearest_triangle(lattice(mesh))) {
   const Eigen::Matrix2Xd nodes = model::TriangleElement(mesh.order).nodes();
   const Eigen::Index size = nodes.cols();
   Eigen::MatrixXd at_nodes(size, size);
@@ -158,7 +158,7 @@ Vector2d ClosestPoint::nearest_node(int triangle, const Vector3d& x) const {
 
 SurfacePlace ClosestPoint::operator()(const Vector3d& x) const {
   const int parts = mesh_.order * mesh_.order;
-  const auto near = nearest_(x);
+  const TrianglePlace near = nearest_(x);
   const int triangle = near.triangle / parts;
   const Eigen::Matrix<double, 2, 3> corners =
       model::TriangleElement(mesh_.order)

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "meshing/curved_mesh.h"
-#include "meshing/nearest_triangle.h"
 #include "meshing/smoothing.h"
+#include "meshing/triangle_search.h"
 
 #include <memory>
 #include <vector>

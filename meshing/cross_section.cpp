@@ -3,10 +3,7 @@
 #include "model/numerics/lagrange.h"
 #include "model/numerics/root.h"
 
-#include <algorithm>
 #include <array>
-#include <cmath>
-#include <limits>
 #include <optional>
 
 namespace sbeh::meshing {
@@ -21,9 +18,7 @@ struct Crossing {
   Vector3d x;
   double value;
 };
-struct Segment {
-  std::array<Crossing, 2> ends;
-};
+using Segment = std::array<Crossing, 2>;
 
 // One curved triangle, its height above the plane at each node.
 struct Triangle {
@@ -52,7 +47,7 @@ struct Triangle {
         return above[i] ? crossing(corners[i], corners[other])
                         : crossing(corners[other], corners[i]);
       };
-      return Segment{{cut(j), cut(k)}};
+      return Segment{cut(j), cut(k)};
     }
     return {};
   }
@@ -87,13 +82,13 @@ std::optional<Crossing> next(std::vector<Segment>& segments, const Vector3d& x, 
   int end = 0;
   for (std::size_t s = 0; s < segments.size(); ++s)
     for (int e = 0; e < 2; ++e)
-      if (const double d = (segments[s].ends[e].x - x).squaredNorm(); d < least) {
+      if (const double d = (segments[s][e].x - x).squaredNorm(); d < least) {
         least = d;
         best = s;
         end = e;
       }
   if (best == segments.size()) return {};
-  const Crossing other = segments[best].ends[1 - end];
+  const Crossing other = segments[best][1 - end];
   segments[best] = segments.back();
   segments.pop_back();
   return other;
@@ -119,7 +114,7 @@ std::vector<CrossSection> cross_section(const CurvedMesh& mesh, const Eigen::Vec
       1e-7 * (mesh.nodes.rowwise().maxCoeff() - mesh.nodes.rowwise().minCoeff()).norm();
   std::vector<CrossSection> curves;
   while (!segments.empty()) {
-    std::vector<Crossing> chain{segments.back().ends[0], segments.back().ends[1]};
+    std::vector<Crossing> chain{segments.back()[0], segments.back()[1]};
     segments.pop_back();
     while (const auto more = next(segments, chain.back().x, near)) chain.push_back(*more);
     chain.push_back(chain.front());

@@ -59,17 +59,6 @@ void for_each_point(const CurvedMesh& mesh, int degree,
   }
 }
 
-CurvatureIntegrals curvature_integrals(const CurvedMesh& mesh) {
-  constexpr int degree = 12;
-  CurvatureIntegrals sum;
-  for_each_point(mesh, degree, [&](const SurfacePoint& p) {
-    sum.H += p.H() * p.dS;
-    sum.H_squared += p.H() * p.H() * p.dS;
-    sum.K += p.K() * p.dS;
-  });
-  return sum;
-}
-
 Eigen::VectorXd node_mean_curvature(const CurvedMesh& mesh) {
   const model::TriangleElement element(mesh.order);
   const Eigen::Matrix2Xd nodes = element.nodes();

@@ -27,14 +27,6 @@ struct SurfacePoint {
 void for_each_point(const CurvedMesh& mesh, int degree,
                     const std::function<void(const SurfacePoint&)>& visit);
 
-/// Integrals over the surface.
-struct CurvatureIntegrals {
-  double H = 0;          ///< W₂, −8π on the unit sphere
-  double H_squared = 0;  ///< 16π on every sphere
-  double K = 0;          ///< 4π up to the error of the elements
-};
-CurvatureIntegrals curvature_integrals(const CurvedMesh& mesh);
-
 /// H at the nodes: the mean over the triangles there.
 Eigen::VectorXd node_mean_curvature(const CurvedMesh& mesh);
 

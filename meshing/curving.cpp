@@ -1,6 +1,7 @@
 #include "meshing/curving.h"
 
 #include "meshing/half_edge_mesh.h"
+#include "meshing/measures.h"
 #include "model/numerics/lagrange.h"
 
 #include <Eigen/Geometry>
@@ -109,21 +110,6 @@ CurvedMesh with_nodes(const TriangleMesh& mesh, int order, const AlongSide& alon
     result.nodes.col(result.triangles(9, t)) = inside_of(t, result.nodes(Eigen::all, others));
   }
   return result;
-}
-
-}  // namespace
-
-namespace {
-
-Eigen::Matrix3Xd point_normals(const TriangleMesh& mesh) {
-  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, mesh.point_count());
-  for (const auto c : mesh.triangles.colwise()) {
-    const Vector3d a = mesh.points.col(c[0]);
-    const Vector3d n = (mesh.points.col(c[1]) - a).cross(mesh.points.col(c[2]) - a);
-    for (const int corner : c) normals.col(corner) += n;
-  }
-  normals.colwise().normalize();
-  return normals;
 }
 
 // The point of the surface over `foot` in the direction n: a projection that has another direction,

@@ -1,15 +1,15 @@
 #include "meshing/defects.h"
 
-#include "meshing/intersections.h"
 #include "meshing/measures.h"
+#include "meshing/triangle_search.h"
 
 #include <Eigen/Geometry>
+#include <boost/pending/disjoint_sets.hpp>
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <numeric>
 #include <vector>
 
 namespace sbeh::meshing {
@@ -118,58 +118,41 @@ Found find_bad_edge(const TriangleMesh& mesh, const std::vector<DirectedEdge>& e
   return turned ? turned : open;
 }
 
-// Triangles that hang together; root of each set.
-class Pieces {
- public:
-  explicit Pieces(int count) : parent_(std::size_t(count)) {
-    std::iota(parent_.begin(), parent_.end(), 0);
-  }
-  int root(int i) {
-    while (parent_[std::size_t(i)] != i)
-      i = parent_[std::size_t(i)] = parent_[std::size_t(parent_[std::size_t(i)])];
-    return i;
-  }
-  void join(int a, int b) {
-    parent_[std::size_t(std::max(root(a), root(b)))] = std::min(root(a), root(b));
-  }
-
- private:
-  std::vector<int> parent_;
-};
+// Numbers that hang together.
+using Pieces = boost::disjoint_sets_with_storage<>;
 
 // On a mesh whose edges all have two triangles.
 Found find_bad_point(const TriangleMesh& mesh, const std::vector<DirectedEdge>& edges) {
   // Corner k of triangle t is number 3t + k; those of a point that share an edge hang together.
-  Pieces fans(3 * mesh.triangle_count());
+  Pieces fans(3 * std::size_t(mesh.triangle_count()));
   const auto corner = [&](int t, int point) {
     int k = 0;
     while (mesh.triangles(k, t) != point) ++k;
-    return 3 * t + k;
+    return std::size_t(3 * t + k);
   };
   for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
     for (const int point : {edges[i].low, edges[i].high})
-      fans.join(corner(edges[i].triangle, point), corner(edges[i + 1].triangle, point));
-  std::vector<int> fan(std::size_t(mesh.point_count()), -1);
+      fans.union_set(corner(edges[i].triangle, point), corner(edges[i + 1].triangle, point));
+  std::vector<int> first(std::size_t(mesh.point_count()), -1);  // corner at each point
   for (int t = 0; t < mesh.triangle_count(); ++t)
     for (int k = 0; k < 3; ++k) {
-      int& seen = fan[std::size_t(mesh.triangles(k, t))];
-      const int root = fans.root(3 * t + k);
-      if (seen >= 0 && seen != root)
+      int& seen = first[std::size_t(mesh.triangles(k, t))];
+      if (seen < 0) seen = 3 * t + k;
+      if (fans.find_set(std::size_t(seen)) != fans.find_set(std::size_t(3 * t + k)))
         return Defect{DefectKind::not_manifold_point,
                       fmt::format("point {}: {} and triangle {} meet only there, the surface "
                                   "touches itself",
                                   mesh.triangles(k, t), name(mesh, t), seen / 3)};
-      seen = root;
     }
   return {};
 }
 
 Found find_bad_topology(const TriangleMesh& mesh, const std::vector<DirectedEdge>& edges) {
-  Pieces pieces(mesh.triangle_count());
+  Pieces pieces(std::size_t(mesh.triangle_count()));
   for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
-    pieces.join(edges[i].triangle, edges[i + 1].triangle);
+    pieces.union_set(std::size_t(edges[i].triangle), std::size_t(edges[i + 1].triangle));
   for (int t = 0; t < mesh.triangle_count(); ++t)
-    if (pieces.root(t) != 0)
+    if (pieces.find_set(std::size_t(t)) != pieces.find_set(std::size_t(0)))
       return Defect{DefectKind::several_pieces,
                     fmt::format("{}: is not connected with triangle 0, there are several surfaces",
                                 name(mesh, t))};

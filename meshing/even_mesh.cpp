@@ -14,10 +14,6 @@
 
 namespace sbeh::meshing {
 
-namespace {
-int divisions(int triangles) { return std::max(1, int(std::lround(std::sqrt(triangles / 20.)))); }
-}  // namespace
-
 void Resolution::validate() const {
   if (triangles < fewest_triangles || triangles > most_triangles)
     throw std::invalid_argument(fmt::format("triangles = {}: must be in {} ... {}", triangles,
@@ -28,12 +24,22 @@ void Resolution::validate() const {
     throw std::invalid_argument(fmt::format("grading = {}: must be in 0 ... 10", grading));
 }
 
-int triangle_count(int wanted) {
-  const int n = divisions(wanted);
-  return 20 * n * n;
-}
-
 namespace {
+
+// Smooths; then so many times divides each triangle into four, projects and smooths again.
+TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface,
+                     const Smoothing& aim) {
+  constexpr int sweeps = 40;
+  project(mesh, onto_surface);
+  // Long waves settle as the square of their length.
+  smooth(mesh, onto_surface, aim, sweeps + mesh.triangle_count() / 40);
+  for (int level = 0; level < times; ++level) {
+    mesh = subdivided(mesh);
+    project(mesh, onto_surface);
+    smooth(mesh, onto_surface, aim, sweeps);
+  }
+  return mesh;
+}
 
 struct Candidate {
   CurvedMesh mesh;
@@ -54,7 +60,7 @@ Candidate candidate(const TriangleMesh& plain, int order, const Projection& onto
 CurvedMesh even_mesh(const Resolution& resolution, const Projection& from_sphere,
                      const Projection& onto_surface) {
   constexpr int coarsest = 4;  // divisions that a shape needs for its triangles to settle
-  int n = divisions(resolution.triangles), halvings = 0;
+  int n = std::max(1, int(std::lround(std::sqrt(resolution.triangles / 20.)))), halvings = 0;
   for (; n % 2 == 0 && n / 2 >= coarsest; n /= 2) ++halvings;
   TriangleMesh start = icosphere(n);
   project(start, from_sphere);

@@ -1,7 +1,8 @@
 #include "meshing/fitted_surface.h"
 
 #include "meshing/half_edge_mesh.h"
-#include "meshing/nearest_triangle.h"
+#include "meshing/measures.h"
+#include "meshing/triangle_search.h"
 
 #include <Eigen/Geometry>
 #include <Eigen/QR>
@@ -65,17 +66,6 @@ class Rings {
   const HalfEdgeMesh& mesh_;
   std::vector<int> mark_;  // by which centre a point was seen last
 };
-
-Eigen::Matrix3Xd point_normals(const TriangleMesh& mesh) {
-  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, mesh.point_count());
-  for (const auto c : mesh.triangles.colwise()) {
-    const Vector3d a = mesh.points.col(c[0]);
-    const Vector3d n = (mesh.points.col(c[1]) - a).cross(mesh.points.col(c[2]) - a);
-    for (const int corner : c) normals.col(corner) += n;
-  }
-  normals.colwise().normalize();
-  return normals;
-}
 
 double mean_edge(const HalfEdgeMesh& mesh, int point) {
   double sum = 0;
@@ -171,8 +161,7 @@ Vector3d FittedSurface::at(int triangle, const Vector3d& barycentric) const {
 }
 
 Projection onto(std::shared_ptr<const FittedSurface> surface) {
-  const NearestTriangle nearest(surface->mesh());
-  return [surface, nearest](const Vector3d& x) {
+  return [surface, nearest = nearest_triangle(surface->mesh())](const Vector3d& x) {
     const auto [triangle, barycentric] = nearest(x);
     return surface->at(triangle, barycentric);
   };

@@ -1,6 +1,5 @@
-#include "meshing/graded_remeshing.h"
-
 #include "meshing/half_edge_mesh.h"
+#include "meshing/remeshing.h"
 
 #include <Eigen/Geometry>
 

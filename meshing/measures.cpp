@@ -143,6 +143,17 @@ Eigen::Matrix3Xd node_normals(const CurvedMesh& mesh) {
   return normals;
 }
 
+Eigen::Matrix3Xd point_normals(const TriangleMesh& mesh) {
+  Eigen::Matrix3Xd normals = Eigen::Matrix3Xd::Zero(3, mesh.point_count());
+  for (const auto c : mesh.triangles.colwise()) {
+    const Eigen::Vector3d a = mesh.points.col(c[0]);
+    const Eigen::Vector3d n = (mesh.points.col(c[1]) - a).cross(mesh.points.col(c[2]) - a);
+    for (const int corner : c) normals.col(corner) += n;
+  }
+  normals.colwise().normalize();
+  return normals;
+}
+
 bool correct_area_volume(CurvedMesh& mesh, double wanted_area, double wanted_reduced_volume) {
   constexpr int iterations = 30;
   const Eigen::Matrix3Xd n = node_normals(mesh);

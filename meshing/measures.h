@@ -27,6 +27,9 @@ Eigen::Matrix3Xd volume_gradient(const CurvedMesh& mesh);
 /// Unit normals at the nodes, outward: the normalised sum of those of the curved triangles there;
 /// 3 x nodes.
 Eigen::Matrix3Xd node_normals(const CurvedMesh& mesh);
+/// Unit normals at the points: the normalised sum of those of the triangles there, weighted by their areas;
+/// 3 x points.
+Eigen::Matrix3Xd point_normals(const TriangleMesh& mesh);
 
 /// Moves every node by the same small distance along its normal and scales about the origin, so
 /// that area and reduced volume are those asked for, to rounding. Returns false, and leaves the

@@ -2,8 +2,8 @@
 
 #include "meshing/curving.h"
 #include "meshing/half_edge_mesh.h"
-#include "meshing/intersections.h"
 #include "meshing/measures.h"
+#include "meshing/triangle_search.h"
 #include "model/numerics/lagrange.h"
 
 #include <Eigen/Geometry>

@@ -7,14 +7,11 @@ namespace sbeh::meshing {
 inline constexpr int fewest_triangles = 20, most_triangles = 200'000;
 
 struct Resolution {
-  int triangles = 1280;  ///< about so many; 20 n² where the sphere's mesh fits, see triangle_count
+  int triangles = 1280;  ///< about so many; 20 n² where the sphere's mesh fits
   int order = 3;         ///< 1, 2 or 3
   double grading = 0;  ///< 0 … 10: how much smaller triangles are where |H| is large, see `smooth`
   /// Throws std::invalid_argument unless 20 <= triangles <= 200000 and the others are as above.
   void validate() const;
 };
-
-/// The number 20 n² nearest to the number asked for.
-int triangle_count(int wanted);
 
 }  // namespace sbeh::meshing

@@ -1,7 +1,6 @@
 #include "meshing/smoothing.h"
 
 #include "meshing/half_edge_mesh.h"
-#include "meshing/icosphere.h"
 
 #include <Eigen/Geometry>
 
@@ -150,20 +149,6 @@ void smooth(TriangleMesh& mesh, const Projection& onto_surface, const Smoothing&
     }
   }
   mesh = triangle_mesh(half_edges);
-}
-
-TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface,
-                     const Smoothing& aim) {
-  constexpr int sweeps = 40;
-  project(mesh, onto_surface);
-  // Long waves settle as the square of their length.
-  smooth(mesh, onto_surface, aim, sweeps + mesh.triangle_count() / 40);
-  for (int level = 0; level < times; ++level) {
-    mesh = subdivided(mesh);
-    project(mesh, onto_surface);
-    smooth(mesh, onto_surface, aim, sweeps);
-  }
-  return mesh;
 }
 
 double min_angle(const TriangleMesh& mesh) {

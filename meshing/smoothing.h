@@ -30,10 +30,6 @@ struct Smoothing {
 /// edges that violate Delaunay's criterion flip.
 void smooth(TriangleMesh& mesh, const Projection& onto_surface, const Smoothing& aim, int sweeps);
 
-/// Smooths; then so many times divides each triangle into four, projects and smooths again.
-TriangleMesh refined(TriangleMesh mesh, int times, const Projection& onto_surface,
-                     const Smoothing& aim);
-
 /// Smallest angle of the triangles, degrees.
 double min_angle(const TriangleMesh& mesh);
 

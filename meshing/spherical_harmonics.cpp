@@ -10,34 +10,27 @@
 
 namespace sbeh::meshing {
 
-namespace {
-
-// Q_l = N_lm P_l^m(z)/(1 − z²)^{m/2}, a polynomial in z; by the recurrence of the normalised
-// functions in l, which is stable and has no singular poles.
-double normalised_legendre(int l, int m, double z) {
-  double Q = 1 / (4 * std::numbers::pi);  // squared for the moment
-  for (int k = 1; k <= m; ++k) Q *= (2 * k + 1) / (2. * k);
-  Q = std::sqrt(Q);  // Q_m
-  double before = 0;
+// By the recurrence of the normalised functions in l, which is stable and has no singular poles.
+Eigen::VectorXd normalised_legendre(int degree, int m, double z) {
+  Eigen::VectorXd Q(degree + 1 - m);
+  double squared = 1 / (4 * std::numbers::pi);
+  for (int k = 1; k <= m; ++k) squared *= (2 * k + 1) / (2. * k);
+  Q[0] = std::sqrt(squared);
   const double mm = double(m) * m;
-  for (int k = m + 1; k <= l; ++k) {
-    const double kk = double(k) * k, a = std::sqrt((4 * kk - 1) / (kk - mm));
-    const double ll = double(k - 1) * (k - 1);
-    const double b = k == m + 1 ? 0 : std::sqrt((ll - mm) / (4 * ll - 1));
-    const double next = a * (z * Q - b * before);
-    before = Q;
-    Q = next;
+  for (int l = m + 1; l <= degree; ++l) {
+    const double ll = double(l) * l, before = double(l - 1) * (l - 1);
+    const double a = std::sqrt((4 * ll - 1) / (ll - mm));
+    const double b = l == m + 1 ? 0 : std::sqrt((before - mm) / (4 * before - 1));
+    Q[l - m] = a * (z * Q[l - m - 1] - (l == m + 1 ? 0 : b * Q[l - m - 2]));
   }
   return Q;
 }
-
-}  // namespace
 
 double spherical_harmonic(int l, int m, const Eigen::Vector3d& d) {
   if (l < 0 || std::abs(m) > l)
     throw std::invalid_argument(
         fmt::format("spherical harmonic: l = {}, m = {}: must be l >= 0, -l <= m <= l", l, m));
-  const double zonal = normalised_legendre(l, std::abs(m), d.z());
+  const double zonal = normalised_legendre(l, std::abs(m), d.z())[l - std::abs(m)];
   if (m == 0) return zonal;
   std::complex<double> turn = 1;  // (sin θ e^{iφ})^|m|
   for (int k = 0; k < std::abs(m); ++k) turn *= std::complex<double>(d.x(), d.y());

@@ -19,6 +19,10 @@ struct Harmonic {
 /// Throws std::invalid_argument for indices that do not exist.
 double spherical_harmonic(int l, int m, const Eigen::Vector3d& direction);
 
+/// Q_lm for l = m … degree, with Y_lm = Q_lm Re (x + iy)^m, times √2 for m > 0: a polynomial in z, Q_lm =
+/// √((2l+1)/4π (l−m)!/(l+m)!) d^m P_l/dz^m.
+Eigen::VectorXd normalised_legendre(int degree, int m, double z);
+
 /// Σ a_lm Y_lm at a unit vector.
 double harmonic_sum(std::span<const Harmonic> modes, const Eigen::Vector3d& direction);
 

@@ -1,15 +1,13 @@
 #include "surface3d/curvature.h"
 
 #include "model/numerics/area_volume.h"
-#include "surface3d/mesh_equation.h"
 #include "surface3d/parallel.h"
 
 #include <Eigen/IterativeLinearSolvers>
 
-#include <algorithm>
 #include <array>
 #include <limits>
-#include <utility>
+#include <span>
 
 namespace sbeh::surface3d {
 
@@ -22,8 +20,6 @@ constexpr int mass_iterations = 300;
 constexpr double mass_accepted = 1e-11;  // rounding may keep the residual above the tolerance
 
 constexpr double failed = std::numeric_limits<double>::quiet_NaN();
-
-using Local = MeshEquation::Scalar;
 
 // NaN where it fails.
 Field solve_curvature(const SparseMatrix& matrix, const Field& rhs) {
@@ -43,68 +39,78 @@ Field solve_mass(const SparseMatrix& matrix, const Field& rhs, const Field& gues
   return x;
 }
 
-template <std::size_t N>
-struct Curvatures {
-  Nodes node_normals, normals;
-  std::array<Field, N> H;
-  bool ok() const {
-    return normals.allFinite()
-        && std::ranges::all_of(H, [](const Field& h) { return h.allFinite(); });
-  }
+// Integrals over a triangle, row: test function.
+struct Sums {
+  using Scalar = Eigen::Matrix<double, 10, 10>;
+  Scalar mass = Scalar::Zero();     // (φ_b, φ_a)
+  Scalar cosines = Scalar::Zero();  // (φ_b ν, φ_a n_a)
+  /// (ν, φ_a), then −(∇_C x, ∇_C φ_a n_a) of each of the positions x.
+  Eigen::Matrix<double, 10, 5> rhs = Eigen::Matrix<double, 10, 5>::Zero();
 };
 
-// The normals of X and the curvatures of some positions on X, all in one loop over the triangles.
-template <std::size_t N>
-Curvatures<N> curvatures(const Triangulation& mesh, const Nodes& X, const Positions<N>& positions) {
-  Curvatures<N> c{.node_normals = node_normals(mesh, X), .normals = Nodes(3, mesh.nodes), .H = {}};
-  SparseMatrix mass = mesh.scalars.zero(), cosines = mass;
-  Eigen::Matrix<double, Eigen::Dynamic, 3 + int(N)> rhs;
-  rhs.setZero(mesh.nodes, 3 + int(N));
-  for_each_by_colour(mesh, [&](int e) {
-    const ElementNodes local = on_element(mesh, e, X);
-    Local local_mass = Local::Zero();
-    Eigen::Matrix<double, 10, 3 + int(N)> vectors = decltype(vectors)::Zero();
-    CurvatureEquation<N> equation(mesh, e, c.node_normals, positions);
-    for (const ShapeValues& s : assembly_points()) {
-      const SurfacePoint p = surface_point(local, s);
-      const Shapes phi(s.phi.data());
-      const ElementField weighted = p.dS * phi;
-      local_mass.noalias() += weighted * phi.transpose();
-      vectors.template leftCols<3>().noalias() += weighted * p.nu().transpose();
-      equation.add(p, phi);
+using Positions = std::span<const Nodes* const>;  // one or two
+
+Sums sums_on(const Triangulation& mesh, int e, const Nodes& X, const Nodes& node_normals,
+             Positions positions) {
+  const ElementNodes local = on_element(mesh, e, X), n = on_element(mesh, e, node_normals);
+  std::array<ElementNodes, 2> places, forces;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    places[k] = on_element(mesh, e, *positions[k]);
+    forces[k].setZero();
+  }
+  Sums sums;
+  for (const ShapeValues& s : assembly_points()) {
+    const SurfacePoint p = surface_point(local, s);
+    const Shapes phi(s.phi.data());
+    const ElementField weighted = p.dS * phi,
+                       test = phi.cwiseProduct(n.transpose() * (p.dS * p.nu()));
+    sums.mass.noalias() += weighted * phi.transpose();
+    sums.rhs.leftCols<3>().noalias() += weighted * p.nu().transpose();
+    sums.cosines.noalias() += test * phi.transpose();
+    for (std::size_t k = 0; k < positions.size(); ++k) {
+      const Eigen::Matrix<double, 3, 2> slope = p.dS * gradient_at(places[k], p);
+      for (int i = 0; i < 2; ++i)
+        forces[k].noalias() -= slope.col(i) * Shapes(p.grad[std::size_t(i)].data()).transpose();
     }
-    vectors.template rightCols<int(N)>() = equation.rhs();
-    mesh.scalars.add(e, local_mass, mass);
-    mesh.scalars.add(e, equation.matrix(), cosines);
-    for (int a = 0; a < 10; ++a) rhs.row(mesh.triangles(a, e)) += vectors.row(a);
-  });
-  if (!rhs.allFinite()) return c.normals.setConstant(failed), c;
-  in_parallel(3 + int(N), [&](int k) {
-    if (k < int(N))
-      c.H[std::size_t(k)] = solve_curvature(cosines, rhs.col(3 + k));
-    else
-      c.normals.row(k - int(N)) =
-          solve_mass(mass, rhs.col(k - int(N)), c.node_normals.row(k - int(N)).transpose())
-              .transpose();
-  });
-  c.normals.colwise().normalize();
-  return c;
+  }
+  for (std::size_t k = 0; k < positions.size(); ++k)
+    sums.rhs.col(3 + Eigen::Index(k)) = n.cwiseProduct(forces[k]).colwise().sum().transpose();
+  return sums;
 }
 
 }  // namespace
 
-std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X) {
-  Curvatures<1> c = curvatures<1>(mesh, X, {&X});
-  if (!c.ok()) return {};
-  return Curvature{std::move(c.node_normals), std::move(c.normals), std::move(c.H[0])};
-}
-
-std::optional<CurvatureFrom> curvature_of(const Triangulation& mesh, const Nodes& X,
-                                          const Nodes& position) {
-  Curvatures<2> c = curvatures<2>(mesh, X, {&X, &position});
-  if (!c.ok()) return {};
-  return CurvatureFrom{{std::move(c.node_normals), std::move(c.normals), std::move(c.H[0])},
-                       std::move(c.H[1])};
+// (H1) without Y, tested with Z = φ_a n_a, is (H ν, Z) = −(∇_C x, ∇_C Z).
+std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X,
+                                      const Nodes* from) {
+  const std::array positions{&X, from};
+  const int count = from ? 2 : 1;
+  Curvature c{.node_normals = node_normals(mesh, X),
+              .normals = Nodes(3, mesh.nodes),
+              .H = {},
+              .H_from = {}};
+  SparseMatrix mass = mesh.scalars.zero(), cosines = mass;
+  Eigen::Matrix<double, Eigen::Dynamic, 5> rhs;
+  rhs.setZero(mesh.nodes, 5);
+  for_each_by_colour(mesh, [&](int e) {
+    const Sums sums =
+        sums_on(mesh, e, X, c.node_normals, Positions(positions).first(std::size_t(count)));
+    mesh.scalars.add(e, sums.mass, mass);
+    mesh.scalars.add(e, sums.cosines, cosines);
+    for (int a = 0; a < 10; ++a) rhs.row(mesh.triangles(a, e)) += sums.rhs.row(a);
+  });
+  if (!rhs.allFinite()) return {};
+  in_parallel(count + 3, [&](int k) {
+    if (k < count)
+      (k == 0 ? c.H : c.H_from) = solve_curvature(cosines, rhs.col(3 + k));
+    else
+      c.normals.row(k - count) =
+          solve_mass(mass, rhs.col(k - count), c.node_normals.row(k - count).transpose())
+              .transpose();
+  });
+  c.normals.colwise().normalize();
+  if (!(c.normals.allFinite() && c.H.allFinite() && c.H_from.allFinite())) return {};
+  return c;
 }
 
 model::ShapeOperator<double> shape_operator(const SurfacePoint& p, const ElementNodes& normals,
@@ -126,7 +132,7 @@ bool correct_area_volume(const Triangulation& mesh, Nodes& X, const Field& H, do
   const Nodes shift = n * H.asDiagonal();
   const auto moved = [&](const Eigen::Vector2d& c) -> Nodes { return X + c[0] * n + c[1] * shift; };
   const auto miss = [&](const Eigen::Vector2d& c) -> Eigen::Vector2d {
-    const AreaVolume now = area_and_volume(mesh, moved(c));
+    const Target now = area_and_volume(mesh, moved(c));
     return {now.area / area_asked - 1, now.volume / volume_asked - 1};
   };
   const auto slope = [&](const Eigen::Vector2d& c) -> Eigen::Matrix2d {
@@ -144,7 +150,7 @@ bool correct_area_volume(const Triangulation& mesh, Nodes& X, const Field& H, do
     });
     return Eigen::Map<const Eigen::Matrix2d>(sum.data());
   };
-  const AreaVolume now = area_and_volume(mesh, X);
+  const Target now = area_and_volume(mesh, X);
   const auto c = model::solve_area_volume(miss, slope, is_sphere(mesh, now.area, now.volume));
   if (c) X = moved(*c);
   return c.has_value();

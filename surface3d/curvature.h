@@ -11,17 +11,12 @@ namespace sbeh::surface3d {
 struct Curvature {
   Nodes node_normals;  ///< 3 x nodes, unit, see node_normals()
   Nodes normals;       ///< 3 x nodes, L2 projection of the normals into P3, unit at the nodes
-  Field H;             ///< nodes, by (H1): CurvatureEquation (mesh_equation.h)
+  Field H;             ///< nodes, by (H1) without Y: see curvature.cpp
+  Field H_from;        ///< nodes, of the other positions; empty without any
 };
-/// Empty when the surface is degenerate.
-std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X);
-
-/// The same, and the H of other positions on it.
-struct CurvatureFrom : Curvature {
-  Field H_from;  ///< nodes
-};
-std::optional<CurvatureFrom> curvature_of(const Triangulation& mesh, const Nodes& X,
-                                          const Nodes& position);
+/// With the H of other positions on the surface, unless null. Empty when the surface is degenerate.
+std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X,
+                                      const Nodes* from = nullptr);
 
 /// B at a point, 2 x 2 in the frame: the deviator of −sym(P ∇_C n P), n the projected normals on the
 /// element, with the scheme's own H as its trace.

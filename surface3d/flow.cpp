@@ -45,10 +45,7 @@ class Solver {
             .lambda = fields_.lambda,
             .speed_max = fields_.V.colwise().norm().maxCoeff()};
   }
-  Target measure(const State& state) const {
-    const auto [A, V] = area_and_volume(*mesh_, state.X);
-    return {A, V};
-  }
+  Target measure(const State& state) const { return area_and_volume(*mesh_, state.X); }
   bool restore(State& state, const Target& target) const {
     return correct_area_volume(*mesh_, state.X, fields_.H, target.area, target.volume);
   }

@@ -42,7 +42,6 @@ bool LaggedSolver::factor(const CoupledSystem& system, const State& at, double t
   memory_.factored_at = at;
   memory_.factored_tau = tau;
   memory_.solves = memory_.iterations = memory_.last_iterations = 0;
-  ++counts_.factorisations;
   return flow_.factor(system.flow().matrix)
       && (is_empty(system.motion()) || motion_.factor(system.motion().matrix));
 }
@@ -95,8 +94,6 @@ void LaggedSolver::remember(const CoupledSystem& system, Solution x, Pass pass, 
   ++memory_.solves;
   memory_.iterations += iterations;
   memory_.last_iterations = iterations;
-  ++counts_.steps;
-  counts_.iterations += iterations;
 }
 
 bool LaggedSolver::recall(const CoupledSystem& system, const StepperMemory& memory) {

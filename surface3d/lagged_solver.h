@@ -39,11 +39,6 @@ struct StepperMemory {
   Solution last, before;  ///< displacements by τ
 };
 
-/// What solving has cost so far.
-struct SolverCounts {
-  int steps = 0, factorisations = 0, iterations = 0;
-};
-
 /// A step is solved for the first time, or once more with corrected coefficients.
 enum class Pass { first, corrected };
 
@@ -60,7 +55,6 @@ class LaggedSolver {
   /// Of the solutions.
   double tolerance() const { return tolerance_; }
   const StepperMemory& memory() const { return memory_; }
-  SolverCounts counts() const { return counts_; }
   /// Factors anew what another solver had factored: the system is assembled as it was there, if the memory
   /// has factors. False where that is singular.
   [[nodiscard]] bool recall(const CoupledSystem& system, const StepperMemory& memory);
@@ -76,7 +70,6 @@ class LaggedSolver {
   double tolerance_;
   Gmres flow_, motion_;
   StepperMemory memory_;
-  SolverCounts counts_;
 };
 
 }  // namespace sbeh::surface3d

@@ -8,7 +8,7 @@
 // own equilibrium within one step, but moves there at a finite rate. Along the normals this is nothing new;
 // Y/τ has a limit for τ → 0, and errors in time are those of a smooth motion.
 //
-// Without Y, tested along the node normals, (H1) is the curvature of given positions: CurvatureEquation.
+// Without Y, tested along the node normals, (H1) is the curvature of given positions: see curvature.cpp.
 #pragma once
 
 #include "surface3d/system_layout.h"
@@ -53,44 +53,6 @@ struct MeshEquation {
   Scalar normal_mass_along(const ElementNodes& t) const;  ///< (φ_b ν, φ_a t_a)
   /// (∇(φ_b u_b), ∇(φ_a t_a))
   Scalar stiffness_between(const ElementNodes& t, const ElementNodes& u) const;
-};
-
-template <std::size_t N>
-using Positions = std::array<const Nodes*, N>;
-
-/// (H1) without Y, tested with Z = φ_a n_a: (H ν, Z) = −(∇_C position, ∇_C Z) for N positions of the nodes.
-template <std::size_t N>
-class CurvatureEquation {
- public:
-  using Vectors = Eigen::Matrix<double, 10, int(N)>;
-  CurvatureEquation(const Triangulation& mesh, int e, const Nodes& normals,
-                    const Positions<N>& positions)
-      : normals_(on_element(mesh, e, normals)) {
-    for (std::size_t k = 0; k < N; ++k) positions_[k] = on_element(mesh, e, *positions[k]);
-    forces_.fill(ElementNodes::Zero());
-  }
-  /// The share of a quadrature point.
-  void add(const SurfacePoint& p, const Shapes& phi) {
-    const ElementField test = phi.cwiseProduct(normals_.transpose() * (p.dS * p.nu()));
-    matrix_.noalias() += test * phi.transpose();
-    for (std::size_t k = 0; k < N; ++k) {
-      const Eigen::Matrix<double, 3, 2> slope = p.dS * gradient_at(positions_[k], p);
-      for (int i = 0; i < 2; ++i)
-        forces_[k].noalias() -= slope.col(i) * Shapes(p.grad[std::size_t(i)].data()).transpose();
-    }
-  }
-  const MeshEquation::Scalar& matrix() const { return matrix_; }
-  Vectors rhs() const {
-    Vectors vectors;
-    for (std::size_t k = 0; k < N; ++k)
-      vectors.col(Eigen::Index(k)) = normals_.cwiseProduct(forces_[k]).colwise().sum().transpose();
-    return vectors;
-  }
-
- private:
-  ElementNodes normals_;
-  std::array<ElementNodes, N> positions_, forces_;  // −(∇_C position, ∇φ_a)
-  MeshEquation::Scalar matrix_ = MeshEquation::Scalar::Zero();
 };
 
 }  // namespace sbeh::surface3d

@@ -29,12 +29,16 @@ Field solve(const SparseMatrix& matrix, const Field& rhs, const Field& guess) {
 
 Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
                  const Field& from, const Curvature& curvature, const Nodes& slip, double tau) {
-  const ScalarSystem system(mesh, [&](int e, ScalarSystem::Matrix& matrix, ElementField& vector) {
+  SparseMatrix matrix = mesh.scalars.zero();
+  Field rhs = Field::Zero(mesh.nodes);
+  for_each_by_colour(mesh, [&](int e) {
     const ElementNodes X = on_element(mesh, e, at.X),
                        normals = on_element(mesh, e, curvature.normals),
                        local_slip = on_element(mesh, e, slip);
     const ElementField beta = on_element(mesh, e, at.beta), old = on_element(mesh, e, from),
                        H = on_element(mesh, e, curvature.H);
+    Eigen::Matrix<double, 10, 10> local = decltype(local)::Zero();
+    ElementField vector = ElementField::Zero();
     for (const ShapeValues& s : assembly_points()) {
       const SurfacePoint x = surface_point(X, s);
       const double h = value_at(H, s);
@@ -50,13 +54,15 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
       const Shapes phi(s.phi.data()), grad_1(x.grad[0].data()), grad_2(x.grad[1].data());
       const ElementField value =
           d.reaction * phi + d.advection[0] * grad_1 + d.advection[1] * grad_2;
-      matrix += (x.dS * phi) * value.transpose();
-      matrix += (x.dS * d.diffusion * grad_1) * grad_1.transpose();
-      matrix += (x.dS * d.diffusion * grad_2) * grad_2.transpose();
+      local += (x.dS * phi) * value.transpose();
+      local += (x.dS * d.diffusion * grad_1) * grad_1.transpose();
+      local += (x.dS * d.diffusion * grad_2) * grad_2.transpose();
       vector += x.dS * d.rhs * phi;
     }
+    mesh.scalars.add(e, local, matrix);
+    for (int a = 0; a < 10; ++a) rhs[mesh.triangles(a, e)] += vector[a];
   });
-  return solve(system.matrix, system.rhs, at.beta);
+  return solve(matrix, rhs, at.beta);
 }
 
 }  // namespace sbeh::surface3d

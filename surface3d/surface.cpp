@@ -92,8 +92,7 @@ ShapeValues shape_values(const Eigen::Vector2d& x, double weight) {
   return s;
 }
 
-std::vector<ShapeValues> tabulate(int degree) {
-  const model::TriangleRule rule = model::triangle_rule(degree);
+std::vector<ShapeValues> tabulate(const model::TriangleRule& rule) {
   std::vector<ShapeValues> table;
   table.reserve(std::size_t(rule.size()));
   for (int q = 0; q < rule.size(); ++q)
@@ -104,23 +103,18 @@ std::vector<ShapeValues> tabulate(int degree) {
 }  // namespace
 
 std::span<const ShapeValues> assembly_points() {
-  static const std::vector<ShapeValues> table = tabulate(8);
+  static const std::vector<ShapeValues> table = tabulate(model::triangle_rule(8));
   return table;
 }
 
 std::span<const ShapeValues> diagnostic_points() {
-  static const std::vector<ShapeValues> table = tabulate(12);
+  static const std::vector<ShapeValues> table = tabulate(model::triangle_rule(12));
   return table;
 }
 
 std::span<const ShapeValues> node_points() {
-  static const std::vector<ShapeValues> table = [] {
-    const Eigen::Matrix2Xd nodes = model::TriangleElement(3).nodes();
-    std::vector<ShapeValues> points;
-    points.reserve(std::size_t(nodes.cols()));
-    for (int a = 0; a < nodes.cols(); ++a) points.push_back(shape_values(nodes.col(a), 0));
-    return points;
-  }();
+  static const std::vector<ShapeValues> table =
+      tabulate({.points = model::TriangleElement(3).nodes(), .weights = Eigen::VectorXd::Zero(10)});
   return table;
 }
 
@@ -143,11 +137,11 @@ SurfacePoint surface_point(const ElementNodes& X, const ShapeValues& s) {
   return p;
 }
 
-AreaVolume area_and_volume(const Triangulation& mesh, const Nodes& X) {
-  std::vector<AreaVolume> parts(std::size_t(mesh.count()), AreaVolume{});
+Target area_and_volume(const Triangulation& mesh, const Nodes& X) {
+  std::vector<Target> parts(std::size_t(mesh.count()), Target{});
   in_parallel(mesh.count(), [&](int e) {
     const ElementNodes local = on_element(mesh, e, X);
-    AreaVolume& part = parts[std::size_t(e)];
+    Target& part = parts[std::size_t(e)];
     for (const ShapeValues& s : diagnostic_points()) {
       const Eigen::Vector3d a1 = local * Shapes(s.dphi[0].data()),
                             a2 = local * Shapes(s.dphi[1].data()), normal = a1.cross(a2);
@@ -155,7 +149,7 @@ AreaVolume area_and_volume(const Triangulation& mesh, const Nodes& X) {
       part.volume += s.weight * value_at(local, s).dot(normal) / 3;
     }
   });
-  AreaVolume sum{};
+  Target sum{};
   for (const auto& [area, volume] : parts) {
     sum.area += area;
     sum.volume += volume;

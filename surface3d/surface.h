@@ -112,11 +112,9 @@ void for_each_point(const Triangulation& mesh, const Nodes& X, std::span<const S
   }
 }
 
+using model::Target;
 /// Total area A and enclosed volume V = ∫ x·ν/3 dS.
-struct AreaVolume {
-  double area, volume;
-};
-AreaVolume area_and_volume(const Triangulation& mesh, const Nodes& X);
+Target area_and_volume(const Triangulation& mesh, const Nodes& X);
 double area(const Triangulation& mesh, const Nodes& X);
 double volume(const Triangulation& mesh, const Nodes& X);
 using model::reduced_volume;

@@ -7,12 +7,11 @@ namespace sbeh::surface3d {
 
 namespace {
 
-enum class Kind { vector, tangent, quadratic, scalar, multiplier };
-
 // A kind of unknown and its test function; none where the size is 0.
 struct Block {
-  Kind kind;
-  int size;  // in a triangle
+  int size;                // in a triangle
+  int components;          // at each node; 0: multipliers, the same in all triangles
+  bool quadratic = false;  // at the nodes of P2, not P3
 };
 
 // Which entries of a block (test, unknown) there are; of two vectors, `same` those of equal component.
@@ -44,36 +43,15 @@ SparsePattern::Mask mask_of(const Layout& layout) {
 }
 
 int global_size(const Triangulation& mesh, const Block& block) {
-  if (block.size == 0) return 0;
-  switch (block.kind) {
-    case Kind::vector:
-      return 3 * mesh.nodes;
-    case Kind::tangent:
-      return 2 * mesh.nodes;
-    case Kind::quadratic:
-      return mesh.quadratic_nodes;
-    case Kind::scalar:
-      return mesh.nodes;
-    case Kind::multiplier:
-      return block.size;
-  }
-  return 0;
+  if (block.size == 0 || block.components == 0) return block.size;
+  return block.components * (block.quadratic ? mesh.quadratic_nodes : mesh.nodes);
 }
 
+// Local by components, global by nodes.
 int global_index(const Triangulation& mesh, const Block& block, int e, int i) {
-  switch (block.kind) {
-    case Kind::vector:  // local by components, global by nodes
-      return 3 * mesh.triangles(i % 10, e) + i / 10;
-    case Kind::tangent:
-      return 2 * mesh.triangles(i % 10, e) + i / 10;
-    case Kind::quadratic:
-      return mesh.quadratic(i, e);
-    case Kind::scalar:
-      return mesh.triangles(i, e);
-    case Kind::multiplier:
-      return i;
-  }
-  return 0;
+  if (block.components == 0) return i;
+  if (block.quadratic) return mesh.quadratic(i, e);
+  return block.components * mesh.triangles(i % 10, e) + i / 10;
 }
 
 // The pattern, and where each block begins.
@@ -94,7 +72,7 @@ Numbering number(const Triangulation& mesh, const Layout& layout) {
   }
   const Block& last = layout.blocks.back();
   return {SparsePattern(first.back(), std::move(unknowns), mask_of(layout),
-                        last.kind == Kind::multiplier ? last.size : 0),
+                        last.components == 0 ? last.size : 0),
           std::move(first)};
 }
 
@@ -105,17 +83,16 @@ FlowLayout flow_layout(const Triangulation& mesh, model::AreaConstraint area, bo
   const bool local = area == model::AreaConstraint::local;
   // Where the displacement is no unknown, G is the test function of (H1) along the normals.
   const Coupling G_H = has_displacement ? no : yes;
-  Numbering numbering =
-      number(mesh, {{local ? Block{Kind::vector, 30} : Block{Kind::scalar, 10},  // V
-                     {Kind::quadratic, local ? 6 : 0},                           // p
-                     {Kind::scalar, 10},                                         // H
-                     {Kind::vector, has_displacement ? 30 : 0},                  // Y
-                     {Kind::multiplier, multipliers}},
-                    {{yes, yes, yes, no, yes},   // W
-                     {yes, no, no, no, no},      // q
-                     {yes, no, G_H, yes, no},    // G: (Y1)
-                     {no, no, yes, same, no},    // Z: (H1)
-                     {yes, no, no, no, yes}}});  // (P2) and the like
+  Numbering numbering = number(mesh, {{local ? Block{30, 3} : Block{10, 1},  // V
+                                       {local ? 6 : 0, 1, true},             // p
+                                       {10, 1},                              // H
+                                       {has_displacement ? 30 : 0, 3},       // Y
+                                       {multipliers, 0}},
+                                      {{yes, yes, yes, no, yes},   // W
+                                       {yes, no, no, no, no},      // q
+                                       {yes, no, G_H, yes, no},    // G: (Y1)
+                                       {no, no, yes, same, no},    // Z: (H1)
+                                       {yes, no, no, no, yes}}});  // (P2) and the like
   const std::vector<int>& first = numbering.first;
   return {.pattern = std::move(numbering.pattern),
           .p = first[1],
@@ -125,7 +102,7 @@ FlowLayout flow_layout(const Triangulation& mesh, model::AreaConstraint area, bo
 }
 
 SparsePattern motion_pattern(const Triangulation& mesh) {
-  return number(mesh, {{{Kind::tangent, 20}}, {{yes}}}).pattern;
+  return number(mesh, {{{20, 2}}, {{yes}}}).pattern;
 }
 
 }  // namespace sbeh::surface3d

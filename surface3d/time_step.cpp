@@ -72,10 +72,9 @@ bool TimeStepper::recall(const StepperMemory& memory) {
     const State& at = memory.factored_at;
     const auto curvature = curvature_of(*mesh_, at.X);
     if (!curvature) return false;
-    const Target kept{area(*mesh_, at.X), volume(*mesh_, at.X)};
     const double tau = memory.factored_tau;
     system_.assemble(*mesh_, at, *curvature, {at.X, curvature->H}, tau,
-                     constraints_of(*mesh_, at.X, kept, tau));
+                     constraints_of(*mesh_, at.X, area_and_volume(*mesh_, at.X), tau));
   }
   return solver_.recall(system_, memory);
 }
@@ -107,7 +106,7 @@ StepFields TimeStepper::fields_of(const Solution& x) const {
 StepResult TimeStepper::solve(const State& at, const State& from, const Constraints& constraints,
                               double tau, Pass pass) {
   StepResult result;
-  const auto curvature = curvature_of(*mesh_, at.X, from.X);
+  const auto curvature = curvature_of(*mesh_, at.X, &from.X);
   if (!curvature) return result.fault = model::FlowFault::degenerate, result;
   system_.assemble(*mesh_, at, *curvature, {from.X, curvature->H_from}, tau, constraints);
   const auto solution = solver_.solve(system_, at, tau, pass);

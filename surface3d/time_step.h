@@ -11,7 +11,6 @@
 namespace sbeh::surface3d {
 
 using model::Dissipation;
-using model::Target;
 
 /// What a step computes besides the next state.
 struct StepFields {
@@ -54,7 +53,6 @@ class TimeStepper {
   const StepperMemory& memory() const { return solver_.memory(); }
   /// Factors anew what another stepper had factored. False where that is singular.
   [[nodiscard]] bool recall(const StepperMemory& memory);
-  SolverCounts counts() const { return solver_.counts(); }
 
  private:
   StepFields fields_of(const Solution& x) const;

@@ -124,8 +124,7 @@ RunStart start_of(const RunInput& input) {
   if (!free_order || result.beta.size() == 0)
     result.beta.setConstant(result.mesh.node_count(),
                             free_order ? input.initial_order : model::full_order);
-  result.target = {surface3d::area(triangulation, result.mesh.nodes),
-                   surface3d::volume(triangulation, result.mesh.nodes)};
+  result.target = surface3d::area_and_volume(triangulation, result.mesh.nodes);
   return result;
 }
 

@@ -1,5 +1,6 @@
 #include "surface3d/harmonic/basis.h"
 
+#include "meshing/spherical_harmonics.h"
 #include "model/numerics/quadrature.h"
 
 #include <Eigen/Geometry>
@@ -20,22 +21,11 @@ using Complex = std::complex<double>;
 
 namespace {
 
-// Q_lm(z) = N_lm d^m P_l/dz^m at (l, m), 0 for m > l; Y_lm = Q_lm Re (x + iy)^m, times √2 for m > 0. By the
-// recurrence of the normalised functions in l, as in meshing/spherical_harmonics.cpp.
+// Q_lm at (l, m), 0 for m > l.
 MatrixXd legendre_table(int degree, double z) {
   MatrixXd Q = MatrixXd::Zero(degree + 1, degree + 3);
-  double squared = 1 / (4 * pi);
-  for (int m = 0; m <= degree; ++m) {
-    if (m > 0) squared *= (2 * m + 1) / (2. * m);
-    Q(m, m) = std::sqrt(squared);
-    const double mm = double(m) * m;
-    for (int l = m + 1; l <= degree; ++l) {
-      const double ll = double(l) * l, before = double(l - 1) * (l - 1);
-      const double a = std::sqrt((4 * ll - 1) / (ll - mm));
-      const double b = l == m + 1 ? 0 : std::sqrt((before - mm) / (4 * before - 1));
-      Q(l, m) = a * (z * Q(l - 1, m) - (l == m + 1 ? 0 : b * Q(l - 2, m)));
-    }
-  }
+  for (int m = 0; m <= degree; ++m)
+    Q.col(m).tail(degree + 1 - m) = meshing::normalised_legendre(degree, m, z);
   return Q;
 }
 

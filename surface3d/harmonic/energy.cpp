@@ -89,8 +89,8 @@ Vector3d normal_at(const Matrix3d& D, const Matrix3d& T, const Jets& q, Index p)
 
 }  // namespace
 
-HarmonicEnergy::HarmonicEnergy(const HarmonicSurface& surface, int points_per_degree) {
-  const SphereRule rule = sphere_rule(points_per_degree * (surface.degree + 1));
+HarmonicEnergy::HarmonicEnergy(const HarmonicSurface& surface) {
+  const SphereRule rule = sphere_rule(2 * (surface.degree + 1));
   basis_ = harmonic_basis(surface.degree, rule.omega);
   weights_ = rule.weights;
   for (const auto omega : rule.omega.colwise()) {

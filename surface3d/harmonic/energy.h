@@ -16,8 +16,8 @@ using HarmonicMeasures = Eigen::Vector3d;
 /// The integrals of surfaces with one degree, centre and ellipsoid, as functions of the coefficients a.
 class HarmonicEnergy {
  public:
-  /// On sphere_rule(n), n = `points_per_degree` (degree + 1).
-  explicit HarmonicEnergy(const HarmonicSurface& surface, int points_per_degree = 2);
+  /// On sphere_rule(2 (degree + 1)).
+  explicit HarmonicEnergy(const HarmonicSurface& surface);
 
   int unknowns() const { return int(basis_.Y[0].cols()); }
   int points() const { return int(weights_.size()); }

@@ -32,7 +32,7 @@ Vector2d multipliers_of(const HarmonicEnergy::Expansion& at) {
 }
 
 // Downhill, with errors of about 1e-5 in area and volume; false if that fails.
-bool relax(HarmonicSurface& surface, const Vector2d& target, int& iterations) {
+bool relax(HarmonicSurface& surface, const Vector2d& target) {
   const HarmonicEnergy energy(surface);
   VectorXd& c = surface.coefficients;
   const auto first = energy.expand(c);
@@ -55,6 +55,7 @@ bool relax(HarmonicSurface& surface, const Vector2d& target, int& iterations) {
       .function_tolerance = 1e-6,
       .most_iterations = 400,
       .normal_equations = true};
+  int iterations = 0;
   return minimise_squares(squares, Vector2d(multipliers[0], -multipliers[1]), c, iterations);
 }
 
@@ -70,21 +71,13 @@ MatrixXd fixed_directions(const HarmonicEnergy::Expansion& at, const MatrixXd& r
 
 VectorXd solve(const MatrixXd& K, const VectorXd& force) { return K.partialPivLu().solve(force); }
 
-struct Stationary {
-  VectorXd a;
-  HarmonicMeasures measures;
-  Vector2d multipliers;  // Σ, P
-  double residual;
-  VectorXd curvatures;  ///< eigenvalues of the second variation, ascending
-};
-
 // Newton's method to the stationary shape that is next, be it a saddle.
-HarmonicStop settle(const HarmonicEnergy& energy, const Vector2d& target, VectorXd a,
-                    Stationary& found, int& iterations) {
+HarmonicStop settle(const HarmonicEnergy& energy, const Vector2d& target, HarmonicShape& shape) {
   constexpr int most_iterations = 20;
   constexpr double tolerance = 1e-8, rounding = 1e-12;
+  VectorXd& a = shape.surface.coefficients;
   double before = std::numeric_limits<double>::infinity();
-  for (int iteration = 0; iteration < most_iterations; ++iteration, ++iterations) {
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
     const auto at = energy.expand(a);
     if (!at) return HarmonicStop::degenerate;
     const Vector2d multipliers = multipliers_of(*at);
@@ -95,10 +88,17 @@ HarmonicStop settle(const HarmonicEnergy& energy, const Vector2d& target, Vector
                             - multipliers[1] * at->gradients.col(2);
     const model::TangentSplit split(fixed);
     const MatrixXd K = split.rotated(energy.hessian(a, multipliers[0], multipliers[1]));
+    // Largest of the misses, and of the derivatives of F/κ + ΣA − PV by unit combinations of coefficients that
+    // are no rigid motion.
     const double residual =
         std::max(split.tangential(gradient).cwiseAbs().maxCoeff(), miss.cwiseAbs().maxCoeff());
     if (residual < rounding || (residual < tolerance && residual > 0.1 * before)) {
-      found = {a, at->measures, multipliers, residual, split.tangential_eigenvalues(K)};
+      const VectorXd curvatures = split.tangential_eigenvalues(K);  // ascending
+      shape.energy = at->measures[0] / (8 * pi);
+      shape.tension = multipliers[0];
+      shape.pressure = multipliers[1];
+      shape.negative_directions = int((curvatures.array() < 0).count());
+      shape.stiffness = curvatures[0];
       return HarmonicStop::stationary;
     }
     before = residual;
@@ -132,24 +132,11 @@ HarmonicShape minimise_harmonics(const HarmonicSurface& start, double reduced_vo
                       .surface = refitted(start.with_degree(std::max(start.degree, coarse_degree)))
                                      .with_degree(std::min(degree, coarse_degree))};
   HarmonicSurface& surface = shape.surface;
-  if (!relax(surface, target, shape.iterations)) return shape;
+  if (!relax(surface, target)) return shape;
   surface = refitted(surface);  // the shape may be another, or have moved
-  if (!relax(surface, target, shape.iterations)) return shape;
+  if (!relax(surface, target)) return shape;
   surface = surface.with_degree(degree);
-  const HarmonicEnergy energy(surface);
-  Stationary found;
-  shape.stop = settle(energy, target, surface.coefficients, found, shape.iterations);
-  if (shape.stop != HarmonicStop::stationary) return shape;
-  surface.coefficients = found.a;
-  shape.energy = found.measures[0] / (8 * pi);
-  shape.area = found.measures[1];
-  shape.volume = found.measures[2];
-  shape.tension = found.multipliers[0];
-  shape.pressure = found.multipliers[1];
-  shape.residual = found.residual;
-  shape.negative_directions = int((found.curvatures.array() < 0).count());
-  shape.stiffness = found.curvatures[0];
-  shape.tail = tail(surface);
+  shape.stop = settle(HarmonicEnergy(surface), target, shape);
   return shape;
 }
 

@@ -25,19 +25,13 @@ std::string describe(HarmonicStop stop);
 struct HarmonicShape {
   HarmonicStop stop = HarmonicStop::not_converged;
   HarmonicSurface surface;
-  double energy = 0;  ///< F/(8πκ), F = (κ/2)∫H² dS: 1 on the sphere
-  double area = 0, volume = 0;
+  double energy = 0;    ///< F/(8πκ), F = (κ/2)∫H² dS: 1 on the sphere
   double pressure = 0;  ///< P R³/κ, P = ∂F/∂V at fixed area
   double tension = 0;   ///< Σ R²/κ, Σ = −∂F/∂A at fixed volume; 3PV = 2ΣA
-  /// Largest of the misses of area and volume, and of the derivatives of F/κ + ΣA − PV by unit
-  /// combinations of coefficients that are no rigid motion.
-  double residual = 0;
   /// Directions of negative second variation at fixed area and volume, rigid motions apart: 0 for a
   /// minimum. The oblate of V_r = 0.8 has two.
   int negative_directions = 0;
   double stiffness = 0;  ///< smallest eigenvalue of that variation, per square of the coefficients
-  double tail = 0;       ///< see harmonic_surface.h
-  int iterations = 0;    ///< of Ceres and Newton's method together
 };
 
 /// The stationary shape of A = 4π and this reduced volume next to the start, which need not have them. Of a

@@ -135,11 +135,6 @@ HarmonicSurface refitted(const HarmonicSurface& surface) {
   return fit_harmonics(samples.points, samples.areas, surface.degree);
 }
 
-double tail(const HarmonicSurface& surface) {
-  const int last = harmonic_count(surface.degree) - harmonic_count(surface.degree - 2);
-  return surface.coefficients.tail(last).cwiseAbs().maxCoeff();
-}
-
 Axis axis_of(const HarmonicSurface& surface) {
   const SurfaceSamples samples = samples_of(surface, sphere_rule(surface.degree + 1));
   const Moments moments = moments_of(samples);

@@ -50,9 +50,6 @@ HarmonicSurface fit_harmonics(const Triangulation& mesh, const Nodes& X, int deg
 /// The same surface about its own centre and ellipsoid, to the accuracy of the degree.
 HarmonicSurface refitted(const HarmonicSurface& surface);
 
-/// Largest |a_lm| of the last two l, in lengths: how well the degree resolves the surface.
-double tail(const HarmonicSurface& surface);
-
 /// A surface about the axis that it has, or nearly has.
 struct Axis {
   Eigen::Vector3d direction;  ///< principal axis whose moment differs most from the two others

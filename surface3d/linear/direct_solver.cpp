@@ -51,7 +51,6 @@ class DirectSolver::Factors {
   virtual void solve(Eigen::Ref<Eigen::MatrixXd> rhs) = 0;
   virtual double flops() const = 0;
   virtual double entries() const = 0;
-  virtual double megabytes() const = 0;
 };
 
 namespace {
@@ -97,7 +96,6 @@ class DirectSolver::Mumps : public Factors {
     const int entries = id_.infog[28];
     return entries < 0 ? -1e6 * entries : entries;  // large numbers are given in millions
   }
-  double megabytes() const override { return id_.infog[21]; }
 
  private:
   // MUMPS's manual counts from 1.
@@ -187,6 +185,5 @@ bool DirectSolver::factor(const SparseMatrix& A) { return factors_->factor(A); }
 void DirectSolver::solve(Eigen::Ref<Eigen::MatrixXd> rhs) const { factors_->solve(rhs); }
 double DirectSolver::flops() const { return factors_->flops(); }
 double DirectSolver::entries() const { return factors_->entries(); }
-double DirectSolver::megabytes() const { return factors_->megabytes(); }
 
 }  // namespace sbeh::surface3d

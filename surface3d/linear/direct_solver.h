@@ -25,10 +25,9 @@ class DirectSolver {
   /// Overwrites the columns of rhs (n x k) with A⁻¹ rhs; after factor().
   void solve(Eigen::Ref<Eigen::MatrixXd> rhs) const;
 
-  /// Of the last factorisation: floating-point operations, entries of the factors, memory in MB.
+  /// Of the last factorisation: floating-point operations, entries of the factors.
   double flops() const;
   double entries() const;
-  double megabytes() const;
 
  private:
   class Factors;

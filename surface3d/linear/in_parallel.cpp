@@ -5,8 +5,7 @@
 
 namespace sbeh::surface3d {
 
-void in_parallel(int count, const std::function<void(int)>& visit) {
-  constexpr int grain = 32;  // some 50 μs at least
+void in_parallel(int count, const std::function<void(int)>& visit, int grain) {
   tbb::parallel_for(tbb::blocked_range<int>(0, count, count < grain ? 1 : grain),
                     [&](const tbb::blocked_range<int>& range) {
                       for (int i = range.begin(); i < range.end(); ++i) visit(i);

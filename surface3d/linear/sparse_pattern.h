@@ -27,8 +27,6 @@ class SparsePattern {
 
   int size() const { return size_; }
   int elements() const { return int(unknowns_.cols()); }
-  /// The global index of a local unknown.
-  int unknown(int local, int element) const { return unknowns_(local, element); }
 
   /// A matrix of this structure, all zero.
   SparseMatrix zero() const;

@@ -2,11 +2,10 @@
 
 #include "meshing/closest_point.h"
 #include "meshing/curving.h"
-#include "meshing/graded_remeshing.h"
-#include "meshing/intersections.h"
 #include "meshing/quality.h"
 #include "meshing/remeshing.h"
 #include "meshing/resolution.h"
+#include "meshing/triangle_search.h"
 #include "surface3d/diagnostics.h"
 
 #include <fmt/format.h>
@@ -175,15 +174,6 @@ meshing::CurvedMesh OldSurface::triangles(int wanted, double grading) const {
   return best;
 }
 
-double total_order(const Triangulation& mesh, const State& state) {
-  double sum = 0;
-  for_each_point(mesh, state.X, diagnostic_points(),
-                 [&](int e, const ShapeValues& s, const SurfacePoint& p) {
-                   sum += p.dS * value_at(on_element(mesh, e, state.beta), s);
-                 });
-  return sum;
-}
-
 void measure_before(const Triangulation& mesh, const State& state, const OldSurface& old,
                     const Energy& U, RemeshReport& report) {
   report.triangles_before = mesh.count();
@@ -254,9 +244,10 @@ RemeshResult remesh(const Triangulation& mesh, const State& state, const model::
                       .report = report};
   Nodes& X = result.state.X;
   for (int i = 0; i < fresh.node_count(); ++i) result.state.beta[i] = old.order_at(X.col(i));
-  const double A = area(mesh, state.X), V = volume(mesh, state.X);
-  report.area_change = area(*result.mesh, X) / A - 1;
-  report.volume_change = volume(*result.mesh, X) / V - 1;
+  const auto [A, V] = area_and_volume(mesh, state.X);
+  const auto [new_A, new_V] = area_and_volume(*result.mesh, X);
+  report.area_change = new_A / A - 1;
+  report.volume_change = new_V / V - 1;
   if (!correct_area_volume(*result.mesh, X, A, V))
     return refused(report, "area and volume cannot be restored");
   fresh.nodes = X;
@@ -268,7 +259,6 @@ RemeshResult remesh(const Triangulation& mesh, const State& state, const model::
   report.energy_after = energy(*result.mesh, material, result.state, *new_curvature).total();
   report.energy_change =
       (report.energy_after - report.energy_before) / (before.distortion + before.bending);
-  report.order_change = total_order(*result.mesh, result.state) / total_order(mesh, state) - 1;
   if (std::string fault = fault_of(report.energy_change, options.largest_energy_change);
       !fault.empty())
     return refused(report, fault);

@@ -28,7 +28,6 @@ struct RemeshReport {
   double energy_change = 0;  ///< (after − before)/(distortion + bending before)
   double area_change = 0;    ///< relative, as it was before area and volume were restored
   double volume_change = 0;  ///< the same
-  double order_change = 0;   ///< of ∫β dS, relative
   double distance = 0;       ///< largest one from the old surface, in units of R = √(A/4π)
 };
 

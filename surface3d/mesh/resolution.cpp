@@ -62,8 +62,7 @@ Resolution resolution_of(const Triangulation& mesh, const Nodes& X, const Curvat
                .curvature = 0,
                .curvature_gap = curvature_gap(mesh, X, curvature),
                .mesh_quality = mesh_quality(mesh, X),
-               .min_angle = std::numeric_limits<double>::infinity(),
-               .sharpest = 0};
+               .min_angle = std::numeric_limits<double>::infinity()};
   std::vector<OfTriangle> triangles(std::size_t(mesh.count()));
   in_parallel(mesh.count(), [&](int e) {
     const ElementNodes local = on_element(mesh, e, X);
@@ -74,9 +73,7 @@ Resolution resolution_of(const Triangulation& mesh, const Nodes& X, const Curvat
         .mean_curvature = h * H.cwiseAbs().maxCoeff(),
         .angle = smallest_angle_of(local)};
   });
-  for (int e = 0; e < mesh.count(); ++e) {
-    const auto& [turn, mean_curvature, angle] = triangles[std::size_t(e)];
-    if (turn > r.curvature) r.sharpest = e;
+  for (const auto& [turn, mean_curvature, angle] : triangles) {
     r.curvature = std::max(r.curvature, turn);
     r.mean_curvature = std::max(r.mean_curvature, mean_curvature);
     r.min_angle = std::min(r.min_angle, angle);

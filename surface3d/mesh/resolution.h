@@ -14,7 +14,6 @@ struct Resolution {
   double curvature_gap;  ///< ‖H − H_n‖/‖H‖ in L2, H_n = −div_C n of the projected normals
   double mesh_quality;  ///< see mesh_quality
   double min_angle;     ///< of the plain triangles between the corners
-  int sharpest;         ///< the triangle with the largest |B| h
 };
 /// `curvature` is that of X; three passes over the triangles, 2.5 µs for each of them.
 Resolution resolution_of(const Triangulation& mesh, const Nodes& X, const Curvature& curvature);

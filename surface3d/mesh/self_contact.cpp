@@ -1,7 +1,7 @@
 #include "surface3d/mesh/self_contact.h"
 
-#include "meshing/intersections.h"
 #include "meshing/quality.h"
+#include "meshing/triangle_search.h"
 
 #include <fmt/format.h>
 

@@ -79,8 +79,13 @@ inline Integrals exact_integrals(const SphereImage& image, int n = 120) {
 }
 
 inline Integrals integrals_of(const CurvedMesh& mesh) {
-  const CurvatureIntegrals c = curvature_integrals(mesh);
-  return {area(mesh), volume(mesh), c.H, c.H_squared, c.K};
+  Integrals sum{.area = area(mesh), .volume = volume(mesh)};
+  for_each_point(mesh, 12, [&](const SurfacePoint& p) {
+    sum.H += p.H() * p.dS;
+    sum.H_squared += p.H() * p.H() * p.dS;
+    sum.K += p.K() * p.dS;
+  });
+  return sum;
 }
 
 /// 1 + 0.5 Y_53, from the closed form of the real orthonormal harmonic.

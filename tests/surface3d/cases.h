@@ -37,7 +37,7 @@ inline Material paper_material(double L) { return Material{}.with_L(L); }
 struct Surface {
   std::shared_ptr<const Triangulation> mesh;
   State state;
-  Target target() const { return {area(*mesh, state.X), volume(*mesh, state.X)}; }
+  Target target() const { return area_and_volume(*mesh, state.X); }
 };
 
 inline Surface surface_of(const meshing::CurvedMesh& mesh, double order = model::full_order) {

@@ -43,7 +43,8 @@ Nodes origin(const Surface& s) {
   return from;
 }
 Field curvature_of_origin(const Surface& s) {
-  return curvature_of(*s.mesh, s.state.X, origin(s))->H_from;
+  const Nodes from = origin(s);
+  return curvature_of(*s.mesh, s.state.X, &from)->H_from;
 }
 
 // All unknowns of all triangles, nothing left out: V, p, H, Y, then the multipliers.

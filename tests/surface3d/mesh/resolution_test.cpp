@@ -136,14 +136,5 @@ TEST(Resolution, of_thin_triangles_is_refused_by_their_angle_before_the_energy_e
   }
 }
 
-TEST(Resolution, names_the_triangle_at_the_sharpest_place) {
-  const Surface s = surface_of(meshing::ellipsoid(0.65, true, {.triangles = 1280}));  // along z
-  const auto curvature = curvature_of(*s.mesh, s.state.X);
-  ASSERT_TRUE(curvature.has_value());
-  const Resolution r = resolution_of(*s.mesh, s.state.X, *curvature);
-  const ElementNodes X = on_element(*s.mesh, r.sharpest, s.state.X);
-  EXPECT_NEAR(X.row(2).cwiseAbs().maxCoeff(), s.state.X.row(2).maxCoeff(), 1e-3);
-}
-
 }  // namespace
 }  // namespace sbeh::surface3d
