@@ -3,6 +3,7 @@
 #include "studies/stability/stability.h"
 
 #include "meshing/revolution.h"
+#include "meshing/shapes.h"
 #include "studies/evolution/run_start.h"
 #include "studies/stability/mode_amplitude.h"
 #include "surface3d/harmonic/surface.h"
