@@ -13,6 +13,8 @@ namespace sbeh::axisym {
 struct Mode {
   int l;
   double amplitude;
+
+  bool operator==(const Mode&) const = default;
 };
 
 /// Nodes on the curve θ ↦ (r, z), θ ∈ [0, π] from pole to pole, the cubics through its Gauss–Lobatto

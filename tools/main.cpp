@@ -6,8 +6,6 @@
 #include "studies/io/spelling.h"
 #include "tools/commands/commands.h"
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <cstdio>

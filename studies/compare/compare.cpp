@@ -2,7 +2,7 @@
 
 #include "model/time/step_control.h"
 #include "studies/io/interrupt.h"
-#include "studies/io/results_folder.h"
+#include "studies/io/output.h"
 #include "studies/io/stopwatch.h"
 
 #include <fmt/format.h>

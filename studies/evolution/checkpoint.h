@@ -1,20 +1,18 @@
-// Observer of a 3D run: where the clock, or an interruption, leaves the state.
+// Where the clock, or an interruption, leaves the state of a 3D run, and what of it a run goes on from.
 #pragma once
 
-#include "studies/evolution/moment.h"
+#include "studies/evolution/frame_file.h"
+#include "studies/evolution/run_input.h"
+#include "studies/io/output.h"
 #include "studies/io/progress.h"
-
-#include <chrono>
-#include <filesystem>
+#include "studies/io/stopwatch.h"
 
 namespace sbeh::studies {
 
-/// In the folder of a run.
-inline constexpr const char* checkpoint_name = "checkpoint.vtu";
-
+/// Observer of a 3D run, for checkpoint.vtu in its folder.
 class Checkpoint {
  public:
-  Checkpoint(std::filesystem::path file, double minutes, ProgressLine& line);
+  Checkpoint(const OutputFolder& folder, double minutes, ProgressLine& line);
 
   /// From time to time. Where there is no room it says so and the run goes on: of its results nothing is
   /// missing.
@@ -22,14 +20,19 @@ class Checkpoint {
   /// At once. Throws OutputError.
   void write(const Moment& moment) const { write_frame(file_, moment); }
   /// Not due for a while: the state is kept elsewhere.
-  void put_off() { kept_ = std::chrono::steady_clock::now(); }
-  void remove() const;
+  void put_off() { since_kept_ = {}; }
+  void remove() const { remove_file(file_); }
 
  private:
   std::filesystem::path file_;
   double minutes_;
   ProgressLine& line_;
-  std::chrono::steady_clock::time_point kept_;
+  Stopwatch since_kept_;
 };
+
+/// The newest state of the run in the folder, which has this description; empty for a run from the start.
+/// Throws OutputError when the folder holds what must not be overwritten.
+std::optional<Frame> frame_to_resume(const RunInput& input, const OutputFolder& folder,
+                                     const std::string& description, bool resume);
 
 }  // namespace sbeh::studies

@@ -1,9 +1,9 @@
 // Observer of a 3D run: its events, in events.csv and among the messages.
 #pragma once
 
+#include "studies/io/growing_table.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
-#include "studies/io/timed_table.h"
 #include "surface3d/flow.h"
 
 #include <optional>

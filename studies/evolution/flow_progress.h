@@ -4,13 +4,9 @@
 #include "model/time/flow_record.h"
 #include "studies/io/progress.h"
 
-#include <chrono>
 #include <string>
 
 namespace sbeh::studies {
-
-/// "t = … of …, time step …, energy …"
-std::string progress_text(const model::FlowRecord& record, double end_time);
 
 /// Of a short run: only on a terminal.
 class BriefProgress {
@@ -36,7 +32,7 @@ class LongProgress {
   ProgressLine& line_;
   double end_time_;
   int steps_ = 0;
-  std::chrono::steady_clock::time_point began_ = std::chrono::steady_clock::now();
+  Stopwatch watch_;
 };
 
 }  // namespace sbeh::studies

@@ -82,26 +82,29 @@ surface3d::StepperMemory memory_of(const CurvedFile& file, const std::filesystem
 
 }  // namespace
 
-void write_frame(const std::filesystem::path& path, const Frame& frame, const FrameFields& fields) {
-  NodeFields at_nodes{{"order", frame.beta.transpose()},
-                      {"mean_curvature", fields.H.transpose()},
-                      {"normal", fields.normals}};
-  if (fields.velocity.size() > 0) at_nodes["velocity"] = fields.velocity;
-  const surface3d::FlowRecord& r = frame.record;
+void write_frame(const std::filesystem::path& path, const Moment& m) {
+  const auto curvature = surface3d::curvature_of(*m.mesh, m.state.X);
+  if (!curvature) throw std::runtime_error("the surface is degenerate");
+  NodeFields at_nodes{{"order", m.state.beta.transpose()},
+                      {"mean_curvature", curvature->H.transpose()},
+                      {"normal", curvature->node_normals}};
+  if (m.fields.V.size() > 0) at_nodes["velocity"] = m.fields.V;
+  const surface3d::FlowRecord& r = m.record;
   Globals globals{{"TimeValue", number(r.time)},
                   {"next_step", number(r.next_step)},
                   {"rejected_steps", number(r.rejected)},
                   {"step", of_step(r)},
-                  {"target", Eigen::Vector2d(frame.target.area, frame.target.volume)}};
-  globals["remeshing_over"] = number(frame.memory.remeshing_over);
-  remember(frame.memory.stepper, at_nodes, globals);
-  if (const auto& past = frame.memory.past) {
+                  {"target", Eigen::Vector2d(m.target.area, m.target.volume)},
+                  {"remeshing_over", number(m.memory.remeshing_over)}};
+  remember(m.memory.stepper, at_nodes, globals);
+  if (const auto& past = m.memory.past) {
     at_nodes["past"] = past->state.X;
     at_nodes["past_order"] = past->state.beta.transpose();
     const auto& [friction, order, viscous] = past->dissipation;
     globals["past_step"] = Eigen::Vector4d(past->tau, friction, order, viscous);
   }
-  write_file(path, vtu_text(frame.mesh, at_nodes, globals));
+  const meshing::CurvedMesh mesh{.order = 3, .triangles = m.mesh->triangles, .nodes = m.state.X};
+  write_file(path, vtu_text(mesh, at_nodes, globals));
 }
 
 Frame read_frame(const std::filesystem::path& path) {
@@ -129,25 +132,6 @@ Frame read_frame(const std::filesystem::path& path) {
                          .dissipation = {step[1], step[2], step[3]}};
   }
   return frame;
-}
-
-const Columns<FrameEntry>& frame_columns() {
-  static const Columns<FrameEntry> columns{
-      column("index", &FrameEntry::index),
-      column("time", &FrameEntry::time),
-      column("file", &FrameEntry::file),
-  };
-  return columns;
-}
-
-std::string pvd_text(const std::vector<FrameEntry>& frames) {
-  std::string text =
-      "<?xml version=\"1.0\"?>\n<VTKFile type=\"Collection\" version=\"0.1\" "
-      "byte_order=\"LittleEndian\">\n<Collection>\n";
-  for (const FrameEntry& frame : frames)
-    text +=
-        fmt::format("<DataSet timestep=\"{}\" part=\"0\" file=\"{}\"/>\n", frame.time, frame.file);
-  return text + "</Collection>\n</VTKFile>\n";
 }
 
 }  // namespace sbeh::studies

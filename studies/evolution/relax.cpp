@@ -1,17 +1,82 @@
 #include "studies/evolution/relax.h"
 
+#include "axisym/start_shapes.h"
+#include "model/rest_order.h"
+#include "studies/evolution/evolution_files.h"
 #include "studies/evolution/flow_progress.h"
-#include "studies/evolution/series_writer.h"
-#include "studies/evolution/state_files.h"
 #include "studies/io/interrupt.h"
-#include "studies/io/results_folder.h"
 #include "studies/states/profile_file.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
 
 namespace sbeh::studies {
 
+using axisym::State;
+
+namespace {
+
+axisym::Nodes spheroid(const Ellipsoid& shape, const axisym::Numerics& n) {
+  if (shape.reduced_volume)
+    return axisym::spheroid(*shape.reduced_volume, shape.prolate, n.elements, n.grading);
+  const double equatorial = shape.axes[0], polar = shape.axes[1];
+  const double longest = std::max(equatorial, polar);
+  return axisym::spheroid(equatorial / longest, polar / longest, n.elements, n.grading);
+}
+
+State make(const Ellipsoid& shape, const RelaxInput& input) {
+  const axisym::Nodes X = spheroid(shape, input.numerics);
+  return {X, axisym::Field::Constant(X.cols(), input.initial_order)};
+}
+
+axisym::Nodes harmonic_sphere(const Harmonics& sphere, const axisym::Numerics& n) {
+  try {
+    return axisym::harmonic_sphere(sphere.shape, n.elements, n.grading);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("[start] modes: {}", error.what()));
+  }
+}
+
+State make(const Harmonics& sphere, const RelaxInput& input) {
+  State state{harmonic_sphere(sphere, input.numerics), {}};
+  double order = model::full_order;
+  if (model::has_free_order(input.model)) {
+    const auto rest = sphere.order ? sphere.order : model::sphere_rest_order(input.material);
+    if (!rest)
+      throw std::invalid_argument(
+          "[start] order: no ordered state rests on the sphere with this "
+          "material; give the order");
+    order = *rest;
+  }
+  state.beta.resize(state.X.cols());
+  for (Eigen::Index i = 0; i < state.beta.size(); ++i) {
+    const double theta = std::atan2(state.X(0, i), state.X(1, i));
+    state.beta[i] = order + axisym::zonal_sum(sphere.order_modes, theta);
+    if (!(std::abs(state.beta[i]) <= 1))
+      throw std::invalid_argument(fmt::format(
+          "[start] order_modes: the order is {:.3g} at theta = {:.3g}: must be in -1 ... 1",
+          state.beta[i], theta));
+  }
+  return state;
+}
+
+State make(const ScanRow& row, const RelaxInput& input) {
+  State state = state_of(row);
+  if (!model::has_free_order(input.model)) state.beta.setConstant(model::full_order);
+  return state;
+}
+
+}  // namespace
+
+State start_of(const RelaxInput& input) {
+  return std::visit([&](const auto& start) { return make(start, input); }, input.start);
+}
+
 RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& path,
                        std::string_view version) {
-  const RelaxStart start = start_of(input);
+  const State start = start_of(input);
   const OutputFolder folder(path);
   refuse_results(folder, {"run.toml", "series.csv", "scan.csv"}, "a run", "is");
   write_file(folder / "run.toml", describe(input, version));
@@ -20,16 +85,17 @@ RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& pat
   StateFiles profiles(folder, "profiles", ".csv", input.times.states);
   BriefProgress progress(input.times.end);
   axisym::Numerics numerics = input.numerics;
-  numerics.elements = axisym::element_count(start.state.X);
+  numerics.elements = axisym::element_count(start.X);
   const axisym::FlowResult run = axisym::run_flow(
-      start.material, input.model, start.state, start.target, numerics, schedule_of(input.times),
-      [&](const axisym::FlowRecord& record, const axisym::State& state, bool exact) {
-        series.see(record, exact, [&] { return axisym::diagnose(start.material, state); });
+      input.material, input.model, start, {axisym::area(start.X), axisym::volume(start.X)},
+      numerics, schedule_of(input.times),
+      [&](const axisym::FlowRecord& record, const State& state, bool exact) {
+        series.see(record, exact, [&] { return axisym::diagnose(input.material, state); });
         profiles.see(record.time, exact, [&](const auto& file) { write_profile(file, state); });
         progress.see(record);
         return interrupt_signal() == 0;
       });
-  series.finish(run.last, [&] { return axisym::diagnose(start.material, run.state); });
+  series.finish(run.last, [&] { return axisym::diagnose(input.material, run.state); });
   profiles.finish(run.last.time, [&](const auto& file) { write_profile(file, run.state); });
   progress.finish();
   return {run, int(profiles.entries().size())};

@@ -1,12 +1,14 @@
 // One axisymmetric evolution, from an input to a folder of results.
 #pragma once
 
-#include "studies/evolution/relax_start.h"
-
-#include <filesystem>
-#include <string_view>
+#include "axisym/flow.h"
+#include "studies/evolution/relax_input.h"
 
 namespace sbeh::studies {
+
+/// The state that the input asks to start from. Throws OutputError or std::invalid_argument when it cannot
+/// be made.
+axisym::State start_of(const RelaxInput& input);
 
 struct RelaxSummary {
   axisym::FlowResult run;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/options.h"
+#include "axisym/start_shapes.h"
 #include "model/material.h"
 #include "studies/evolution/start_shape.h"
 #include "studies/evolution/times.h"
@@ -11,7 +12,6 @@
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <variant>
 #include <vector>
 
@@ -19,9 +19,9 @@ namespace sbeh::studies {
 
 /// Sphere with modes of rotationally symmetric harmonics, degrees 1 … 32, none twice.
 struct Harmonics {
-  std::vector<std::pair<int, double>> shape;        ///< (l, u_l)
-  std::optional<double> order;                      ///< β₀ in 0 … 1; without it the rest state
-  std::vector<std::pair<int, double>> order_modes;  ///< (l, b_l)
+  std::vector<axisym::Mode> shape;        ///< (l, u_l)
+  std::optional<double> order;            ///< β₀ in 0 … 1; without it the rest state
+  std::vector<axisym::Mode> order_modes;  ///< (l, b_l)
 
   bool operator==(const Harmonics&) const = default;
 };

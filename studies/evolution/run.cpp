@@ -1,12 +1,11 @@
 #include "studies/evolution/run.h"
 
-#include "studies/evolution/run_observers.h"
-#include "studies/evolution/run_resume.h"
-#include "studies/io/errors.h"
-
-#include <fmt/format.h>
-
-#include <memory>
+#include "studies/evolution/checkpoint.h"
+#include "studies/evolution/event_log.h"
+#include "studies/evolution/evolution_files.h"
+#include "studies/evolution/flow_progress.h"
+#include "studies/evolution/run_start.h"
+#include "studies/io/interrupt.h"
 
 namespace sbeh::studies {
 
@@ -17,17 +16,79 @@ using surface3d::StepView;
 
 namespace {
 
+// What a run leaves in its folder while it goes on: all its observers.
+class RunObservers {
+ public:
+  // Of a run that begins, or goes on, at `start`. Of the files of an earlier run what is not later than
+  // `until` stays. Throws OutputError.
+  RunObservers(const RunInput& input, const OutputFolder& folder, Moment start, double until);
+
+  // Lets each of them see the step. False when a signal asks for the end; the checkpoint is written then.
+  // Throws OutputError.
+  bool see(const FlowRecord& record, const State& state, const StepView& view, bool exact);
+  // The last state: a row and a frame. A run that is to go on later has left its checkpoint.
+  void finish(const surface3d::FlowResult& run);
+
+  int frames() const { return int(frames_.entries().size()); }
+  const std::optional<double>& unresolved_from() const { return events_.unresolved_from(); }
+
+ private:
+  surface3d::Diagnostics diagnostics() const {
+    return surface3d::diagnose(*now_.mesh, input_.material, now_.state);
+  }
+
+  const RunInput& input_;
+  Moment now_;
+  ProgressLine line_;
+  LongProgress progress_;
+  SeriesWriter series_;
+  StateFiles frames_;
+  EventLog events_;
+  Checkpoint checkpoint_;
+};
+
+RunObservers::RunObservers(const RunInput& input, const OutputFolder& folder, Moment start,
+                           double until)
+    : input_(input),
+      now_(std::move(start)),
+      progress_(line_, input.times.end),
+      series_(folder, input.times, until),
+      frames_(folder, "frames", ".vtu", input.times.states, until),
+      events_(folder, input.numerics.remesh, until, line_),
+      checkpoint_(folder, input.checkpoint_minutes, line_) {}
+
+bool RunObservers::see(const FlowRecord& record, const State& state, const StepView& view,
+                       bool exact) {
+  progress_.see(record);
+  events_.see(record, view);
+  now_ = {record, state, view.mesh, now_.target, view.fields, view.memory};
+  if (record.ends) return true;  // what remains is for finish()
+  series_.see(record, exact, [&] { return diagnostics(); });
+  const auto write = [&](const fs::path& file) { write_frame(file, now_); };
+  if (frames_.see(record.time, exact, write)) checkpoint_.put_off();
+  if (interrupt_signal() == 0) return checkpoint_.see(now_), true;
+  checkpoint_.write(now_);
+  return false;
+}
+
+void RunObservers::finish(const surface3d::FlowResult& run) {
+  line_.end();
+  if (run.stop == surface3d::FlowStop::interrupted) return;
+  now_.record = run.last;
+  now_.state = run.state;
+  series_.finish(run.last, [&] { return diagnostics(); });
+  frames_.finish(run.last.time, [&](const fs::path& file) { write_frame(file, now_); });
+  checkpoint_.remove();
+}
+
 // Where the run begins, or goes on.
-Moment moment_of(const std::optional<Frame>& frame, const std::optional<RunStart>& start) {
-  const meshing::CurvedMesh& mesh = frame ? frame->mesh : start->mesh;
-  Moment moment{.record = frame ? frame->record : FlowRecord{},
-                .state = {mesh.nodes, frame ? frame->beta : start->beta},
-                .mesh = std::make_shared<const surface3d::Triangulation>(mesh),
-                .target = frame ? frame->target : start->target,
-                .fields = {},
-                .memory = {}};
-  if (frame) moment.memory = frame->memory;
-  return moment;
+Moment moment_of(const Frame& frame) {
+  return {.record = frame.record,
+          .state = {frame.mesh.nodes, frame.beta},
+          .mesh = std::make_shared<const surface3d::Triangulation>(frame.mesh),
+          .target = frame.target,
+          .fields = {},
+          .memory = frame.memory};
 }
 
 surface3d::FlowResult run_observed(const RunInput& input, const Moment& start,
@@ -49,7 +110,7 @@ surface3d::FlowResult run_observed(const RunInput& input, const Moment& start,
 
 RunSummary run_surface(const RunInput& input, const fs::path& path, std::string_view version,
                        bool resume) {
-  std::optional<RunStart> begin;  // before the folder: a start that cannot be made leaves none
+  std::optional<Frame> begin;  // before the folder: a start that cannot be made leaves none
   if (!fs::exists(path / "run.toml")) begin = start_of(input);
   const OutputFolder folder(path);
   const std::string description = describe(input, version);
@@ -57,7 +118,7 @@ RunSummary run_surface(const RunInput& input, const fs::path& path, std::string_
   if (!frame && !begin) begin = start_of(input);
   write_file(folder / "run.toml", description);
 
-  const Moment start = moment_of(frame, begin);
+  const Moment start = moment_of(frame ? *frame : *begin);
   RunObservers observers(input, folder, start, frame ? start.record.time : -1);
   try {
     const surface3d::FlowResult run = run_observed(input, start, observers);

@@ -1,7 +1,8 @@
 // One 3D run with its files.
 #pragma once
 
-#include "studies/evolution/run_start.h"
+#include "studies/evolution/run_input.h"
+#include "surface3d/flow.h"
 
 #include <filesystem>
 #include <optional>

@@ -6,7 +6,6 @@
 #include "meshing/measures.h"
 #include "meshing/revolution.h"
 #include "meshing/shapes.h"
-#include "studies/evolution/frame_file.h"
 #include "studies/io/errors.h"
 #include "studies/mesh/make_mesh.h"
 #include "studies/mesh_files/mesh_file.h"
@@ -86,6 +85,17 @@ Start make(const FrameStart& start, const RunInput&) {
   return {sound(std::move(frame.mesh), start.file), std::move(frame.beta)};
 }
 
+// As surface3d::CoupledSystem has them.
+int unknowns_of(const RunInput& input, int nodes, int quadratic_nodes) {
+  const model::Material m = model::effective(input.material, input.model);
+  const model::AreaConstraint area = model::area_constraint(input.model);
+  const auto scheme = surface3d::stable_scheme(m, area, input.numerics.scheme);
+  const int mesh_motion = scheme == surface3d::Scheme::split ? 0 : 3 * nodes;
+  if (area == model::AreaConstraint::global) return 2 * nodes + mesh_motion + 2;
+  const bool free = m.friction_tangential == 0 && m.friction_normal == 0;
+  return 4 * nodes + quadratic_nodes + mesh_motion + (free ? 7 : 1);
+}
+
 }  // namespace
 
 void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
@@ -103,7 +113,7 @@ void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
   }
 }
 
-RunStart start_of(const RunInput& input) {
+Frame start_of(const RunInput& input) {
   Start start;
   try {
     start = std::visit([&](const auto& shape) { return make(shape, input); }, input.start);
@@ -119,13 +129,26 @@ RunStart start_of(const RunInput& input) {
   if (std::abs(meshing::area(start.mesh) / unit_area - 1) > 1e-14)
     meshing::scale_to_area(start.mesh, unit_area);
   const surface3d::Triangulation triangulation(start.mesh);
-  RunStart result{.mesh = std::move(start.mesh), .beta = std::move(start.beta), .target = {}};
+  Frame result{.mesh = std::move(start.mesh),
+               .beta = std::move(start.beta),
+               .record = {},
+               .target = {},
+               .memory = {}};
   const bool free_order = model::has_free_order(input.model);
   if (!free_order || result.beta.size() == 0)
     result.beta.setConstant(result.mesh.node_count(),
                             free_order ? input.initial_order : model::full_order);
   result.target = surface3d::area_and_volume(triangulation, result.mesh.nodes);
   return result;
+}
+
+RunCost cost_of(const RunInput& input, int triangles) {
+  const int nodes = 9 * triangles / 2 + 2, quadratic_nodes = 2 * triangles + 2;
+  const int unknowns = unknowns_of(input, nodes, quadratic_nodes);
+  return {.unknowns = unknowns,
+          .seconds_per_step = 5.1e-6 * unknowns * std::pow(unknowns / 6400., 0.15),
+          .megabytes = 40 + 0.011 * unknowns,
+          .frame_megabytes = 3.1e-4 * nodes};
 }
 
 }  // namespace sbeh::studies

@@ -1,7 +1,6 @@
 // The shapes that the start of an evolution may have: one list for each kind of input.
 #pragma once
 
-#include "studies/io/number_range.h"
 #include "studies/io/spelling.h"
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"

@@ -1,5 +1,5 @@
 // The tables of the evolution from the perturbed sphere: figures 3 and 4.
-#include "studies/evolution/frame_file.h"
+#include "studies/evolution/evolution_files.h"
 #include "studies/figures/tables.h"
 #include "studies/states/series_file.h"
 #include "studies/witnesses/state.h"

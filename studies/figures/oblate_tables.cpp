@@ -1,6 +1,6 @@
 // The tables of the stationary oblates: figures 1 and 2.
 #include "meshing/cross_section.h"
-#include "studies/evolution/frame_file.h"
+#include "studies/evolution/evolution_files.h"
 #include "studies/figures/tables.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/meridian.h"

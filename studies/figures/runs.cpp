@@ -1,6 +1,7 @@
 #include "studies/figures/runs.h"
 
 #include "studies/evolution/event_log.h"
+#include "studies/evolution/evolution_files.h"
 #include "studies/evolution/frame_file.h"
 #include "studies/io/progress.h"
 #include "studies/io/stopwatch.h"

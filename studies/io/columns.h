@@ -48,8 +48,16 @@ std::string field_of(const std::optional<T>& value, const char* format) {
 inline bool read_field(double& value, const std::string& field) {
   return parse_number(field, value);
 }
-bool read_field(int& value, const std::string& field);
-bool read_field(bool& value, const std::string& field);
+inline bool read_field(int& value, const std::string& field) {
+  double number = 0;
+  if (!parse_number(field, number)) return false;
+  value = int(number);
+  return true;
+}
+inline bool read_field(bool& value, const std::string& field) {
+  value = field == "1";
+  return value || field == "0";
+}
 inline bool read_field(std::string& value, const std::string& field) { return value = field, true; }
 template <class E>
 requires std::is_enum_v<E>

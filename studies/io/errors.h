@@ -6,20 +6,17 @@
 namespace sbeh::studies {
 
 /// Wrong input. what() says where, what, and what is allowed: `file:line: [section] key = value: must be …`.
-class InputError : public std::runtime_error {
- public:
+struct InputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// The results cannot be read or written: folder, file, reason, what to do.
-class OutputError : public std::runtime_error {
- public:
+struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
 /// A signal came while something was at work that keeps nothing.
-class Interrupted : public std::runtime_error {
- public:
+struct Interrupted : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 

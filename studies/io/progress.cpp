@@ -9,8 +9,6 @@
 
 namespace sbeh::studies {
 
-using std::chrono::steady_clock;
-
 void tell(std::string_view text) {
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
@@ -21,14 +19,13 @@ ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
 ProgressLine::~ProgressLine() { end(); }
 
 double ProgressLine::age() const {
-  if (!shown_) return std::numeric_limits<double>::infinity();
-  return std::chrono::duration<double>(steady_clock::now() - *shown_).count();
+  return shown_ ? shown_->seconds() : std::numeric_limits<double>::infinity();
 }
 
 void ProgressLine::show(std::string_view text) {
   tell(fmt::format("{}{}{}", terminal_ ? "\r\033[K" : "", text, terminal_ ? "" : "\n"));
   open_ = terminal_;
-  shown_ = steady_clock::now();
+  shown_.emplace();
 }
 
 void ProgressLine::say(std::string_view message) {
@@ -42,7 +39,7 @@ void ProgressLine::end() {
 }
 
 Progress::Progress(std::string_view unit, int total, int done)
-    : unit_(unit), total_(total), done_(done), before_(done), start_(steady_clock::now()) {
+    : unit_(unit), total_(total), done_(done), before_(done) {
   if (done > 0) say(fmt::format("{} of {} {} are there from before", done, total, unit));
 }
 
@@ -58,8 +55,7 @@ bool Progress::due() const {
 }
 
 void Progress::show() {
-  const std::chrono::duration<double> time = steady_clock::now() - start_;
-  const double rate = (done_ - before_) / std::max(time.count(), 1e-9);
+  const double rate = (done_ - before_) / std::max(watch_.seconds(), 1e-9);
   shown_tenths_ = 10 * done_ / total_;
   line_.show(fmt::format("{}/{} {}, {:.3g} per second, {:.0f} s left", done_, total_, unit_, rate,
                          (total_ - done_) / std::max(rate, 1e-9)));

@@ -1,7 +1,8 @@
 // What is said to the user while work goes on.
 #pragma once
 
-#include <chrono>
+#include "studies/io/stopwatch.h"
+
 #include <optional>
 #include <string_view>
 
@@ -32,7 +33,7 @@ class ProgressLine {
  private:
   const bool terminal_;
   bool open_ = false;  // on a terminal: the line is there
-  std::optional<std::chrono::steady_clock::time_point> shown_;
+  std::optional<Stopwatch> shown_;
 };
 
 /// How far a scan is: on a terminal always, otherwise for every tenth of the work.
@@ -54,7 +55,7 @@ class Progress {
   ProgressLine line_;
   std::string_view unit_;
   int total_, done_, before_, shown_tenths_ = 0;
-  std::chrono::steady_clock::time_point start_;
+  Stopwatch watch_;
 };
 
 }  // namespace sbeh::studies

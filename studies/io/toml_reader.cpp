@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cmath>
+#include <cstdlib>
 #include <cstring>
 #include <fstream>
 
@@ -89,6 +90,20 @@ std::vector<double> as_range(const TomlTable& range, const Interval& allowed) {
 }
 
 }  // namespace
+
+std::vector<double> evenly_spaced(double low, double high, int count, Spacing spacing) {
+  std::vector<double> values{low};
+  for (int i = 1; i < count - 1; ++i) {
+    const double s = double(i) / (count - 1);
+    const double exact = spacing == Spacing::logarithmic
+                           ? std::exp((1 - s) * std::log(low) + s * std::log(high))
+                           : (1 - s) * low + s * high;
+    const double rounded = std::strtod(fmt::format("{:.11e}", exact).c_str(), nullptr);
+    values.push_back(std::clamp(rounded, low, high));
+  }
+  if (count > 1) values.push_back(high);
+  return values;
+}
 
 bool TomlTable::has(std::string_view key) const { return find(*state_, key) != nullptr; }
 
@@ -172,20 +187,19 @@ std::vector<double> TomlTable::grid(std::string_view key, const Interval& allowe
   return values;
 }
 
-std::vector<std::pair<int, double>> TomlTable::modes(std::string_view key, int lowest,
-                                                     int highest) const {
+std::vector<axisym::Mode> TomlTable::modes(std::string_view key, int lowest, int highest) const {
   const auto kind =
       fmt::format("must be a list of pairs [degree, amplitude], the degree an integer in {} ... {}",
                   lowest, highest);
   const toml::node* value = find(*state_, key, false, kind);
-  std::vector<std::pair<int, double>> modes;
+  std::vector<axisym::Mode> modes;
   for (const toml::node& element : as_list(*state_, key, *value, kind)) {
     const auto* pair = element.as_array();
     if (!pair || pair->size() != 2) fail_at(*state_, key, element, kind);
     const int degree = as_integer(*state_, key, *pair->get(0), lowest, highest, kind);
-    for (const auto& earlier : modes)
-      if (earlier.first == degree) fail_at(*state_, key, element, "degree must not be there twice");
-    modes.emplace_back(degree, as_number(*state_, key, *pair->get(1), {}, kind));
+    for (const axisym::Mode& earlier : modes)
+      if (earlier.l == degree) fail_at(*state_, key, element, "degree must not be there twice");
+    modes.push_back({degree, as_number(*state_, key, *pair->get(1), {}, kind)});
   }
   return modes;
 }

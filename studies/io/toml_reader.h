@@ -1,19 +1,31 @@
 // Strict reading of TOML files: values by key, with kind and allowed range; no key goes unread.
 #pragma once
 
+#include "axisym/start_shapes.h"
 #include "meshing/spherical_harmonics.h"
+#include "model/parameter.h"
 #include "studies/io/errors.h"
-#include "studies/io/number_range.h"
 
 #include <filesystem>
 #include <memory>
 #include <optional>
 #include <string>
 #include <string_view>
-#include <utility>
 #include <vector>
 
 namespace sbeh::studies {
+
+using model::above;
+using model::at_least;
+using model::between;
+using model::Interval;
+inline constexpr Interval reduced_volumes{.low = 0, .high = 1, .low_open = true};
+
+enum class Spacing { linear, logarithmic };
+
+/// `count` >= 1 values from `low` to `high`: the ends exact, those between rounded to 12 digits.
+/// Logarithmic: equal ratios, `low` > 0. count = 1: just `low`.
+std::vector<double> evenly_spaced(double low, double high, int count, Spacing spacing);
 
 struct TableState;
 
@@ -64,7 +76,7 @@ class TomlTable {
   std::vector<double> grid(std::string_view key, const Interval& allowed = {},
                            std::optional<std::vector<double>> absent = {}) const;
   /// Amplitudes by degree, `[[2, 0.04], [3, 0.02]]`: not empty, no degree twice.
-  std::vector<std::pair<int, double>> modes(std::string_view key, int lowest, int highest) const;
+  std::vector<axisym::Mode> modes(std::string_view key, int lowest, int highest) const;
   /// Amplitudes of spherical harmonics, `[[5, 3, 0.5], [2, -1, 0.01]]`: degree l, order m in −l … l,
   /// amplitude; not empty, none twice.
   std::vector<meshing::Harmonic> harmonics(std::string_view key, int highest) const;

@@ -17,8 +17,8 @@ std::string as_toml(const std::string& text) { return in_quotes(text); }
 std::string as_toml(const meshing::Harmonic& h) {
   return fmt::format("[{}, {}, {}]", h.l, h.m, h.amplitude);
 }
-std::string as_toml(const std::pair<int, double>& mode) {
-  return fmt::format("[{}, {}]", mode.first, mode.second);
+std::string as_toml(const axisym::Mode& mode) {
+  return fmt::format("[{}, {}]", mode.l, mode.amplitude);
 }
 
 std::string as_toml(const model::Potential& potential) { return as_toml(potential.coefficients()); }

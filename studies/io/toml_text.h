@@ -1,13 +1,13 @@
 // Strict writing of TOML: what toml_reader.h reads back as the same values, bit for bit.
 #pragma once
 
+#include "axisym/start_shapes.h"
 #include "meshing/spherical_harmonics.h"
 #include "model/potential.h"
 
 #include <string>
 #include <string_view>
 #include <type_traits>
-#include <utility>
 #include <vector>
 
 namespace sbeh::studies {
@@ -18,7 +18,7 @@ std::string as_toml(int value);
 std::string as_toml(bool value);
 std::string as_toml(const std::string& text);
 std::string as_toml(const meshing::Harmonic& harmonic);
-std::string as_toml(const std::pair<int, double>& mode);
+std::string as_toml(const axisym::Mode& mode);
 
 /// A choice by its name.
 template <class Choice>

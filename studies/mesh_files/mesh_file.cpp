@@ -5,7 +5,6 @@
 #include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/mesh_files/formats.h"
-#include "studies/mesh_files/text_lines.h"
 
 #include <fmt/format.h>
 
@@ -41,13 +40,19 @@ std::string text_of(const fs::path& path) {
   }
 }
 
-meshing::TriangleMesh read_triangles(const fs::path& path, const std::string& suffix) {
-  const std::string text = text_of(path), file = path.string();
-  if (text.empty()) throw InputError(fmt::format("{}: is empty", file));
-  if (suffix == ".obj") return parse_obj(text, file);
-  if (suffix == ".off") return parse_off(text, file);
-  if (suffix == ".ply") return parse_ply(text, file);
-  return parse_stl(text, file);
+// Of plain triangles.
+struct Format {
+  std::string_view suffix;
+  meshing::TriangleMesh (*parse)(std::string_view text, const std::string& file);
+  std::string (*text)(const meshing::TriangleMesh& mesh);
+};
+const Format* format_of(std::string_view suffix) {
+  static constexpr Format formats[] = {{".obj", parse_obj, obj_text},
+                                       {".off", parse_off, off_text},
+                                       {".ply", parse_ply, ply_text},
+                                       {".stl", parse_stl, stl_text}};
+  const auto found = std::ranges::find(formats, suffix, &Format::suffix);
+  return found == std::end(formats) ? nullptr : found;
 }
 
 int triangle_count(const MeshFile& mesh) {
@@ -68,8 +73,10 @@ MeshFile read_mesh(const fs::path& path) {
         == std::string::npos)  // VTK itself would take what is missing for numbers
       throw InputError(fmt::format("{}: is cut off: does not end with </VTKFile>", file));
     mesh = read_vtk(file, suffix == ".vtp");
-  } else if (suffix == ".obj" || suffix == ".off" || suffix == ".ply" || suffix == ".stl") {
-    mesh = read_triangles(path, suffix);
+  } else if (const Format* format = format_of(suffix)) {
+    const std::string text = text_of(path);
+    if (text.empty()) throw InputError(fmt::format("{}: is empty", file));
+    mesh = format->parse(text, file);
   } else {
     throw InputError(fmt::format(
         "{}: unknown suffix \"{}\"; meshes can be read from .obj, .off, .ply, .stl, .vtu, .vtp",
@@ -86,8 +93,7 @@ MeshFile read_mesh(const fs::path& path) {
 
 void require_mesh_suffix(const fs::path& path) {
   const std::string suffix = suffix_of(path);
-  for (const char* known : {".vtu", ".obj", ".off", ".ply", ".stl"})
-    if (suffix == known) return;
+  if (keeps_curved(path) || format_of(suffix)) return;
   throw InputError(fmt::format(
       "{}: unknown suffix \"{}\"; meshes can be written to .vtu (curved), .obj, .off, .ply, .stl",
       path.string(), suffix));
@@ -97,13 +103,8 @@ bool keeps_curved(const fs::path& path) { return suffix_of(path) == ".vtu"; }
 
 void write_mesh(const fs::path& path, const meshing::CurvedMesh& mesh, const NodeFields& fields) {
   require_mesh_suffix(path);
-  const std::string suffix = suffix_of(path);
   if (keeps_curved(path)) return write_file(path, vtu_text(mesh, fields));
-  const meshing::TriangleMesh plain = meshing::corners(mesh);
-  if (suffix == ".obj") write_file(path, obj_text(plain));
-  if (suffix == ".off") write_file(path, off_text(plain));
-  if (suffix == ".ply") write_file(path, ply_text(plain));
-  if (suffix == ".stl") write_file(path, stl_text(plain));
+  write_file(path, format_of(suffix_of(path))->text(meshing::corners(mesh)));
 }
 
 }  // namespace sbeh::studies

@@ -13,23 +13,33 @@ namespace sbeh::studies {
 
 namespace {
 
-enum class Number { int8, uint8, int16, uint16, int32, uint32, float32, float64 };
+// How a number stands in a binary file.
+struct Number {
+  std::size_t size;  // bytes
+  double (*value)(std::string_view bytes, std::endian order);
+};
+template <class T>
+constexpr Number binary{sizeof(T), [](std::string_view bytes, std::endian order) {
+                          return double(number_from<T>(bytes, order));
+                        }};
 
 std::optional<Number> number_of(std::string_view word) {
   static const std::map<std::string_view, Number> known{
-      {"char", Number::int8},      {"int8", Number::int8},       {"uchar", Number::uint8},
-      {"uint8", Number::uint8},    {"short", Number::int16},     {"int16", Number::int16},
-      {"ushort", Number::uint16},  {"uint16", Number::uint16},   {"int", Number::int32},
-      {"int32", Number::int32},    {"uint", Number::uint32},     {"uint32", Number::uint32},
-      {"float", Number::float32},  {"float32", Number::float32}, {"double", Number::float64},
-      {"float64", Number::float64}};
+      {"char", binary<std::int8_t>},     {"int8", binary<std::int8_t>},
+      {"uchar", binary<std::uint8_t>},   {"uint8", binary<std::uint8_t>},
+      {"short", binary<std::int16_t>},   {"int16", binary<std::int16_t>},
+      {"ushort", binary<std::uint16_t>}, {"uint16", binary<std::uint16_t>},
+      {"int", binary<std::int32_t>},     {"int32", binary<std::int32_t>},
+      {"uint", binary<std::uint32_t>},   {"uint32", binary<std::uint32_t>},
+      {"float", binary<float>},          {"float32", binary<float>},
+      {"double", binary<double>},        {"float64", binary<double>}};
   const auto found = known.find(word);
   return found == known.end() ? std::nullopt : std::optional(found->second);
 }
 
 struct Property {
   std::string name;
-  Number type = Number::float32;
+  Number type{};
   std::optional<Number> count;  // of a list
 };
 
@@ -103,27 +113,12 @@ class Body {
     word_ = 0;
   }
 
-  double number(Number type) {
+  double number(const Number& type) {
     if (!order_) return lines_.number(word_++);
-    switch (type) {
-      case Number::int8:
-        return take<std::int8_t>();
-      case Number::uint8:
-        return take<std::uint8_t>();
-      case Number::int16:
-        return take<std::int16_t>();
-      case Number::uint16:
-        return take<std::uint16_t>();
-      case Number::int32:
-        return take<std::int32_t>();
-      case Number::uint32:
-        return take<std::uint32_t>();
-      case Number::float32:
-        return take<float>();
-      case Number::float64:
-        return take<double>();
-    }
-    return 0;
+    if (bytes_.size() < type.size) fail("the file ends in the middle of it");
+    const double value = type.value(bytes_, *order_);
+    bytes_.remove_prefix(type.size);
+    return value;
   }
 
   [[noreturn]] void fail(std::string_view what) const {
@@ -132,14 +127,6 @@ class Body {
   }
 
  private:
-  template <class T>
-  double take() {
-    if (bytes_.size() < sizeof(T)) fail("the file ends in the middle of it");
-    const T value = number_from<T>(bytes_, *order_);
-    bytes_.remove_prefix(sizeof(T));
-    return double(value);
-  }
-
   std::string_view bytes_;
   TextLines& lines_;
   std::optional<std::endian> order_;
@@ -147,35 +134,38 @@ class Body {
   std::size_t word_ = 0;
 };
 
+void skip(Body& body, const Property& property) {
+  long count = property.count ? long(body.number(*property.count)) : 1;
+  while (count-- > 0) body.number(property.type);
+}
+
 void read_point(Body& body, const Element& element, MeshBuilder& mesh) {
   std::array<double, 3> x{};
   for (const Property& p : element.properties) {
-    if (p.count) {
-      for (auto n = long(body.number(*p.count)); n > 0; --n) body.number(p.type);
-      continue;
-    }
-    const double value = body.number(p.type);
-    if (p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z')
-      x[std::size_t(p.name[0] - 'x')] = value;
+    if (!p.count && p.name.size() == 1 && p.name[0] >= 'x' && p.name[0] <= 'z')
+      x[std::size_t(p.name[0] - 'x')] = body.number(p.type);
+    else
+      skip(body, p);
   }
   mesh.add_point(x[0], x[1], x[2]);
 }
 
 void read_face(Body& body, const Element& element, MeshBuilder& mesh) {
   for (const Property& p : element.properties) {
-    const bool corners = p.count && (p.name == "vertex_indices" || p.name == "vertex_index");
-    const long count = p.count ? long(body.number(*p.count)) : 1;
-    if (corners && count != 3)
-      body.fail(fmt::format("a face with {} corners: must be a triangle", count));
+    if (!p.count || (p.name != "vertex_indices" && p.name != "vertex_index")) {
+      skip(body, p);
+      continue;
+    }
+    const long count = long(body.number(*p.count));
+    if (count != 3) body.fail(fmt::format("a face with {} corners: must be a triangle", count));
     std::array<int, 3> corner{};
-    for (long k = 0; k < count; ++k) {
+    for (int& index : corner) {
       const double value = body.number(p.type);
-      if (!corners) continue;
       if (!(value >= 0 && value < double(mesh.point_count())))
         body.fail(fmt::format("corner {}: must be in 0 ... {}", value, mesh.point_count() - 1));
-      corner[std::size_t(k)] = int(value);
+      index = int(value);
     }
-    if (corners) mesh.add_triangle(corner[0], corner[1], corner[2]);
+    mesh.add_triangle(corner[0], corner[1], corner[2]);
   }
 }
 
@@ -194,10 +184,7 @@ meshing::TriangleMesh parse_ply(std::string_view text, const std::string& file) 
       else if (element.name == "face")
         read_face(body, element, mesh);
       else
-        for (const Property& p : element.properties) {
-          long count = p.count ? long(body.number(*p.count)) : 1;
-          while (count-- > 0) body.number(p.type);
-        }
+        for (const Property& p : element.properties) skip(body, p);
     }
   return mesh.mesh();
 }

@@ -71,18 +71,16 @@ void read_value(const TomlTable& table, const char* powers, model::Potential& po
 
 model::Material read_material(const TomlTable& table, model::Model model, model::Material absent) {
   if (has_own_drag(model))
-    for (const std::string_view key :
-         {"viscosity", "friction", "friction_tangential", "friction_normal"})
-      table.refuse(key, "must not be given for model = " + in_quotes(name(model))
-                            + ", which has no viscosity and friction 1");
+    refuse(table, {"viscosity", "friction", "friction_tangential", "friction_normal"},
+           "must not be given for model = " + in_quotes(name(model))
+               + ", which has no viscosity and friction 1");
   read_L(table, absent);
   read_some(table, absent, elastic_constants);
   return read_rest(table, absent);
 }
 
 model::Material read_material_without_L(const TomlTable& table, std::string_view where) {
-  for (const char* key : {"L", "L1", "L2", "L3"})
-    table.refuse(key, "must not be given in " + std::string(where));
+  refuse(table, {"L", "L1", "L2", "L3"}, "must not be given in " + std::string(where));
   return read_rest(table, {});
 }
 
@@ -98,9 +96,9 @@ void write_material_without_L(TomlText& toml, const model::Material& material) {
 
 void refuse_order(const TomlTable& table, model::Model model, const ParameterNames& keys) {
   if (has_free_order(model)) return;
-  for (const std::string_view key : keys)
-    table.refuse(key, "must not be given for model = " + in_quotes(name(model))
-                          + ", where the order is 2/3 everywhere");
+  refuse(table, keys,
+         "must not be given for model = " + in_quotes(name(model))
+             + ", where the order is 2/3 everywhere");
 }
 
 }  // namespace sbeh::studies

@@ -1,8 +1,8 @@
 #include "studies/scan/scan.h"
 
 #include "studies/io/interrupt.h"
+#include "studies/io/output.h"
 #include "studies/io/progress.h"
-#include "studies/io/results_folder.h"
 #include "studies/io/stopwatch.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/branch_points.h"

@@ -3,7 +3,7 @@
 #include "axisym/shooting/seifert_shooting.h"
 #include "axisym/spectral/minimiser.h"
 #include "axisym/stationary/classical_branches.h"
-#include "studies/io/results_folder.h"
+#include "studies/io/output.h"
 #include "studies/io/stopwatch.h"
 
 #include <fmt/format.h>

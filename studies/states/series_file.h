@@ -25,10 +25,4 @@ SeriesRow series_row(const model::FlowRecord& record, const Diagnostics& d) {
           d.H_abs_max, d.mesh_quality};
 }
 
-/// A line of the table.
-template <class Diagnostics>
-std::string series_line(const model::FlowRecord& record, const Diagnostics& diagnostics) {
-  return line_of(series_columns(), series_row(record, diagnostics));
-}
-
 }  // namespace sbeh::studies

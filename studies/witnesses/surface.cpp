@@ -1,12 +1,13 @@
 // The 3D solver's state in the terms of the axisymmetric methods.
 #include "meshing/revolution.h"
 #include "meshing/shapes.h"
+#include "studies/evolution/evolution_files.h"
 #include "studies/evolution/flow_progress.h"
 #include "studies/evolution/frame_file.h"
 #include "studies/evolution/run_input.h"
 #include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
-#include "studies/io/number_range.h"
+#include "studies/io/toml_reader.h"
 #include "studies/parameters/material_input.h"
 #include "studies/states/series_file.h"
 #include "studies/witnesses/state.h"
@@ -89,15 +90,13 @@ Rest flow_to_rest(const StationaryCase& of, const SurfaceMethod& method,
   const bool lost = run.stop == surface3d::FlowStop::unresolved
                  || run.stop == surface3d::FlowStop::step_too_small;
   (lost ? rest.failure : rest.remark) = stop;
-  const auto curvature = surface3d::curvature_of(*mesh, run.state.X);
-  if (!keep.empty() && curvature)
-    write_frame(keep,
-                {.mesh = rest.mesh,
-                 .beta = rest.beta,
-                 .record = run.last,
-                 .target = target,
-                 .memory = memory},
-                {curvature->H, curvature->node_normals, fields.V});
+  if (!keep.empty() && surface3d::curvature_of(*mesh, run.state.X))
+    write_frame(keep, {.record = run.last,
+                       .state = run.state,
+                       .mesh = mesh,
+                       .target = target,
+                       .fields = fields,
+                       .memory = memory});
   return rest;
 }
 

@@ -3,9 +3,6 @@
 #include "studies/parameters/input_kind.h"
 #include "tools/commands/commands.h"
 
-#include <fmt/format.h>
-
-#include <memory>
 #include <stdexcept>
 
 namespace sbeh::tools {
@@ -32,8 +29,8 @@ void check(const std::string& file) {
 Command add_check(CLI::App& program) {
   const auto file = std::make_shared<std::string>();
   CLI::App* app =
-      add_command(program, "check", "say whether an input is right, and what it asks for");
-  add_required(app, "FILE", *file, "input (TOML)");
+      program.add_subcommand("check", "say whether an input is right, and what it asks for");
+  app->add_option("FILE", *file, "input (TOML)")->required();
   return {app, [file] {
             try {
               check(*file);

@@ -4,11 +4,8 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <tbb/global_control.h>
 
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
@@ -20,31 +17,15 @@ fs::path Study::results() const {
   return folder.empty() ? fs::path("results") / fs::path(input).stem() : fs::path(folder);
 }
 
-CLI::App* add_command(CLI::App& program, const char* name, const char* text) {
-  return program.add_subcommand(name, text);
-}
-void add_required(CLI::App* command, const char* name, std::string& value, const char* text) {
-  command->add_option(name, value, text)->required();
-}
-void add_option(CLI::App* command, const char* name, std::string& value, const char* text) {
-  command->add_option(name, value, text);
-}
-void add_option(CLI::App* command, const char* name, int& value, const char* text, int least,
-                int most) {
-  command->add_option(name, value, text)->check(CLI::Range(least, most));
-}
-void add_flag(CLI::App* command, const char* name, bool& value, const char* text) {
-  command->add_flag(name, value, text);
-}
-
 Command add_study(CLI::App& program, const char* name, const char* text,
                   std::function<int(const Study&)> run) {
   const auto study = std::make_shared<Study>();
-  CLI::App* app = add_command(program, name, text);
-  add_required(app, "FILE", study->input, "input (TOML)");
-  add_option(app, "-o,--output", study->folder, "folder for the results (results/NAME)");
-  add_flag(app, "--no-pictures", study->no_pictures, "tables only");
-  add_option(app, "--threads", study->threads, "at most so many (all cores)", 1, 4096);
+  CLI::App* app = program.add_subcommand(name, text);
+  app->add_option("FILE", study->input, "input (TOML)")->required();
+  app->add_option("-o,--output", study->folder, "folder for the results (results/NAME)");
+  app->add_flag("--no-pictures", study->no_pictures, "tables only");
+  app->add_option("--threads", study->threads, "at most so many (all cores)")
+      ->check(CLI::Range(1, 4096));
   return {app, [study, run = std::move(run)] {
             studies::catch_interrupts();
             std::optional<tbb::global_control> limit;
@@ -71,6 +52,15 @@ void draw_results(studies::ResultsKind kind, const fs::path& folder) {
 
 int exit_code_of_interrupt() { return 128 + studies::interrupt_signal(); }
 int exit_code_of_success() { return studies::interrupt_signal() ? exit_code_of_interrupt() : 0; }
+
+int finish(const Study& study, studies::ResultsKind kind, bool interrupted) {
+  if (interrupted) {
+    complain("interrupted; the same command goes on from here");
+    return exit_code_of_interrupt();
+  }
+  if (!study.no_pictures) draw_results(kind, study.results());
+  return exit_code_of_success();
+}
 
 const char* beside_times(bool every_step) { return every_step ? " and one for each step" : ""; }
 

@@ -3,15 +3,15 @@
 
 #include "studies/report/report.h"
 
+#include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 #include <string_view>
 #include <vector>
-
-namespace CLI {  // NOLINT(readability-identifier-naming)
-class App;
-}
 
 namespace sbeh::tools {
 
@@ -31,15 +31,6 @@ struct Study {
   std::filesystem::path results() const;
 };
 
-// Words of a command. The header of CLI11 takes seconds to compile: who needs no more than these
-// goes without it.
-CLI::App* add_command(CLI::App& program, const char* name, const char* text);
-void add_required(CLI::App* command, const char* name, std::string& value, const char* text);
-void add_option(CLI::App* command, const char* name, std::string& value, const char* text);
-void add_option(CLI::App* command, const char* name, int& value, const char* text, int least,
-                int most);
-void add_flag(CLI::App* command, const char* name, bool& value, const char* text);
-
 /// FILE, -o, --no-pictures and --threads. `run` may be interrupted, and uses no more threads than said.
 Command add_study(CLI::App& program, const char* name, const char* text,
                   std::function<int(const Study&)> run);
@@ -55,6 +46,8 @@ void draw_results(studies::ResultsKind kind, const std::filesystem::path& folder
 int exit_code_of_interrupt();
 /// What a program ends with that has done its work, unless it was told to end while drawing.
 int exit_code_of_success();
+/// Draws, unless pictures are not wanted or the study was interrupted, to go on later; the exit code.
+int finish(const Study& study, studies::ResultsKind kind, bool interrupted);
 
 /// What an evolution's history has besides the rows of the output times, for `sbeh check`.
 const char* beside_times(bool every_step);

@@ -3,8 +3,6 @@
 
 #include "tools/commands/commands.h"
 
-#include <fmt/format.h>
-
 namespace sbeh::tools {
 
 namespace {

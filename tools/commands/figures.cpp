@@ -6,12 +6,9 @@
 #include "studies/io/interrupt.h"
 #include "tools/commands/commands.h"
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <memory>
 #include <optional>
 
 namespace sbeh::tools {

@@ -4,9 +4,6 @@
 #include "studies/mesh/make_mesh.h"
 #include "tools/commands/commands.h"
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
-
 #include <array>
 #include <cmath>
 #include <filesystem>

@@ -2,8 +2,6 @@
 #include "studies/io/progress.h"
 #include "tools/commands/commands.h"
 
-#include <CLI/CLI.hpp>
-#include <fmt/format.h>
 #include <sys/wait.h>
 #include <unistd.h>
 

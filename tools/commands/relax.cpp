@@ -4,8 +4,6 @@
 #include "axisym/diagnostics.h"
 #include "tools/commands/commands.h"
 
-#include <fmt/format.h>
-
 namespace sbeh::tools {
 
 namespace {
@@ -39,8 +37,7 @@ Command add_relax(CLI::App& program) {
 
 void check_relax(const std::string& file) {
   const studies::RelaxInput input = studies::read_relax(file);
-  const studies::RelaxStart start = studies::start_of(input);
-  const axisym::Diagnostics d = axisym::diagnose(start.material, start.state);
+  const axisym::Diagnostics d = axisym::diagnose(input.material, studies::start_of(input));
   fmt::print(
       "{}: an evolution of {} to t = {}, from reduced volume {:.6g}, energy {:.6g}; "
       "{} lines of history{}, {} profiles\n\n{}",

@@ -3,10 +3,6 @@
 
 #include "tools/commands/commands.h"
 
-#include <fmt/format.h>
-
-#include <memory>
-
 namespace sbeh::tools {
 
 namespace {
@@ -27,9 +23,10 @@ int report(const std::filesystem::path& folder, bool no_pictures) {
 Command add_report(CLI::App& program) {
   const auto folder = std::make_shared<std::string>();
   const auto no_pictures = std::make_shared<bool>(false);
-  CLI::App* app = add_command(program, "report", "a folder of results as one page of HTML");
-  add_required(app, "DIR", *folder, "folder of a scan, run, relax, seifert, compare or stability");
-  add_flag(app, "--no-pictures", *no_pictures, "do not draw those that are missing");
+  CLI::App* app = program.add_subcommand("report", "a folder of results as one page of HTML");
+  app->add_option("DIR", *folder, "folder of a scan, run, relax, seifert, compare or stability")
+      ->required();
+  app->add_flag("--no-pictures", *no_pictures, "do not draw those that are missing");
   return {app, [=] { return report(*folder, *no_pictures); }};
 }
 

@@ -1,12 +1,8 @@
 // `sbeh run`: one 3D evolution.
 #include "studies/evolution/run.h"
 
-#include "studies/evolution/run_cost.h"
+#include "studies/evolution/run_start.h"
 #include "tools/commands/commands.h"
-
-#include <fmt/format.h>
-
-#include <memory>
 
 namespace sbeh::tools {
 
@@ -59,13 +55,13 @@ Command add_run(CLI::App& program) {
   const auto resume = std::make_shared<bool>(false);
   const Command command = add_study(program, "run", "one 3D evolution",
                                     [resume](const Study& study) { return run(study, *resume); });
-  add_flag(command.app, "--resume", *resume, "go on with a run that was interrupted or killed");
+  command.app->add_flag("--resume", *resume, "go on with a run that was interrupted or killed");
   return command;
 }
 
 void check_run(const std::string& file) {
   const studies::RunInput input = studies::read_run(file);
-  const studies::RunStart start = studies::start_of(input);
+  const studies::Frame start = studies::start_of(input);
   const int triangles = start.mesh.triangle_count();
   const studies::RunCost cost = studies::cost_of(input, triangles);
   fmt::print(

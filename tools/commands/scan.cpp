@@ -3,8 +3,6 @@
 
 #include "tools/commands/commands.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace sbeh::tools {
@@ -18,12 +16,7 @@ int scan(const Study& study) {
   fmt::print("{} points in {}: {} stationary, {} unresolved, {} failed; {} computed in {:.2f} s\n",
              s.points, (folder / "scan.csv").string(), s.stationary, s.unresolved, s.failed,
              s.computed, s.seconds);
-  if (s.interrupted) {
-    complain("interrupted; the same command goes on from here");
-    return exit_code_of_interrupt();
-  }
-  if (!study.no_pictures) draw_results(studies::ResultsKind::scan, folder);
-  return exit_code_of_success();
+  return finish(study, studies::ResultsKind::scan, s.interrupted);
 }
 
 }  // namespace

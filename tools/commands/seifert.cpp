@@ -3,10 +3,6 @@
 
 #include "tools/commands/commands.h"
 
-#include <fmt/format.h>
-
-#include <memory>
-
 namespace sbeh::tools {
 
 namespace {
@@ -28,10 +24,11 @@ int seifert(const Words& w) {
 
 Command add_seifert(CLI::App& program) {
   const auto words = std::make_shared<Words>();
-  CLI::App* app = add_command(program, "seifert", "the classical diagram by three witnesses");
-  add_option(app, "-o,--output", words->folder, "folder for the results (results/seifert)");
-  add_flag(app, "--no-pictures", words->no_pictures, "tables only");
-  add_option(app, "--elements", words->elements, "of the finite elements (96)", 32, 4096);
+  CLI::App* app = program.add_subcommand("seifert", "the classical diagram by three witnesses");
+  app->add_option("-o,--output", words->folder, "folder for the results (results/seifert)");
+  app->add_flag("--no-pictures", words->no_pictures, "tables only");
+  app->add_option("--elements", words->elements, "of the finite elements (96)")
+      ->check(CLI::Range(32, 4096));
   return {app, [words] { return seifert(*words); }};
 }
 

@@ -3,8 +3,6 @@
 
 #include "tools/commands/commands.h"
 
-#include <fmt/format.h>
-
 #include <algorithm>
 
 namespace sbeh::tools {
@@ -17,12 +15,7 @@ int stability(const Study& study) {
   const studies::StabilitySummary s = studies::run_stability(input, folder, SBEH_VERSION);
   fmt::print("{}{} runs in {}; {} computed in {:.0f} s\n", studies::table_of(s), s.rows.size(),
              (folder / "stability.csv").string(), s.computed, s.seconds);
-  if (s.interrupted) {
-    complain("interrupted; the same command goes on from here");
-    return exit_code_of_interrupt();
-  }
-  if (!study.no_pictures) draw_results(studies::ResultsKind::stability, folder);
-  return exit_code_of_success();
+  return finish(study, studies::ResultsKind::stability, s.interrupted);
 }
 
 }  // namespace

@@ -1,5 +1,5 @@
 // What a 3D run is said to cost.
-#include "studies/evolution/run_cost.h"
+#include "studies/evolution/run_start.h"
 
 #include "meshing/shapes.h"
 #include "surface3d/coupled_system.h"

@@ -160,9 +160,9 @@ TEST(RelaxInput, takes_harmonics_of_shape_and_order) {
       "model = \"SBEH\"\n[start]\nshape = \"harmonics\"\nmodes = [[2, 0.04], [3, -1]]\n"
       "order_modes = [[2, 0.001]]\n[time]\nend = 2\n");
   const auto& harmonics = std::get<Harmonics>(input.start);
-  EXPECT_EQ(harmonics.shape, (std::vector<std::pair<int, double>>{{2, 0.04}, {3, -1}}));
+  EXPECT_EQ(harmonics.shape, (std::vector<axisym::Mode>{{2, 0.04}, {3, -1}}));
   EXPECT_EQ(harmonics.order, std::nullopt);
-  EXPECT_EQ(harmonics.order_modes, (std::vector<std::pair<int, double>>{{2, 0.001}}));
+  EXPECT_EQ(harmonics.order_modes, (std::vector<axisym::Mode>{{2, 0.001}}));
 }
 
 TEST(RelaxInput, from_a_scan_has_the_rows_L_unless_the_material_says_otherwise) {

@@ -1,7 +1,7 @@
 // Which of the states of an evolution a picture shows, and what is in their files.
 #pragma once
 
-#include "studies/evolution/frame_file.h"
+#include "studies/evolution/evolution_files.h"
 #include "studies/mesh_files/mesh_file.h"
 
 #include <filesystem>

@@ -1,7 +1,6 @@
-#include "studies/io/timed_table.h"
+#include "studies/io/growing_table.h"
 
 #include <algorithm>
-#include <sstream>
 
 namespace sbeh::studies {
 
