@@ -1,7 +1,7 @@
 #include "studies/evolution/relax.h"
 
 #include "axisym/start_shapes.h"
-#include "model/rest_order.h"
+#include "model/order_step.h"
 #include "studies/evolution/evolution_files.h"
 #include "studies/evolution/flow_progress.h"
 #include "studies/io/interrupt.h"

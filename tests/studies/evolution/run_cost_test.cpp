@@ -1,7 +1,6 @@
 // What a 3D run is said to cost.
-#include "studies/evolution/run_start.h"
-
 #include "meshing/shapes.h"
+#include "studies/evolution/run_start.h"
 #include "surface3d/coupled_system.h"
 
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // Tables by their lists of columns: what stands in a file, and that it is read back as it was.
-#include "studies/compare/compare_tables.h"
+#include "studies/compare/compare.h"
 #include "studies/evolution/evolution_files.h"
 #include "studies/figures/figures.h"
 #include "studies/io/growing_table.h"
