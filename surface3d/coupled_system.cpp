@@ -80,9 +80,9 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
                              const Curvature& curvature, const Origin& from, double tau,
                              const Constraints& constraints) {
   layout_.pattern.set_zero(flow_);
-  normals_ = curvature.node_normals;
+  node_normals_ = curvature.node_normals;
   total_area_rate_.setZero(along_normals() ? mesh.count() : 0);
-  std::visit([&](auto& scheme) { scheme.begin(mesh, normals_, tau); }, scheme_);
+  std::visit([&](auto& scheme) { scheme.begin(mesh, node_normals_, tau); }, scheme_);
   const StepParameters step{.area_rate = constraints.area_rate, .area = area_};
 
   for_each_by_colour(mesh, [&](int e) {
@@ -91,7 +91,7 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
     const MovingTriangle triangle{.e = e,
                                   .tau = tau,
                                   .X = on_element(mesh, e, old.X),
-                                  .normals = on_element(mesh, e, normals_),
+                                  .node_normals = on_element(mesh, e, node_normals_),
                                   .from = on_element(mesh, e, from.X),
                                   .H_from = on_element(mesh, e, from.H)};
     assemble_element(material_,
@@ -102,7 +102,7 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
                      step, element);
     set_flow(element, constraints.keep_volume, piece);
     std::visit([&](auto& scheme) { scheme.add(mesh, triangle, element.mesh, piece); }, scheme_);
-    add_flow(e, triangle.normals, piece);
+    add_flow(e, triangle.node_normals, piece);
   });
   set_multipliers(constraints);
 }
@@ -126,7 +126,7 @@ Eigen::VectorXd CoupledSystem::motion_rhs(const Eigen::VectorXd& flow) const {
 }
 
 Nodes CoupledSystem::velocity(const Eigen::VectorXd& flow) const {
-  if (along_normals()) return normals_ * flow.head(nodes_).asDiagonal();
+  if (along_normals()) return node_normals_ * flow.head(nodes_).asDiagonal();
   return flow.head(3 * nodes_).reshaped(3, nodes_);
 }
 Field CoupledSystem::pressure(const Eigen::VectorXd& flow) const {

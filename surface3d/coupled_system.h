@@ -83,7 +83,7 @@ class CoupledSystem {
   FlowLayout layout_;
   LinearSystem flow_;
   Eigen::VectorXd total_area_rate_;  // by element, under a global area constraint
-  Nodes normals_;                    // 3 x nodes, of the old surface
+  Nodes node_normals_;               // 3 x nodes, of the old surface
 };
 
 }  // namespace sbeh::surface3d

@@ -63,7 +63,7 @@ void add_constraints(const SurfacePoint& x, const Shapes& phi, ElementSystem& ou
   Eigen::Matrix<double, 3, 7> directions;  // ν, e_k, e_k × x
   directions << x.nu(), Eigen::Matrix3d::Identity(), -cross_matrix(x.x);
   for (int k = 0; k < 3; ++k)
-    out.constraints.middleRows<10>(10 * k) += phi * (x.dS * directions.row(k));
+    out.constraints.middleRows<10>(10 * k) += phi * (x.dS * directions.row(k));  // (V4), (P2)
 }
 
 }  // namespace

@@ -1,10 +1,10 @@
 // How the mesh moves, and what its curvature is: (Y1) and (H1) of model/equations.md on a triangle.
 //
 //   ( Y·ν, G ) − τ ( V·ν, G ) = 0                                                 (Y1)
-//   ( H ν, Z ) + ( ∇_C Y, ∇_C Z ) = −θ ( ∇_C X, ∇_C Z ) + (1 − θ) ( H_X ν, Z )     (H1)
+//   ( H ν, Z ) + ( ∇_C Y, ∇_C Z ) = −θ ( ∇_C x̂, ∇_C Z ) + (1 − θ) ( Ĥ ν, Z )      (H1)
 //
-// X are the positions from which the displacement Y counts (the old ones but for two-step methods), H_X is
-// their curvature on the old surface, and θ = τ/(τ + mesh_relaxation_time): the mesh does not jump to its
+// x̂ are the positions from which the displacement Y counts (the old ones but for two-step methods), Ĥ is
+// their curvature on the old surface (`from`, `H_from`), and θ = τ/(τ + mesh_relaxation_time): the mesh does not jump to its
 // own equilibrium within one step, but moves there at a finite rate. Along the normals this is nothing new;
 // Y/τ has a limit for τ → 0, and errors in time are those of a smooth motion.
 //
@@ -25,9 +25,9 @@ inline constexpr double mesh_relaxation_time = 0.02;
 struct MovingTriangle {
   int e;
   double tau;
-  ElementNodes X, normals;  ///< of the old surface
-  ElementNodes from;        ///< the positions from which Y counts
-  ElementField H_from;      ///< their curvature
+  ElementNodes X, node_normals;  ///< of the old surface
+  ElementNodes from;             ///< the positions from which Y counts
+  ElementField H_from;           ///< their curvature
 };
 
 /// The forms that (Y1) and (H1) are made of. Fields are given by their nodes, results by the nodes of the

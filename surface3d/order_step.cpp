@@ -35,7 +35,7 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
     const ElementNodes X = on_element(mesh, e, at.X),
                        normals = on_element(mesh, e, curvature.normals),
                        local_slip = on_element(mesh, e, slip);
-    const ElementField beta = on_element(mesh, e, at.beta), old = on_element(mesh, e, from),
+    const ElementField beta = on_element(mesh, e, at.beta), beta_from = on_element(mesh, e, from),
                        H = on_element(mesh, e, curvature.H);
     Eigen::Matrix<double, 10, 10> local = decltype(local)::Zero();
     ElementField vector = ElementField::Zero();
@@ -46,7 +46,7 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
       const model::OrderData d = model::order_step_point(
           material,
           {.beta = value_at(beta, s),
-           .beta_old = value_at(old, s),
+           .beta_old = value_at(beta_from, s),
            .H = h,
            .K = model::gauss_curvature(B),
            .slip = x.frame.leftCols<2>().transpose() * value_at(local_slip, s)},

@@ -27,7 +27,7 @@ ElementNodes foot_points(const ElementNodes& X, const ElementNodes& from, const 
 void Split::begin(const Triangulation& mesh, const Nodes& normals, double tau) {
   pattern_.set_zero(motion_);
   tau_ = tau;
-  normals_ = normals;
+  node_normals_ = normals;
   tangents_.fill(Nodes(3, normals.cols()));
   for (Eigen::Index i = 0; i < normals.cols(); ++i) {
     const auto tangents = tangents_at(normals.col(i));
@@ -41,7 +41,8 @@ void Split::add(const Triangulation& mesh, const MovingTriangle& t, const MeshEq
                 FlowPiece& piece) {
   add_to_flow(t, equation, piece);
   add_to_motion(mesh, t, equation);
-  mesh.scalars.add(t.e, equation.normal_mass_along(t.normals).transpose(), normal_flux_);
+  mesh.scalars.add(t.e, equation.normal_mass_along(t.node_normals).transpose(),
+                   normal_flux_);  // (Y1)
   triangles_[std::size_t(t.e)] = {mesh.triangles.col(t.e), equation};
 }
 
@@ -49,14 +50,14 @@ void Split::add(const Triangulation& mesh, const MovingTriangle& t, const MeshEq
 // gives the row a of G.
 void Split::add_to_flow(const MovingTriangle& t, const MeshEquation& equation,
                         FlowPiece& piece) const {
-  const ElementNodes &n = t.normals, foot = foot_points(t.X, t.from, n);
-  piece.block(FlowPiece::G, FlowPiece::H) = equation.normal_mass_along(n);
+  const ElementNodes &n = t.node_normals, foot = foot_points(t.X, t.from, n);
+  piece.block(FlowPiece::G, FlowPiece::H) = equation.normal_mass_along(n);  // (H1)
   const MeshEquation::Scalar stiffness = equation.stiffness_between(n, n);
   for (int k = 0; k < 3; ++k) {
     piece.block(FlowPiece::G, FlowPiece::V + 10 * k) =
-        t.tau * stiffness * n.row(k).transpose().asDiagonal();
+        t.tau * stiffness * n.row(k).transpose().asDiagonal();  // (H1)
     piece.rhs.segment<10>(FlowPiece::G) -=
-        (n.row(k).transpose().asDiagonal() * equation.stiffness) * foot.row(k).transpose();
+        (n.row(k).transpose().asDiagonal() * equation.stiffness) * foot.row(k).transpose();  // (H1)
   }
 }
 
@@ -72,8 +73,8 @@ void Split::add_to_motion(const Triangulation& mesh, const MovingTriangle& t,
     const ElementNodes& test = tangents[std::size_t(i)];
     for (int j = 0; j < 2; ++j)
       matrix.block<10, 10>(10 * i, 10 * j) =
-          equation.stiffness_between(test, tangents[std::size_t(j)]);
-    rhs.segment<10>(10 * i) = test.cwiseProduct(force).colwise().sum().transpose();
+          equation.stiffness_between(test, tangents[std::size_t(j)]);                // (H1)
+    rhs.segment<10>(10 * i) = test.cwiseProduct(force).colwise().sum().transpose();  // (H1)
   }
   pattern_.add(t.e, matrix, motion_.matrix);
   pattern_.add(t.e, rhs, motion_.rhs);
@@ -81,15 +82,15 @@ void Split::add_to_motion(const Triangulation& mesh, const MovingTriangle& t,
 
 // The displacement by the normal part of the velocity.
 Nodes Split::along_normals(const Nodes& V) const {
-  const Field speed = V.cwiseProduct(normals_).colwise().sum();
-  return normals_ * (tau_ * speed).asDiagonal();
+  const Field speed = V.cwiseProduct(node_normals_).colwise().sum();
+  return node_normals_ * (tau_ * speed).asDiagonal();
 }
 
 Eigen::VectorXd Split::motion_rhs(const Nodes& V, const Field& H) const {
   const Nodes Y = along_normals(V);
   Nodes force = Nodes::Zero(3, V.cols());
   for (const auto& [nodes, equation] : triangles_)
-    force(Eigen::all, nodes) += equation.mesh_force(H(nodes), Y(Eigen::all, nodes));
+    force(Eigen::all, nodes) += equation.mesh_force(H(nodes), Y(Eigen::all, nodes));  // (H1)
   Eigen::VectorXd rhs = motion_.rhs;
   for (int k = 0; k < 2; ++k)
     rhs.reshaped(2, V.cols()).row(k) -=
@@ -106,12 +107,12 @@ Nodes Split::displacement(const Nodes& V, const Eigen::VectorXd&,
   const Nodes missing = tau_ * V - Y;
   Eigen::RowVectorXd flux = Eigen::RowVectorXd::Zero(V.cols());
   for (const auto& [nodes, equation] : triangles_)
-    flux(nodes) += equation.normal_flux(missing(Eigen::all, nodes));
-  Eigen::BiCGSTAB<SparseMatrix> solver(normal_flux_);  // nearly a mass matrix
+    flux(nodes) += equation.normal_flux(missing(Eigen::all, nodes));  // (Y1)
+  Eigen::BiCGSTAB<SparseMatrix> solver(normal_flux_);                 // nearly a mass matrix
   solver.setTolerance(1e-8);  // of the flux, which is of higher order in the mesh size
   const Field correction = solver.solve(flux.transpose());
   if (solver.info() != Eigen::Success) Y.setConstant(std::numeric_limits<double>::quiet_NaN());
-  return Y + normals_ * correction.asDiagonal();
+  return Y + node_normals_ * correction.asDiagonal();
 }
 
 }  // namespace sbeh::surface3d

@@ -45,7 +45,7 @@ class Split {
   SparsePattern pattern_;
   LinearSystem motion_;
   double tau_ = 0;
-  Nodes normals_;                  // 3 x nodes, of the old surface
+  Nodes node_normals_;             // 3 x nodes, of the old surface
   std::array<Nodes, 2> tangents_;  // 3 x nodes, unit, orthogonal to each other and to the normals
   SparseMatrix normal_flux_;       // of (Y1) along the node normals: (n_b·ν φ_b, φ_a)
   std::vector<Triangle> triangles_;
