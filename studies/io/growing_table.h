@@ -4,7 +4,6 @@
 #include "studies/io/columns.h"
 
 #include <map>
-#include <ranges>
 #include <sstream>
 
 namespace sbeh::studies {
@@ -37,7 +36,9 @@ class GrowingTable {
   /// Rewrites the file in the order of the keys.
   void sort() {
     file_.reset();
-    write_file(path_, table_text(columns_, rows_ | std::views::values));
+    std::string text = header_of(columns_) + "\n";
+    for (const auto& [key, row] : rows_) text += line_of(columns_, row) + "\n";
+    write_file(path_, text);
     file_.emplace(path_);
   }
 

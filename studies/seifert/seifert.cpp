@@ -77,6 +77,7 @@ SpecialPoints agreed_points(const std::vector<WitnessReport>& witnesses) {
   SpecialPoints points{};
   for (const auto& [name, member] : special_point_names()) {
     std::vector<SpecialPoint> each;
+    each.reserve(witnesses.size());
     for (const WitnessReport& w : witnesses) each.push_back(w.points.*member);
     SpecialPoint& agreed = points.*member;
     agreed = *std::ranges::min_element(each, {}, &SpecialPoint::error);
