@@ -51,7 +51,7 @@ const Format* format_of(std::string_view suffix) {
                                        {".off", parse_off, off_text},
                                        {".ply", parse_ply, ply_text},
                                        {".stl", parse_stl, stl_text}};
-  const auto found = std::ranges::find(formats, suffix, &Format::suffix);
+  const auto* found = std::ranges::find(formats, suffix, &Format::suffix);
   return found == std::end(formats) ? nullptr : found;
 }
 
