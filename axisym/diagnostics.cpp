@@ -54,7 +54,6 @@ std::array<double, 2> pole_curvatures(const Nodes& X, const Field& H) {
 Diagnostics diagnose(const model::Material& material, const State& state) {
   const Field H = mean_curvature(state.X);
   Diagnostics d{};
-  d.W2 = d.order_variance = 0;
   d.energy = energy(material, state, H);
   d.area = area(state.X);
   d.volume = volume(state.X);

@@ -17,15 +17,23 @@ Energy energy(const model::Material& material, const State& state, const Field& 
 /// next three elements. Needs 8 elements.
 std::array<double, 2> pole_curvatures(const Nodes& X, const Field& H);
 
-struct Diagnostics : model::Diagnostics {
+/// Integrated and extreme values of a state; lengths in radii of the sphere of equal area.
+struct Diagnostics {
+  Energy energy;
+  double area, volume, reduced_volume;
+  double W2;  ///< ∫ H dS, −8π on the unit sphere
+  double order_min, order_mean, order_max;
+  double order_variance;  ///< (1/A)∫(β − mean)² dS
+  double order_std;       ///< its root
   double H_pole;          ///< at the north pole, see pole_curvatures
   double H_rim;           ///< where r is largest
+  double H_abs_max;       ///< largest |H|
   double radius_equator;  ///< largest r
   double thickness_pole;  ///< distance of the poles along the axis
-  double resolution;  ///< largest curvature of the generating curve times the node spacing: above
-                      ///< about 0.35 a rim or a neck is not resolved
+  double resolution;    ///< largest curvature of the generating curve times the node spacing: above
+                        ///< about 0.35 a rim or a neck is not resolved
+  double mesh_quality;  ///< shortest over longest element
 };
-/// The quality of the mesh is its shortest over its longest element.
 Diagnostics diagnose(const model::Material& material, const State& state);
 
 }  // namespace sbeh::axisym

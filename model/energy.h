@@ -1,8 +1,5 @@
-// What is measured on a surface by either solver: its energy and the rates at which that is dissipated, split
-// as they are reported, its geometry and its order.
+// The energy of a surface and the rates at which it is dissipated, split as they are reported.
 #pragma once
-
-#include <limits>
 
 namespace sbeh::model {
 
@@ -25,20 +22,5 @@ inline Dissipation combine(double a, const Dissipation& x, double b, const Dissi
   return {a * x.friction + b * y.friction, a * x.order + b * y.order,
           a * x.viscous + b * y.viscous};
 }
-
-/// Integrated and extreme values of a state, NaN until they are known; lengths in radii of the sphere of
-/// equal area.
-struct Diagnostics {
-  static constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
-
-  Energy energy;
-  double area = unknown, volume = unknown, reduced_volume = unknown;
-  double W2 = unknown;  ///< ∫ H dS, −8π on the unit sphere
-  double order_min = unknown, order_mean = unknown, order_max = unknown;
-  double order_variance = unknown;  ///< (1/A)∫(β − mean)² dS
-  double order_std = unknown;       ///< its root
-  double H_abs_max = unknown;       ///< largest |H|
-  double mesh_quality = unknown;    ///< see the solver's
-};
 
 }  // namespace sbeh::model

@@ -52,7 +52,6 @@ Diagnostics diagnose(const Triangulation& mesh, const model::Material& material,
   const auto curvature = curvature_of(mesh, state.X);
   if (!curvature) throw std::runtime_error("diagnose: the surface is degenerate");
   Diagnostics d{};
-  d.W2 = d.order_variance = 0;
   d.energy = energy(mesh, material, state, *curvature);
   d.area = area(mesh, state.X);
   d.volume = volume(mesh, state.X);

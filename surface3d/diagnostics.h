@@ -21,9 +21,18 @@ double mesh_quality(const Triangulation& mesh, const Nodes& X);
 /// A mesh of lower quality is degenerate.
 inline constexpr double degenerate_quality = 0.02;
 
-struct Diagnostics : model::Diagnostics {
+/// Integrated and extreme values of a state; lengths in radii of the sphere of equal area.
+struct Diagnostics {
+  Energy energy;
+  double area, volume, reduced_volume;
+  double W2;                     ///< ∫ H dS, −8π on the unit sphere
   double total_gauss_curvature;  ///< ∫ K dS: 4π but for the error of B
-  double resolution;             ///< largest |B| times the node spacing
+  double order_min, order_mean, order_max;
+  double order_variance;  ///< (1/A)∫(β − mean)² dS
+  double order_std;       ///< its root
+  double H_abs_max;       ///< largest |H|
+  double resolution;      ///< largest |B| times the node spacing
+  double mesh_quality;    ///< see mesh_quality
 };
 /// Throws std::runtime_error where the surface is degenerate.
 Diagnostics diagnose(const Triangulation& mesh, const model::Material& material,

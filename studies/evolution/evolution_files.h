@@ -26,7 +26,7 @@ class SeriesWriter {
 
  private:
   void add(const model::FlowRecord& record, const auto& diagnostics) {
-    table_.append(record.time, line_of(series_columns(), SeriesRow{record, diagnostics}));
+    table_.append(record.time, line_of(series_columns(), series_row(record, diagnostics)));
   }
 
   const Times& times_;

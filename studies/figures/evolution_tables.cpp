@@ -38,7 +38,7 @@ Oblates oblates_of(const FoundRun& run) {
   const auto series = read_rows(series_columns(), run.folder / "series.csv");
   if (series.empty()) return {};
   axisym::StationaryCase oblate{.model = run.input.model,
-                                .reduced_volume = series.front().diagnostics.reduced_volume,
+                                .reduced_volume = series.front().reduced_volume,
                                 .material = run.input.material};
   Oblates energies{.same = newton_state(oblate).measures.energy};
   oblate.material.residual_stiffness = 0;
@@ -111,10 +111,10 @@ std::vector<std::string> write_measures(const Sources& sources) {
                       .unresolved_from = found->unresolved_from,
                       .time = at.record.time,
                       .energy = at.record.energy.total(),
-                      .W2 = at.diagnostics.W2,
-                      .order_std = at.diagnostics.order_std,
-                      .order_variance = at.diagnostics.order_variance,
-                      .reduced_volume = at.diagnostics.reduced_volume});
+                      .W2 = at.W2,
+                      .order_std = at.order_std,
+                      .order_variance = at.order_variance,
+                      .reduced_volume = at.reduced_volume});
   }
   if (!rows.empty())
     write_file(sources.folder / "measures.csv", table_text(measure_columns(), rows));

@@ -40,7 +40,7 @@ class Scan {
     const auto at = rows_.find(key);
     if (at != rows_.end() && at->second.diagnostics) return *at->second.diagnostics;
     axisym::Diagnostics none{};
-    none.energy.bending = not_known;
+    none.energy.bending = none.order_min = none.order_max = none.H_abs_max = not_known;
     return none;
   }
 

@@ -129,13 +129,12 @@ std::string model_of_evolution(const fs::path& folder) {
 
 KeyNumbers of_evolution(const fs::path& folder, ResultsKind kind) {
   const auto series = rows_of(series_columns(), folder / "series.csv");
-  const auto& [end, last] = series.back();
+  const SeriesRow& last = series.back();
+  const model::FlowRecord& end = last.record;
   const std::string model = model_of_evolution(folder);
-  const auto range = [&](double model::Diagnostics::*member) {
-    return range_of(series, inside(&SeriesRow::diagnostics, member));
-  };
-  const Range area = range(&model::Diagnostics::area), volume = range(&model::Diagnostics::volume),
-              quality = range(&model::Diagnostics::mesh_quality);
+  const Range area = range_of(series, &SeriesRow::area),
+              volume = range_of(series, &SeriesRow::volume),
+              quality = range_of(series, &SeriesRow::mesh_quality);
   return {
       fmt::format("{} evolution{} to t = {:.6g}", kind == ResultsKind::run ? "3D" : "Axisymmetric",
                   model.empty() ? "" : " of " + model, end.time),

@@ -224,7 +224,7 @@ std::optional<PointOutcome> flow_to_rest(const StationaryCase& of, double end_ti
   const Stopwatch watch;
   const axisym::FlowResult run = flow_from_spheroid(
       of, {.end_time = end_time}, [&](const axisym::FlowRecord& record, const State& state, bool) {
-        history.push_back({record, axisym::diagnose(of.material, state)});
+        history.push_back(series_row(record, axisym::diagnose(of.material, state)));
         return interrupt_signal() == 0;
       });
   if (run.stop == axisym::FlowStop::interrupted) return {};

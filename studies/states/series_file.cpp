@@ -2,7 +2,6 @@
 
 namespace sbeh::studies {
 
-using model::Diagnostics;
 using model::Dissipation;
 using model::Energy;
 using model::FlowRecord;
@@ -11,9 +10,6 @@ const Columns<SeriesRow>& series_columns() {
   using Row = SeriesRow;
   const auto of_record = [](std::string name, auto... members) {
     return column<Row>(std::move(name), inside(&Row::record, members...));
-  };
-  const auto measured = [](std::string name, double Diagnostics::*member) {
-    return column<Row>(std::move(name), inside(&Row::diagnostics, member));
   };
   static const Columns<Row> columns{
       of_record("time", &FlowRecord::time),
@@ -27,19 +23,19 @@ const Columns<SeriesRow>& series_columns() {
       of_record("dissipation_order", &FlowRecord::dissipation, &Dissipation::order),
       of_record("dissipation_viscous", &FlowRecord::dissipation, &Dissipation::viscous),
       of_record("energy_balance", &FlowRecord::energy_balance),
-      measured("area", &Diagnostics::area),
-      measured("volume", &Diagnostics::volume),
-      measured("reduced_volume", &Diagnostics::reduced_volume),
-      measured("W2", &Diagnostics::W2),
-      measured("order_min", &Diagnostics::order_min),
-      measured("order_mean", &Diagnostics::order_mean),
-      measured("order_max", &Diagnostics::order_max),
-      measured("order_variance", &Diagnostics::order_variance),
-      measured("order_std", &Diagnostics::order_std),
-      measured("H_abs_max", &Diagnostics::H_abs_max),
+      column("area", &Row::area),
+      column("volume", &Row::volume),
+      column("reduced_volume", &Row::reduced_volume),
+      column("W2", &Row::W2),
+      column("order_min", &Row::order_min),
+      column("order_mean", &Row::order_mean),
+      column("order_max", &Row::order_max),
+      column("order_variance", &Row::order_variance),
+      column("order_std", &Row::order_std),
+      column("H_abs_max", &Row::H_abs_max),
       of_record("speed_max", &FlowRecord::speed_max),
       of_record("lambda", &FlowRecord::lambda),
-      measured("mesh_quality", &Diagnostics::mesh_quality),
+      column("mesh_quality", &Row::mesh_quality),
       of_record("rejected_steps", &FlowRecord::rejected),
   };
   return columns;

@@ -7,12 +7,22 @@
 
 namespace sbeh::studies {
 
-/// What is known at one time, of either solver.
+/// What is known at one time, of either solver; members as in its Diagnostics.
 struct SeriesRow {
   model::FlowRecord record;
-  model::Diagnostics diagnostics;  ///< but for the energy, which is the record's
+  double area = not_known, volume = not_known, reduced_volume = not_known, W2 = not_known;
+  double order_min = not_known, order_mean = not_known, order_max = not_known;
+  double order_variance = not_known, order_std = not_known;
+  double H_abs_max = not_known, mesh_quality = not_known;
 };
 
 const Columns<SeriesRow>& series_columns();
+
+template <class Diagnostics>
+SeriesRow series_row(const model::FlowRecord& record, const Diagnostics& d) {
+  return {record,      d.area,        d.volume,    d.reduced_volume, d.W2,
+          d.order_min, d.order_mean,  d.order_max, d.order_variance, d.order_std,
+          d.H_abs_max, d.mesh_quality};
+}
 
 }  // namespace sbeh::studies
