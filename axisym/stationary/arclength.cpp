@@ -38,10 +38,11 @@ Eigen::VectorXd Line::gradient_rate(double mu, const StationaryState& s) const {
 namespace {
 
 // The equation of the hyperplane across `direction`, in the length of length_of.
-Parameter across(const Line& line, const LineState& at, const Increment& direction) {
+Parameter across(const Line& line, const Eigen::VectorXd& gradient_rate,
+                 const Increment& direction) {
   Increment row = scaled(direction, 1. / double(direction.d.size()));
   row.parameter = direction.parameter;
-  return {line.gradient_rate(at.mu, at.s), line.volume_rate(), row};
+  return {gradient_rate, line.volume_rate(), row};
 }
 
 NewtonSystem system_at(const Line& line, const LineState& at) {
@@ -60,11 +61,12 @@ std::optional<PathState> with_tangent(const Line& line, const LineState& at,
   NewtonSystem system = system_at(line, at);
   if (!system.linearise(at.s)) return {};
   Increment t, ahead;
+  const Eigen::VectorXd gradient_rate = line.gradient_rate(at.mu, at.s);
   // Along μ for the sign of the determinant, and for the direction where there is no other.
-  const bool regular = system.tangent(line.gradient_rate(at.mu, at.s), line.volume_rate(), ahead);
+  const bool regular = system.tangent(gradient_rate, line.volume_rate(), ahead);
   const int sign = regular ? system.determinant_sign() : 0;
   if (forward) {
-    if (!system.tangent(across(line, at, *forward), t)) return {};
+    if (!system.tangent(across(line, gradient_rate, *forward), t)) return {};
   } else if (regular) {
     t = ahead;
   } else {
@@ -83,7 +85,7 @@ std::optional<LineState> predicted(const Line& line, const PathState& from, doub
 std::optional<double> newton_step(const Line& line, LineState& at, const PathState& from,
                                   double /*ds*/) {
   NewtonSystem system = system_at(line, at);
-  const Parameter parameter = across(line, at, from.tangent);
+  const Parameter parameter = across(line, line.gradient_rate(at.mu, at.s), from.tangent);
   Increment step;
   if (!system.linearise(at.s) || !system.newton_step(line.target(at.mu), parameter, 0, step))
     return {};
