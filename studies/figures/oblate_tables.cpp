@@ -20,10 +20,6 @@ using model::Model;
 
 namespace {
 
-fs::path point_file(const Sources& sources, const PointKey& key, const char* ending) {
-  return sources.folder / scan_folder / "points" / (stem(key) + ending);
-}
-
 // The rows of the scan by point; of one that it lacks, one that is not known.
 class Scan {
  public:
@@ -65,7 +61,7 @@ bool add_history(std::vector<EnergyRow>& rows, const fs::path& file, EnergyRow r
 // ---- shapes -------------------------------------------------------------------------------------
 
 std::optional<axisym::State> profile(const Sources& sources, const PointKey& key) {
-  const fs::path file = point_file(sources, key, ".csv");
+  const fs::path file = point_file(sources.folder / scan_folder, key, ".csv");
   if (!fs::exists(file)) return {};
   return read_profile(file);
 }
@@ -151,7 +147,7 @@ std::vector<std::string> write_energy(const Sources& sources) {
                   .L = key.L,
                   .triangles = {},
                   .at_rest = scan.is_stationary(key)};
-    const fs::path series = point_file(sources, key, ".series.csv");
+    const fs::path series = point_file(sources.folder / scan_folder, key, ".series.csv");
     if (!add_history(rows, series, row))
       missing.push_back(series.lexically_relative(sources.folder).string());
     const PlannedRun plan = oblate_run(sources.inputs, key);

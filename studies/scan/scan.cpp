@@ -37,13 +37,13 @@ struct Scan {
     const PointResult* row = row_of(key);
     if (!row) return {};
     PointOutcome point{*row, {}};
-    if (row->diagnostics) point.state = read_profile(file_of(key, ".csv"));
+    if (row->diagnostics) point.state = read_profile(point_file(folder.path(), key, ".csv"));
     return point;
   }
 
   /// Keeps a point: its files first, so that a row means that they are whole.
   void keep(const PointOutcome& point) {
-    if (point.state) write_profile(file_of(point.row.key, ".csv"), *point.state);
+    if (point.state) write_profile(point_file(folder.path(), point.row.key, ".csv"), *point.state);
     const std::lock_guard lock(mutex);
     table.append(point.row);
     ++computed;
@@ -59,10 +59,6 @@ struct Scan {
     const PointOutcome outcome = compute(case_of(input, key));
     keep(outcome);
     return outcome;
-  }
-
-  fs::path file_of(const PointKey& key, const char* ending) const {
-    return folder / ("points/" + stem(key) + ending);
   }
 
   const ScanInput& input;
@@ -88,7 +84,8 @@ struct Scan {
   const PointResult* row_of(const PointKey& key) {
     const std::lock_guard lock(mutex);
     const PointResult* row = table.find(key);
-    return row && row->diagnostics && !fs::exists(file_of(key, ".csv")) ? nullptr : row;
+    return row && row->diagnostics && !fs::exists(point_file(folder.path(), key, ".csv")) ? nullptr
+                                                                                          : row;
   }
 };
 
@@ -198,7 +195,8 @@ void scan_by_flow(Scan& scan) {
                            ? std::optional(sphere_point(of))
                            : flow_to_rest(of, scan.input.flow_end_time, history);
     if (!outcome) return;
-    write_file(scan.file_of(keys[k], ".series.csv"), table_text(series_columns(), history));
+    write_file(point_file(scan.folder.path(), keys[k], ".series.csv"),
+               table_text(series_columns(), history));
     scan.keep(*outcome);
   });
 }

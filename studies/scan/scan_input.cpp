@@ -17,6 +17,11 @@ std::string stem(const PointKey& key) {
                      key.L);
 }
 
+std::filesystem::path point_file(const std::filesystem::path& folder, const PointKey& key,
+                                 std::string_view ending) {
+  return folder / "points" / (stem(key) + std::string(ending));
+}
+
 std::vector<PointKey> points_of(const StateGrid& grid) {
   std::vector<PointKey> keys;
   for (const double v : grid.reduced_volume)

@@ -45,6 +45,9 @@ struct PointKey {
 };
 /// Name of the point's files without ending, such as SBEH_oblate_v0.6_L0.07.
 std::string stem(const PointKey& key);
+/// One of its files in a scan's folder: the profile with ".csv".
+std::filesystem::path point_file(const std::filesystem::path& folder, const PointKey& key,
+                                 std::string_view ending);
 /// All of a grid, in order.
 std::vector<PointKey> points_of(const StateGrid& grid);
 axisym::StationaryCase case_of(const StateGrid& grid, const PointKey& key);

@@ -32,8 +32,7 @@ void write_shape(TomlText& toml, const ScanRow& row) {
 }
 
 axisym::State state_of(const ScanRow& row) {
-  const std::filesystem::path file =
-      std::filesystem::path(row.folder) / "points" / (stem(row) + ".csv");
+  const std::filesystem::path file = point_file(row.folder, row, ".csv");
   if (!std::filesystem::exists(file))
     throw OutputError(fmt::format("{}: is not there; the rows of that scan stand in {}/scan.csv",
                                   file.string(), row.folder));

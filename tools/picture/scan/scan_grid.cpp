@@ -61,11 +61,11 @@ const PointResult* ScanGrid::find(Model model, std::size_t reduced_volume,
 }
 
 std::filesystem::path ScanGrid::profile(const PointResult& point) const {
-  return directory_ / "points" / (stem(point.key) + ".csv");
+  return point_file(directory_, point.key, ".csv");
 }
 
 std::filesystem::path ScanGrid::series(const PointResult& point) const {
-  return directory_ / "points" / (stem(point.key) + ".series.csv");
+  return point_file(directory_, point.key, ".series.csv");
 }
 
 double energy_of(const PointResult& point) {
