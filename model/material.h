@@ -82,6 +82,9 @@ struct Material {
     return 1.5 * (immobility + viscosity * order_viscosity * order_viscosity / 2);
   }
 
+  /// Whether nothing resists a rigid motion.
+  bool frictionless() const { return friction_tangential == 0 && friction_normal == 0; }
+
   /// One-constant approximation with elastic constant L, the rest as here.
   Material with_L(double L) const;
 

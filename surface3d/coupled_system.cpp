@@ -39,7 +39,7 @@ CoupledSystem::CoupledSystem(const Triangulation& mesh, const model::Material& m
       area_(area),
       nodes_(mesh.nodes),
       quadratic_nodes_(mesh.quadratic_nodes),
-      multipliers_(material.friction_tangential == 0 && material.friction_normal == 0 ? 7 : 1),
+      multipliers_(material.frictionless() ? 7 : 1),
       scheme_(chosen(scheme, mesh)),
       layout_(flow_layout(mesh, area, has_displacement(), along_normals() ? 2 : multipliers_)) {}
 
@@ -55,7 +55,7 @@ void CoupledSystem::set_flow(const ElementSystem& element, bool keep_volume,
   piece.matrix.setZero(size, size);
   piece.rhs.setZero(size);
   piece.matrix.topLeftCorner<head, head>() = element.flow.topLeftCorner<head, head>();
-  piece.matrix.block<head, 10>(0, FlowPiece::H) = element.flow.block<head, 10>(0, local::H);
+  piece.matrix.block<head, 10>(0, FlowPiece::H) = element.flow.block<head, 10>(0, padded::H);
   piece.rhs.head<head>() = element.rhs.head<head>();
   piece.matrix.topRightCorner(30, multipliers_) = constraints;                // (V4)
   piece.matrix.bottomLeftCorner(multipliers_, 30) = constraints.transpose();  // (P2)

@@ -23,11 +23,11 @@ std::array<model::DataRow<10>, unknowns_size> data_rows(const ShapeValues& s,
   const auto gradients = [&](int first) {
     for (const auto& grad : x.grad) *row++ = {first, grad.data()};
   };
-  for (int k = 0; k < 3; ++k) values(local::V + 10 * k);
-  for (int k = 0; k < 3; ++k) gradients(local::V + 10 * k);
-  *row++ = {local::p, s.quadratic.data()};
-  values(local::H);
-  gradients(local::H);
+  for (int k = 0; k < 3; ++k) values(padded::V + 10 * k);
+  for (int k = 0; k < 3; ++k) gradients(padded::V + 10 * k);
+  *row++ = {padded::p, s.quadratic.data()};
+  values(padded::H);
+  gradients(padded::H);
   return rows;
 }
 
@@ -71,7 +71,7 @@ void add_constraints(const SurfacePoint& x, const Shapes& phi, ElementSystem& ou
 void assemble_element(const model::Material& material, const ElementState& old,
                       const StepParameters& step, ElementSystem& out) {
   static const Unknowns<Jet> independent = independent_unknowns();
-  static thread_local model::BlockMatrix<10, local::tests / 10, local::size / 10> flow;
+  static thread_local model::BlockMatrix<10, padded::tests / 10, padded::size / 10> flow;
   flow.set_zero();
   out.rhs.setZero();
   out.constraints.setZero();

@@ -6,16 +6,15 @@
 
 namespace sbeh::surface3d {
 
-/// Where the unknowns of the flow on a triangle stand: V_x V_y V_z, p (six, padded to ten), H, ten numbers
-/// each. The test functions W and q stand in the rows of the numbers of V and p.
-namespace local {
-inline constexpr int V = 0, p = 30, H = 40, size = 50, tests = 40;
+/// V, p, H as in FlowPiece, but p padded from six numbers to the ten that each component of the others has.
+namespace padded {
+inline constexpr int V = FlowPiece::V, p = FlowPiece::p, H = p + 10, size = H + 10, tests = H;
 }
 
 /// The parts of the coupled step on a triangle.
 struct ElementSystem {
-  Eigen::Matrix<double, local::tests, local::size> flow;  // row: test function, column: unknown
-  Eigen::Matrix<double, local::tests, 1> rhs;
+  Eigen::Matrix<double, padded::tests, padded::size> flow;  // row: test function, column: unknown
+  Eigen::Matrix<double, padded::tests, 1> rhs;
   /// What the multipliers meet: (ν, W) of (V4) and (P2), then (R, W) of the rigid motions R: three
   /// translations, three rotations about the axes.
   Eigen::Matrix<double, 30, 7> constraints;

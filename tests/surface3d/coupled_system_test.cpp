@@ -94,19 +94,19 @@ Dense dense_system(const Surface& s, const Material& material, int multipliers) 
                       .beta = on_element(mesh, e, s.state.beta),
                       .H = on_element(mesh, e, curvature->H)},
                      {.area_rate = pulled.area_rate}, element);
-    Eigen::VectorXi index = Eigen::VectorXi::Constant(local::size, -1);
+    Eigen::VectorXi index = Eigen::VectorXi::Constant(padded::size, -1);
     for (int a = 0; a < 10; ++a) {
-      for (int k = 0; k < 3; ++k) index[local::V + 10 * k + a] = 3 * mesh.triangles(a, e) + k;
-      if (a < 6) index[local::p + a] = d.p() + mesh.quadratic(a, e);
-      index[local::H + a] = d.H() + mesh.triangles(a, e);
+      for (int k = 0; k < 3; ++k) index[padded::V + 10 * k + a] = 3 * mesh.triangles(a, e) + k;
+      if (a < 6) index[padded::p + a] = d.p() + mesh.quadratic(a, e);
+      index[padded::H + a] = d.H() + mesh.triangles(a, e);
     }
-    for (int i = 0; i < local::tests; ++i) {
+    for (int i = 0; i < padded::tests; ++i) {
       if (index[i] < 0) {  // the padding of the pressure
         EXPECT_EQ(element.flow.row(i).norm() + element.flow.col(i).norm(), 0);
         continue;
       }
       d.rhs[index[i]] += element.rhs[i];
-      for (int j = 0; j < local::size; ++j)
+      for (int j = 0; j < padded::size; ++j)
         if (index[j] >= 0) d.matrix(index[i], index[j]) += element.flow(i, j);
     }
     add_mesh_equations(s, e, element, d);
