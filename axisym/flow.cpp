@@ -39,7 +39,7 @@ class Solver {
   }
   bool renew(State&) const { return false; }
   std::optional<model::FlowStop> obstacle(const State& state) const {
-    if (diagnose(material_, state).resolution <= resolution_limit) return {};
+    if (diagnose(material_, state).resolution <= largest_resolution) return {};
     return FlowStop::unresolved;
   }
 

@@ -13,8 +13,8 @@ using model::describe, model::FlowRecord, model::FlowSchedule, model::FlowStop, 
 using FlowObserver = model::FlowObserver<State>;
 using FlowResult = model::FlowResult<State>;
 
-/// |H| times the node spacing above which a rim counts as unresolved.
-inline constexpr double resolution_limit = 0.35;
+/// Diagnostics::resolution above which a rim counts as unresolved.
+inline constexpr double largest_resolution = 0.35;
 
 /// Runs the flow from `start`, keeping area and volume at `target` to rounding.
 FlowResult run_flow(const model::Material& material, model::Model model, const State& start,

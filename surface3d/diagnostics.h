@@ -31,7 +31,7 @@ struct Diagnostics {
   double order_variance;  ///< (1/A)∫(β − mean)² dS
   double order_std;       ///< its root
   double H_abs_max;       ///< largest |H|
-  double resolution;      ///< largest |B| times the node spacing
+  double resolution;      ///< largest |B| times the node spacing, as the area there tells it
   double mesh_quality;    ///< see mesh_quality
 };
 /// Throws std::runtime_error where the surface is degenerate.

@@ -75,13 +75,13 @@ class Solver {
     return {.fields = fields_,
             .memory = {stepper_.memory(), past, remeshing_over_},
             .mesh = mesh_,
-            .resolution = resolution_,
+            .indicators = indicators_,
             .remeshed = remeshed_};
   }
   /// Before the first step.
   void look_at(const State& state) {
     if (!curvature_) curvature_ = curvature_of(*mesh_, state.X);
-    if (curvature_) resolution_ = resolution_of(*mesh_, state.X, *curvature_);
+    if (curvature_) indicators_ = indicators_of(*mesh_, state.X, *curvature_);
   }
 
  private:
@@ -92,7 +92,7 @@ class Solver {
   TimeStepper stepper_;
   StepFields fields_;
   std::optional<Curvature> curvature_;  // of the state whose energy was asked for last
-  Resolution resolution_{};
+  Indicators indicators_{};
   std::optional<RemeshResult> remeshed_;
   bool remeshing_over_ = false;
 };
@@ -103,7 +103,7 @@ static_assert(model::FlowIntegrator<model::TwoStep<Solver>, State>);
 bool Solver::renew(State& state) {
   remeshed_.reset();
   look_at(state);
-  if (!numerics_.remesh || remeshing_over_ || resolved(resolution_)) return false;
+  if (!numerics_.remesh || remeshing_over_ || resolved(indicators_)) return false;
   const int triangles = std::min(numerics_.most_triangles, mesh_->count() * 3 / 2);
   remeshed_ = remesh(*mesh_, state, material_, {.triangles = triangles});
   if (!remeshed_->mesh) return remeshing_over_ = true, false;
@@ -114,7 +114,7 @@ bool Solver::renew(State& state) {
   fields_ = {};
   const auto curvature = curvature_of(*mesh_, state.X);
   remeshing_over_ = triangles == numerics_.most_triangles
-                 && !(curvature && resolved(resolution_of(*mesh_, state.X, *curvature)));
+                 && !(curvature && resolved(indicators_of(*mesh_, state.X, *curvature)));
   return true;
 }
 

@@ -28,7 +28,7 @@ struct StepView {
   const StepFields& fields;  ///< of the last solve; empty at the start and on a new mesh
   FlowMemory memory;
   const std::shared_ptr<const Triangulation>& mesh;  ///< of the state
-  const Resolution& resolution;                      ///< of the state, on the mesh before a new one
+  const Indicators& indicators;                      ///< of the state, on the mesh before a new one
   const std::optional<RemeshResult>& remeshed;       ///< when that was tried after this step
 };
 /// Sees every accepted step; `exact` tells that the time is one of the output times. Returning false

@@ -10,12 +10,12 @@ namespace sbeh::studies {
 namespace {
 
 // Which limits are passed.
-std::string reasons(const surface3d::Resolution& r) {
+std::string reasons(const surface3d::Indicators& r) {
   std::vector<std::string> words;
   const auto above = [&](const char* what, double value, double limit) {
     if (value > limit) words.push_back(fmt::format("{} {:.3g} > {}", what, value, limit));
   };
-  above("|B| times the node spacing", r.curvature, surface3d::largest_turn);
+  above("|B| times the node spacing", r.resolution, surface3d::largest_resolution);
   above("difference of the two curvatures", r.curvature_gap, surface3d::largest_curvature_gap);
   const auto below = [&](const char* what, double value, double limit) {
     if (value < limit) words.push_back(fmt::format("{} {:.3g} < {}", what, value, limit));
@@ -29,9 +29,9 @@ std::string reasons(const surface3d::Resolution& r) {
 
 const Columns<EventRow>& event_columns() {
   using Row = EventRow;
-  using surface3d::RemeshReport, surface3d::Resolution;
-  const auto before = [](std::string name, double Resolution::*member) {
-    return column<Row>(std::move(name), inside(&Row::resolution, member));
+  using surface3d::Indicators, surface3d::RemeshReport;
+  const auto before = [](std::string name, double Indicators::*member) {
+    return column<Row>(std::move(name), inside(&Row::indicators, member));
   };
   const auto change = [](std::string name, double RemeshReport::*member) {
     return column<Row>(std::move(name), inside(&Row::report, member));
@@ -40,10 +40,10 @@ const Columns<EventRow>& event_columns() {
       column("time", &Row::time),
       column("event", &Row::event),
       column("triangles", &Row::triangles),
-      before("min_angle", &Resolution::min_angle),
-      before("mesh_quality", &Resolution::mesh_quality),
-      before("turn", &Resolution::curvature),
-      before("curvature_gap", &Resolution::curvature_gap),
+      before("min_angle", &Indicators::min_angle),
+      before("mesh_quality", &Indicators::mesh_quality),
+      before("turn", &Indicators::resolution),
+      before("curvature_gap", &Indicators::curvature_gap),
       change("energy_change", &RemeshReport::energy_change),
       change("area_change", &RemeshReport::area_change),
       change("volume_change", &RemeshReport::volume_change),
@@ -66,7 +66,7 @@ void EventLog::append(const EventRow& event) {
 
 void EventLog::see(const surface3d::FlowRecord& record, const surface3d::StepView& view) {
   const double t = record.time;
-  const surface3d::Resolution& r = view.resolution;
+  const surface3d::Indicators& r = view.indicators;
   if (view.remeshed) see_new_mesh(t, r, *view.remeshed);
   if (view.remeshed && view.remeshed->mesh) return;
   const bool may_change = remesh_ && !view.memory.remeshing_over;
@@ -77,7 +77,7 @@ void EventLog::see(const surface3d::FlowRecord& record, const surface3d::StepVie
                         remesh_ ? "" : "; more triangles, or [numerics] remesh = true, may help"));
 }
 
-void EventLog::see_new_mesh(double t, const surface3d::Resolution& before,
+void EventLog::see_new_mesh(double t, const surface3d::Indicators& before,
                             const surface3d::RemeshResult& made) {
   const surface3d::RemeshReport& report = made.report;
   append({t, made.mesh ? "remeshed" : "not-remeshed", report.triangles_before, before, report});

@@ -16,7 +16,7 @@ struct EventRow {
   double time;
   std::string event;  ///< "unresolved", "remeshed" or "not-remeshed"
   int triangles;
-  surface3d::Resolution resolution;  ///< before
+  surface3d::Indicators indicators;  ///< before
   surface3d::RemeshReport report;    ///< of new triangles
 };
 const Columns<EventRow>& event_columns();
@@ -34,7 +34,7 @@ class EventLog {
 
  private:
   void append(const EventRow& event);
-  void see_new_mesh(double time, const surface3d::Resolution& before,
+  void see_new_mesh(double time, const surface3d::Indicators& before,
                     const surface3d::RemeshResult& made);
 
   TimedTable table_;

@@ -162,7 +162,7 @@ std::vector<LowestRow> find_lowest(const ScanInput& input, const ScanTable& tabl
         }
         for (const RimRecord& state : beyond)
           if (model == Model::SBEH && state.kind == axisym::RimKind::sharp && state.L == L
-              && state.reduced_volume == v && state.resolution <= axisym::resolution_limit)
+              && state.reduced_volume == v && state.resolution <= axisym::largest_resolution)
             offer("sharp_oblate", state.energy);
         if (lowest) rows.push_back(*lowest);
       }
@@ -215,7 +215,7 @@ const Columns<RimRecord>& rim_columns() {
       column("resolution", &RimRecord::resolution),
       derived_column<RimRecord>("status",
                                 [](const RimRecord& row) {
-                                  return name(row.resolution > axisym::resolution_limit
+                                  return name(row.resolution > axisym::largest_resolution
                                                   ? PointStatus::unresolved
                                                   : PointStatus::stationary);
                                 }),

@@ -58,7 +58,7 @@ std::vector<LowestRow> find_lowest(const ScanInput& input, const ScanTable& tabl
                                    const std::vector<axisym::RimRecord>& beyond);
 
 /// Of folds.csv, equal_energy.csv, lowest.csv, and beyond_fold.csv, whose `status` is unresolved where the
-/// resolution is above resolution_limit (axisym/flow.h).
+/// resolution is above largest_resolution (axisym/flow.h).
 const Columns<FoldRow>& fold_columns();
 const Columns<EqualEnergyRow>& equal_energy_columns();
 const Columns<LowestRow>& lowest_columns();

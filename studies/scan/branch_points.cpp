@@ -46,10 +46,10 @@ PointOutcome stationary(const StationaryCase& of, const State& state) {
     row.status = status;
     row.stop_reason = std::move(reason);
   };
-  if (resolution > axisym::resolution_limit)
+  if (resolution > axisym::largest_resolution)
     is(PointStatus::unresolved,
        fmt::format("|H| times node spacing is {:.2f} at the rim, more than {}: use more elements",
-                   resolution, axisym::resolution_limit));
+                   resolution, axisym::largest_resolution));
   else if (row.self_contact)
     is(PointStatus::unresolved, "the surface passes through itself: contact is not in the model");
   else if (row.shape != name(of.branch))

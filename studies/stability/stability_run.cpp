@@ -49,7 +49,7 @@ class Observer {
     const double amplitude = mode_amplitude(*view.mesh, state.X, key_.l, key_.m);
     history.push_back({record.time, record.time_step, record.energy.total(), amplitude,
                        record.normal_speed, record.order_speed});
-    if (!unresolved_from && !resolved(view.resolution)) unresolved_from = record.time;
+    if (!unresolved_from && !resolved(view.indicators)) unresolved_from = record.time;
     if (record.time >= settling_time_) {
       amplitudes.push_back({record.time, amplitude});
       // It may just be going through 0 at that time.

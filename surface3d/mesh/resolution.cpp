@@ -39,7 +39,7 @@ double largest_shape_operator(const ElementNodes& X, const ElementNodes& normals
 }
 
 struct OfTriangle {
-  double turn, mean_curvature, angle;
+  double resolution, mean_curvature, angle;
 };
 
 double curvature_gap(const Triangulation& mesh, const Nodes& X, const Curvature& curvature) {
@@ -57,9 +57,9 @@ double curvature_gap(const Triangulation& mesh, const Nodes& X, const Curvature&
 
 }  // namespace
 
-Resolution resolution_of(const Triangulation& mesh, const Nodes& X, const Curvature& curvature) {
-  Resolution r{.mean_curvature = 0,
-               .curvature = 0,
+Indicators indicators_of(const Triangulation& mesh, const Nodes& X, const Curvature& curvature) {
+  Indicators r{.mean_curvature = 0,
+               .resolution = 0,
                .curvature_gap = curvature_gap(mesh, X, curvature),
                .mesh_quality = mesh_quality(mesh, X),
                .min_angle = std::numeric_limits<double>::infinity()};
@@ -69,20 +69,20 @@ Resolution resolution_of(const Triangulation& mesh, const Nodes& X, const Curvat
     const ElementField H = on_element(mesh, e, curvature.H);
     const double h = longest_side(local) / 3;
     triangles[std::size_t(e)] = {
-        .turn = h * largest_shape_operator(local, on_element(mesh, e, curvature.normals), H),
+        .resolution = h * largest_shape_operator(local, on_element(mesh, e, curvature.normals), H),
         .mean_curvature = h * H.cwiseAbs().maxCoeff(),
         .angle = smallest_angle_of(local)};
   });
-  for (const auto& [turn, mean_curvature, angle] : triangles) {
-    r.curvature = std::max(r.curvature, turn);
+  for (const auto& [resolution, mean_curvature, angle] : triangles) {
+    r.resolution = std::max(r.resolution, resolution);
     r.mean_curvature = std::max(r.mean_curvature, mean_curvature);
     r.min_angle = std::min(r.min_angle, angle);
   }
   return r;
 }
 
-bool resolved(const Resolution& r) {
-  return r.curvature <= largest_turn && r.curvature_gap <= largest_curvature_gap
+bool resolved(const Indicators& r) {
+  return r.resolution <= largest_resolution && r.curvature_gap <= largest_curvature_gap
       && r.mesh_quality >= smallest_quality && r.min_angle >= smallest_angle;
 }
 

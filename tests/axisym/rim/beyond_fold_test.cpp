@@ -83,8 +83,8 @@ TEST(BeyondFold, agrees_with_the_finite_elements_on_energy_rim_and_stability) {
     EXPECT_NEAR(U, row->energy, 1e-8);
     EXPECT_NEAR(d.order_min / row->order_rim, 1, 1e-4);
     EXPECT_NEAR(d.H_rim / row->H_rim, 1, 1e-3);  // the discrete H is of lower order
-    EXPECT_LT(d.resolution, resolution_limit);
-    EXPECT_LT(row->resolution, resolution_limit);
+    EXPECT_LT(d.resolution, largest_resolution);
+    EXPECT_LT(row->resolution, largest_resolution);
     EXPECT_EQ(row->negative_directions, negative_directions(paper_material(c.L), Model::SBEH, s));
   }
 }

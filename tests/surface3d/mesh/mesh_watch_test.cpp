@@ -33,7 +33,7 @@ Watched watch(const Surface& s, const Numerics& numerics, double end) {
                      EXPECT_NEAR(area(*view.mesh, x.X) / target.area, 1, 1e-11);
                      EXPECT_NEAR(volume(*view.mesh, x.X) / target.volume, 1, 1e-11);
                      w.triangles.push_back(view.mesh->count());
-                     w.resolved = resolved(view.resolution);
+                     w.resolved = resolved(view.indicators);
                      if (view.remeshed && view.remeshed->mesh) {
                        w.changes.push_back(view.remeshed->report);
                        EXPECT_EQ(record.next_step, numerics.first_step);

@@ -41,10 +41,10 @@ double order_change(const Surface& old, const RemeshResult& fresh) {
   return total_order(*fresh.mesh, fresh.state) / total_order(*old.mesh, old.state) - 1;
 }
 
-Resolution resolution_of(const Triangulation& mesh, const Nodes& X) {
+Indicators indicators_of(const Triangulation& mesh, const Nodes& X) {
   const auto curvature = curvature_of(mesh, X);
   EXPECT_TRUE(curvature.has_value());
-  return surface3d::resolution_of(mesh, X, *curvature);
+  return surface3d::indicators_of(mesh, X, *curvature);
 }
 
 TEST(Remesh, turns_thin_triangles_into_good_ones_and_keeps_area_volume_and_energy) {
@@ -66,14 +66,14 @@ TEST(Remesh, turns_thin_triangles_into_good_ones_and_keeps_area_volume_and_energ
     const RemeshResult fresh = remesh(old);
     ASSERT_TRUE(fresh.mesh) << name << ": " << fresh.refusal;
     const RemeshReport& r = fresh.report;
-    const Resolution before = resolution_of(*old.mesh, old.state.X),
-                     after = resolution_of(*fresh.mesh, fresh.state.X);
+    const Indicators before = indicators_of(*old.mesh, old.state.X),
+                     after = indicators_of(*fresh.mesh, fresh.state.X);
     std::printf(
         "%-14s %d %d  %.0f° %.0f°  %.2f %.2f  %.2f %.2f  %.3f %.3f  %8.1e %8.1e %8.1e "
         "%8.1e  %.1e\n",
         name.c_str(), r.triangles_before, r.triangles_after, r.min_angle_before, r.min_angle_after,
-        r.quality_before, r.quality_after, before.curvature, after.curvature, before.curvature_gap,
-        after.curvature_gap, r.energy_change, r.area_change, r.volume_change,
+        r.quality_before, r.quality_after, before.resolution, after.resolution,
+        before.curvature_gap, after.curvature_gap, r.energy_change, r.area_change, r.volume_change,
         order_change(old, fresh), r.distance);
     EXPECT_LT(r.min_angle_before, 33) << name;
     EXPECT_GT(r.min_angle_after, 30) << name;
@@ -150,7 +150,7 @@ TEST(Remesh, makes_triangles_small_where_the_curvature_is_large) {
   for (const double grading : {0., 1.}) {
     const RemeshResult fresh = remesh(s, {.grading = grading});
     ASSERT_TRUE(fresh.mesh) << fresh.refusal;
-    (grading > 0 ? with_grading : without) = resolution_of(*fresh.mesh, fresh.state.X).curvature;
+    (grading > 0 ? with_grading : without) = indicators_of(*fresh.mesh, fresh.state.X).resolution;
   }
   EXPECT_LT(with_grading, 0.8 * without);
 }

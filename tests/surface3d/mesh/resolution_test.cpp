@@ -41,24 +41,24 @@ Shape lens(double edge) {
 }
 
 struct Measured {
-  Resolution resolution;
+  Indicators indicators;
   double bending;
 };
 Measured measured(const meshing::CurvedMesh& mesh) {
   const Surface s = surface_of(mesh);
   const auto curvature = curvature_of(*s.mesh, s.state.X);
   EXPECT_TRUE(curvature.has_value());
-  return {resolution_of(*s.mesh, s.state.X, *curvature),
+  return {indicators_of(*s.mesh, s.state.X, *curvature),
           energy(*s.mesh, Material{}, s.state, *curvature).bending};
 }
 
 TEST(Resolution, is_what_closed_forms_say_of_the_sphere) {
   const double h = std::sqrt(4 * pi * 4 / std::sqrt(3.) / 1280) / 3;  // equilateral triangles
-  const Resolution r = measured(meshing::sphere({.triangles = 1280})).resolution;
+  const Indicators r = measured(meshing::sphere({.triangles = 1280})).indicators;
   // The longest side is within the edge ratio of 1.3 of the mean one, |H| = 2, |B| = √2.
   EXPECT_GT(r.mean_curvature, 2 * h);
   EXPECT_LT(r.mean_curvature, 1.3 * 2 * h);
-  EXPECT_NEAR(r.curvature * std::sqrt(2.), r.mean_curvature, 0.01 * r.mean_curvature);
+  EXPECT_NEAR(r.resolution * std::sqrt(2.), r.mean_curvature, 0.01 * r.mean_curvature);
   EXPECT_GT(r.min_angle, 54);
   EXPECT_LT(r.min_angle, 60);
   EXPECT_TRUE(resolved(r));
@@ -69,7 +69,7 @@ TEST(Resolution, has_a_gap_between_the_two_curvatures_of_second_order_on_smooth_
        {NamedShape{"sphere", spheroid(1, false)}, NamedShape{"oblate", spheroid(0.8, false)}}) {
     OrderTable gap(name + ": curvature gap", "h");
     for (const int triangles : {1280, 5120, 20480})
-      gap.add(1 / std::sqrt(triangles), measured(shape(triangles)).resolution.curvature_gap);
+      gap.add(1 / std::sqrt(triangles), measured(shape(triangles)).indicators.curvature_gap);
     EXPECT_NEAR(gap.print(), 2, 0.2) << name;
   }
 }
@@ -90,14 +90,14 @@ TEST(Resolution, within_its_limits_means_a_bending_energy_within_half_a_percent)
       const auto [r, bending] = measured(shape(triangles));
       const double error = bending / exact - 1;
       std::printf("%-14s %-9d %-7.3f %-7.3f %-8.4f %9.1e %s\n", name.c_str(), triangles,
-                  r.mean_curvature, r.curvature, r.curvature_gap, error,
+                  r.mean_curvature, r.resolution, r.curvature_gap, error,
                   resolved(r) ? "" : "unresolved");
       ++(resolved(r) ? within : beyond);
       if (resolved(r)) {
         EXPECT_LT(std::abs(error), 5e-3) << name << ", " << triangles;
       }
     }
-    EXPECT_TRUE(resolved(measured(shape(5120)).resolution)) << name;
+    EXPECT_TRUE(resolved(measured(shape(5120)).indicators)) << name;
   }
   EXPECT_GT(within, 15);
   EXPECT_GT(beyond, 5);
@@ -105,8 +105,8 @@ TEST(Resolution, within_its_limits_means_a_bending_energy_within_half_a_percent)
 
 TEST(Resolution, of_a_sharp_edge_is_never_enough) {
   for (const int triangles : {320, 1280, 5120}) {
-    const Resolution r = measured(lens(0)(triangles)).resolution;
-    EXPECT_GT(r.curvature, 2 * largest_turn);
+    const Indicators r = measured(lens(0)(triangles)).indicators;
+    EXPECT_GT(r.resolution, 2 * largest_resolution);
     EXPECT_GT(r.curvature_gap, 4 * largest_curvature_gap);
     EXPECT_FALSE(resolved(r));
   }
@@ -115,7 +115,7 @@ TEST(Resolution, of_a_sharp_edge_is_never_enough) {
 TEST(Resolution, of_a_ridge_between_the_nodes_shows_in_the_gap_alone) {
   const auto [r, bending] = measured(lens(0.05)(180));
   EXPECT_GT(std::abs(bending / measured(lens(0.05)(5120)).bending - 1), 0.1);
-  EXPECT_LT(r.curvature, largest_turn);
+  EXPECT_LT(r.resolution, largest_resolution);
   EXPECT_GT(r.curvature_gap, 2 * largest_curvature_gap);
   EXPECT_FALSE(resolved(r));
 }
@@ -127,10 +127,10 @@ TEST(Resolution, of_thin_triangles_is_refused_by_their_angle_before_the_energy_e
   for (const double shear : {0.6, 1., 1.5, 2.}) {
     const auto [r, bending] = measured(sheared(spheroid_radius(1), shear, 1280));
     const double error = bending / exact - 1;
-    std::printf("  %.0f  %.2f  %.2f  %.4f  %.1e\n", r.min_angle, r.mesh_quality, r.curvature,
+    std::printf("  %.0f  %.2f  %.2f  %.4f  %.1e\n", r.min_angle, r.mesh_quality, r.resolution,
                 r.curvature_gap, error);
     EXPECT_EQ(resolved(r), r.min_angle >= smallest_angle);
-    EXPECT_LT(r.curvature, largest_turn);
+    EXPECT_LT(r.resolution, largest_resolution);
     EXPECT_LT(r.curvature_gap, largest_curvature_gap);
     EXPECT_EQ(r.min_angle<10, std::abs(error)> 5e-3);
   }
