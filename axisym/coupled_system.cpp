@@ -235,16 +235,16 @@ bool CoupledSystem::solve_with(const std::vector<const Multiplier*>& multipliers
   return true;
 }
 
-bool CoupledSystem::solve(const State& old, const Field& H, const Target& target, double tau,
-                          StepFields& out) {
+bool CoupledSystem::solve(const State& old, const Field& H, const std::optional<Target>& target,
+                          double tau, StepFields& out) {
   const double A = area(old.X), V = volume(old.X);
-  assemble(old, H, {.tau = tau, .area_rate = (target.area - A) / (tau * A), .area = area_});
-  lambda_.rhs = (target.volume - V) / tau;
+  const Target wanted = target.value_or(Target{A, V});
+  assemble(old, H, {.tau = tau, .area_rate = (wanted.area - A) / (tau * A), .area = area_});
+  lambda_.rhs = (wanted.volume - V) / tau;
   pin_what_is_not_free();
   // Without friction nothing resists a motion along the axis: hold the north pole, and let the whole
   // surface rest in the mean, the limit of small friction.
-  const bool free_axis = material_.friction_tangential == 0 && material_.friction_normal == 0;
-  if (free_axis) pin(unknown(0, V_z));
+  if (material_.frictionless()) pin(unknown(0, V_z));
   if (!matrix_.factor()) return false;
 
   std::vector<const Multiplier*> multipliers;
@@ -252,7 +252,7 @@ bool CoupledSystem::solve(const State& old, const Field& H, const Target& target
   // On a sphere a constant p and λ are the same unknown: area alone is kept there.
   if (!is_sphere(A, V)) multipliers.push_back(&lambda_);
   if (!solve_with(multipliers, out)) return false;
-  if (free_axis) rest_in_the_mean(old.X, tau, out);
+  if (material_.frictionless()) rest_in_the_mean(old.X, tau, out);
   return true;
 }
 

@@ -9,6 +9,7 @@
 #include "model/numerics/area_volume.h"
 #include "model/numerics/band_matrix.h"
 
+#include <optional>
 #include <vector>
 
 namespace sbeh::axisym {
@@ -29,9 +30,10 @@ class CoupledSystem {
  public:
   CoupledSystem(const model::Material& material, model::AreaConstraint area, int elements);
 
-  /// H: mean curvature of the old surface. False when the matrix is singular.
-  [[nodiscard]] bool solve(const State& old, const Field& H, const Target& target, double tau,
-                           StepFields& out);
+  /// H: mean curvature of the old surface. Without a target its area and volume are kept. False when the
+  /// matrix is singular.
+  [[nodiscard]] bool solve(const State& old, const Field& H, const std::optional<Target>& target,
+                           double tau, StepFields& out);
 
  private:
   // A number that multiplies a constraint: its column, the row of the constraint and what that equals.

@@ -8,24 +8,14 @@ namespace sbeh::axisym {
 
 namespace {
 
-// What model::Flow asks of a solver.
-class Solver {
+// Steps, and what else model::Flow asks of a solver.
+class Solver : public TimeStepper {
  public:
   using State = axisym::State;
 
   Solver(const model::Material& material, model::Model model, int elements)
-      : material_(material), stepper_(material, model, elements) {}
+      : TimeStepper(material, model, elements), material_(material) {}
 
-  model::FlowStep<State> step(const State& old, const Target& target, double tau) {
-    StepResult r = stepper_.step(old, target, tau);
-    if (!r.ok) return {};
-    return {.fault = model::FlowFault::none,
-            .state = std::move(r.state),
-            .dissipation = r.dissipation,
-            .lambda = r.fields.lambda,
-            .speed_max = r.fields.V.colwise().norm().maxCoeff()};
-  }
-  Target measure(const State& state) const { return {area(state.X), volume(state.X)}; }
   bool restore(State& state, const Target& target) const {
     return state.X.row(0).minCoeff() >= 0
         && correct_area_volume(state.X, target.area, target.volume);
@@ -45,7 +35,6 @@ class Solver {
 
  private:
   model::Material material_;
-  TimeStepper stepper_;
 };
 static_assert(model::FlowSolver<Solver> && model::OneStepSolver<Solver>);
 static_assert(model::FlowIntegrator<model::StepDoubling<Solver>, State>);

@@ -6,14 +6,13 @@
 
 namespace sbeh::axisym {
 
-bool TimeStepper::solve_order(const State& old, const Field& H, const StepFields& fields,
+bool TimeStepper::solve_order(const State& old, const Field& H, const Nodes& relative_velocity,
                               double tau, Field& beta) {
   order_.set_zero();
   beta = Field::Zero(old.beta.size());
-  const Nodes relative = fields.V - fields.Y / tau;
   for_each_point(old.X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
     double slip = 0;
-    for (int a = 0; a < 4; ++a) slip += s.phi[a] * relative.col(3 * e + a).dot(p.t);
+    for (int a = 0; a < 4; ++a) slip += s.phi[a] * relative_velocity.col(3 * e + a).dot(p.t);
     const double h = value_at(H, e, s);
     const double beta_old = value_at(old.beta, e, s);
     const model::OrderData d = model::order_step_point(material_,
@@ -42,16 +41,15 @@ bool TimeStepper::solve_order(const State& old, const Field& H, const StepFields
 namespace {
 
 Dissipation dissipation_of(const model::Material& m, const State& old, const StepFields& f,
-                           const Field& beta_new, double tau) {
+                           const Nodes& relative_velocity, const Field& beta_new, double tau) {
   Dissipation d;
   const Field rate = (beta_new - old.beta) / tau;
-  const Nodes relative = f.V - f.Y / tau;
   for_each_point(old.X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
     Eigen::Vector2d V = Eigen::Vector2d::Zero(), dV = V, slip = V;
     for (int a = 0; a < 4; ++a) {
       V += s.phi[a] * f.V.col(3 * e + a);
       dV += s.dphi[a] * f.V.col(3 * e + a);
-      slip += s.phi[a] * relative.col(3 * e + a);
+      slip += s.phi[a] * relative_velocity.col(3 * e + a);
     }
     const double beta = value_at(old.beta, e, s);
     const double beta_dot =
@@ -73,18 +71,21 @@ TimeStepper::TimeStepper(const model::Material& material, model::Model model, in
       coupled_(material_, area_constraint(model), elements),
       order_(3 * elements + 1, 3) {}
 
-StepResult TimeStepper::step(const State& old, const Target& target, double tau) {
-  StepResult result;
+FlowStep TimeStepper::step(const State& old, const std::optional<Target>& target, double tau) {
+  FlowStep result;
   const Field H = mean_curvature(old.X);
   if (H.size() == 0 || !H.allFinite()) return result;
-  if (!coupled_.solve(old, H, target, tau, result.fields)) return result;
-  result.state.X = old.X + result.fields.Y;
+  if (!coupled_.solve(old, H, target, tau, fields_)) return result;
+  result.state = {old.X + fields_.Y, old.beta};
   result.state.X(0, 0) = result.state.X(0, old.X.cols() - 1) = 0;  // exactly
-  result.state.beta = old.beta;
-  if (has_free_order(model_) && !solve_order(old, H, result.fields, tau, result.state.beta))
+  const Nodes relative_velocity = fields_.V - fields_.Y / tau;
+  if (has_free_order(model_) && !solve_order(old, H, relative_velocity, tau, result.state.beta))
     return result;
-  result.dissipation = dissipation_of(material_, old, result.fields, result.state.beta, tau);
-  result.ok = true;
+  result.dissipation =
+      dissipation_of(material_, old, fields_, relative_velocity, result.state.beta, tau);
+  result.fault = model::FlowFault::none;
+  result.lambda = fields_.lambda;
+  result.speed_max = fields_.V.colwise().norm().maxCoeff();
   return result;
 }
 

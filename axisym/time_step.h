@@ -2,21 +2,13 @@
 #pragma once
 
 #include "axisym/coupled_system.h"
-#include "model/energy.h"
 #include "model/material.h"
+#include "model/time/flow_record.h"
 
 namespace sbeh::axisym {
 
 using model::Dissipation;
-
-/// Result of a step; `ok` is false when a linear solve failed or the new curve is degenerate, and
-/// then nothing else holds.
-struct StepResult {
-  bool ok = false;
-  State state;
-  StepFields fields;
-  Dissipation dissipation;
-};
+using FlowStep = model::FlowStep<State>;
 
 /// First-order semi-implicit step (coupled step, then the order with its velocity, so that a step
 /// is a function of position and order alone). Keeps its matrices between steps.
@@ -24,18 +16,22 @@ class TimeStepper {
  public:
   TimeStepper(const model::Material& material, model::Model model, int elements);
 
-  /// Advances by tau > 0. The curve must have the number of elements given to the constructor.
-  StepResult step(const State& old, const Target& target, double tau);
+  /// Advances by tau > 0, to the area and volume of the target; without one, keeping them. The curve must
+  /// have the number of elements given to the constructor.
+  FlowStep step(const State& old, const std::optional<Target>& target, double tau);
+  /// Of the last solve.
+  const StepFields& fields() const { return fields_; }
 
  private:
-  // False when the matrix is singular.
-  bool solve_order(const State& old, const Field& H, const StepFields& fields, double tau,
+  // With V − Y/τ. False when the matrix is singular.
+  bool solve_order(const State& old, const Field& H, const Nodes& relative_velocity, double tau,
                    Field& beta);
 
   model::Material material_;
   model::Model model_;
   CoupledSystem coupled_;
   model::BandMatrix order_;
+  StepFields fields_{};
 };
 
 }  // namespace sbeh::axisym

@@ -10,19 +10,16 @@
 // fields along the node normals, one speed v for each node, and to a number as pressure.
 #pragma once
 
-#include "model/names.h"
 #include "surface3d/curvature.h"
 #include "surface3d/element_system.h"
 #include "surface3d/monolithic.h"
+#include "surface3d/options.h"
 #include "surface3d/split.h"
 
-#include <array>
 #include <variant>
 
 namespace sbeh::surface3d {
 
-enum class Scheme { split, monolithic };
-constexpr auto names(Scheme) { return std::array{"split", "monolithic"}; }
 /// The scheme that is used where another may be wanted: without viscosity, which damps tangential flow at the
 /// scale of the mesh, the split one was seen to be unstable; see README.md.
 Scheme stable_scheme(const model::Material& material, model::AreaConstraint area, Scheme wanted);

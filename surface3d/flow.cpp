@@ -17,37 +17,21 @@ namespace {
 // until they all but meet.
 constexpr double touching = 0.05;
 
-// What model::Flow asks of a solver.
-class Solver {
+// Steps, and what else model::Flow asks of a solver.
+class Solver : public TimeStepper {
  public:
   using State = surface3d::State;
 
   Solver(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
          model::Model model, const Numerics& numerics)
-      : mesh_(std::move(mesh)),
+      : TimeStepper(mesh, material, model, numerics),
+        mesh_(std::move(mesh)),
         material_(material),
         model_(model),
-        numerics_(numerics),
-        stepper_(mesh_, material, model, numerics.scheme, numerics.factorisation,
-                 numerics.solver_tolerance) {}
+        numerics_(numerics) {}
 
-  model::FlowStep<State> step(const State& old, const Target& target, double tau) {
-    return step(old, old, target, tau);
-  }
-  model::FlowStep<State> step(const State& at, const State& from, const Target& target,
-                              double tau) {
-    StepResult r = stepper_.step(at, from, target, tau);
-    if (!r.ok()) return {.fault = r.fault};
-    fields_ = std::move(r.fields);
-    return {.fault = model::FlowFault::none,
-            .state = std::move(r.state),
-            .dissipation = r.dissipation,
-            .lambda = fields_.lambda,
-            .speed_max = fields_.V.colwise().norm().maxCoeff()};
-  }
-  Target measure(const State& state) const { return area_and_volume(*mesh_, state.X); }
   bool restore(State& state, const Target& target) const {
-    return correct_area_volume(*mesh_, state.X, fields_.H, target.area, target.volume);
+    return correct_area_volume(*mesh_, state.X, fields().H, target.area, target.volume);
   }
   model::Distance distance(const State& a, const State& b) const {
     const Nodes n = node_normals(*mesh_, a.X);
@@ -69,11 +53,11 @@ class Solver {
 
   bool recall(const FlowMemory& memory) {
     remeshing_over_ = memory.remeshing_over;
-    return stepper_.recall(memory.stepper);
+    return TimeStepper::recall(memory.stepper);
   }
   StepView view(const std::optional<model::Past<State>>& past) const {
-    return {.fields = fields_,
-            .memory = {stepper_.memory(), past, remeshing_over_},
+    return {.fields = fields(),
+            .memory = {memory(), past, remeshing_over_},
             .mesh = mesh_,
             .indicators = indicators_,
             .remeshed = remeshed_};
@@ -89,8 +73,6 @@ class Solver {
   model::Material material_;
   model::Model model_;
   Numerics numerics_;
-  TimeStepper stepper_;
-  StepFields fields_;
   std::optional<Curvature> curvature_;  // of the state whose energy was asked for last
   Indicators indicators_{};
   std::optional<RemeshResult> remeshed_;
@@ -109,9 +91,7 @@ bool Solver::renew(State& state) {
   if (!remeshed_->mesh) return remeshing_over_ = true, false;
   mesh_ = remeshed_->mesh;
   state = remeshed_->state;
-  stepper_ = TimeStepper(mesh_, material_, model_, numerics_.scheme, numerics_.factorisation,
-                         numerics_.solver_tolerance);
-  fields_ = {};
+  TimeStepper::operator=({mesh_, material_, model_, numerics_});
   const auto curvature = curvature_of(*mesh_, state.X);
   remeshing_over_ = triangles == numerics_.most_triangles
                  && !(curvature && resolved(indicators_of(*mesh_, state.X, *curvature)));
@@ -129,12 +109,11 @@ void Numerics::validate() const {
         "order");
 }
 
-FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
-                    const model::Material& material, model::Model model, const FlowStart& start,
-                    const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
+FlowResult run_flow(const model::Material& material, model::Model model, const FlowMoment& start,
+                    const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe) {
-  Solver solver(mesh, material, model, numerics);
-  model::TwoStep<Solver> two_step(solver, target);
+  Solver solver(start.mesh, material, model, numerics);
+  model::TwoStep<Solver> two_step(solver, start.target);
   if (!solver.recall(start.memory))
     return {.stop = FlowStop::step_too_small,
             .state = start.state,
@@ -153,7 +132,7 @@ FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
         .run(start.state, start.record, schedule, observer);
   };
   if (numerics.integrator == Integrator::two_step) return run(two_step);
-  model::StepDoubling<Solver> doubling(solver, target, numerics.extrapolate);
+  model::StepDoubling<Solver> doubling(solver, start.target, numerics.extrapolate);
   return run(doubling);
 }
 

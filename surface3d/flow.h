@@ -23,6 +23,15 @@ struct FlowMemory {
   std::optional<model::Past<State>> past;  ///< of the two-step method
   bool remeshing_over = false;             ///< no new mesh is tried any more
 };
+/// A moment of a run: all that it needs to go on with the same bits, and what its files are made of.
+struct FlowMoment {
+  std::shared_ptr<const Triangulation> mesh;
+  State state;
+  Target target;
+  FlowRecord record = {};  ///< for a run that goes on its time and next_step count
+  FlowMemory memory = {};
+  StepFields fields = {};  ///< as in StepView; a run goes on without
+};
 /// What an observer sees besides the state.
 struct StepView {
   const StepFields& fields;  ///< of the last solve; empty at the start and on a new mesh
@@ -37,20 +46,12 @@ using FlowObserver =
     std::function<bool(const FlowRecord&, const State&, const StepView&, bool exact)>;
 using FlowResult = model::FlowResult<State>;
 
-/// Where a run begins, or goes on.
-struct FlowStart {
-  State state;
-  FlowRecord record = {};  ///< its time and next_step count
-  FlowMemory memory = {};
-};
-
-/// Runs the flow on a triangulation, keeping area and volume at `target` to rounding. A run whose mesh
-/// does not resolve the surface (see resolution.h) goes on, on a new mesh with half as many triangles
+/// Runs the flow, keeping area and volume at the start's target to rounding. A run whose mesh does not
+/// resolve the surface (see resolution.h) goes on, on a new mesh with half as many triangles
 /// more where Numerics::remesh allows it. It ends where the mesh degenerates or the surface touches
 /// itself (see self_contact.h).
-FlowResult run_flow(const std::shared_ptr<const Triangulation>& mesh,
-                    const model::Material& material, model::Model model, const FlowStart& start,
-                    const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
+FlowResult run_flow(const model::Material& material, model::Model model, const FlowMoment& start,
+                    const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe = {});
 
 }  // namespace sbeh::surface3d

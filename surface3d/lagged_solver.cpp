@@ -10,25 +10,26 @@ namespace sbeh::surface3d {
 namespace {
 
 // Solutions with fresh factors are exact to rounding.
-double allowed(Factorisation factorisation, double tolerance) {
-  return factorisation == Factorisation::every_step ? Gmres::exact : tolerance;
+double allowed(Factorisation factorisation, double solver_tolerance) {
+  return factorisation == Factorisation::every_step ? Gmres::exact : solver_tolerance;
 }
 
 // Of the tangential motion of the mesh, which is no part of the shape.
-double allowed_in_motion(Factorisation factorisation, double tolerance) {
+double allowed_in_motion(const Numerics& numerics) {
   constexpr double laxer = 100, most = 1e-2;
-  return allowed(factorisation, std::max(tolerance, std::min(laxer * tolerance, most)));
+  const double asked = numerics.solver_tolerance;
+  return allowed(numerics.factorisation, std::max(asked, std::min(laxer * asked, most)));
 }
 
 bool is_empty(const LinearSystem& system) { return system.matrix.rows() == 0; }
 
 }  // namespace
 
-LaggedSolver::LaggedSolver(Factorisation factorisation, double tolerance)
-    : factorisation_(factorisation),
-      tolerance_(allowed(factorisation, tolerance)),
-      flow_(Symmetry::general, tolerance_),
-      motion_(Symmetry::symmetric, allowed_in_motion(factorisation, tolerance)) {}
+LaggedSolver::LaggedSolver(const Numerics& numerics)
+    : factorisation_(numerics.factorisation),
+      solver_tolerance_(allowed(numerics.factorisation, numerics.solver_tolerance)),
+      flow_(Symmetry::general, solver_tolerance_),
+      motion_(Symmetry::symmetric, allowed_in_motion(numerics)) {}
 
 // When the next solve is likely to cost more than the mean of all since the last factorisation,
 // which it was part of.

@@ -2,25 +2,15 @@
 // that is cheaper, and a few iterations from a guess that earlier solutions give.
 #pragma once
 
-#include "model/names.h"
 #include "surface3d/linear/gmres.h"
+#include "surface3d/options.h"
 #include "surface3d/surface.h"
 
-#include <array>
 #include <optional>
 
 namespace sbeh::surface3d {
 
 class CoupledSystem;
-
-/// How a step solves its linear systems.
-enum class Factorisation {
-  lagged,     ///< factors of an earlier step, refactored when that is cheaper
-  every_step  ///< the reference: exact solutions
-};
-constexpr auto names(Factorisation) { return std::array{"lagged", "every-step"}; }
-
-inline constexpr double default_solver_tolerance = 1e-5;
 
 /// Solutions of the linear systems of a step, in their numbering.
 struct Solution {
@@ -45,15 +35,15 @@ enum class Pass { first, corrected };
 /// Solves the two systems of a CoupledSystem, one after the other; the second may be empty.
 class LaggedSolver {
  public:
-  LaggedSolver(Factorisation factorisation, double tolerance);
+  explicit LaggedSolver(const Numerics& numerics);
 
   /// Of the system as it was assembled at a state, with τ. Empty when a matrix is singular; the past is
   /// forgotten then.
   std::optional<Solution> solve(const CoupledSystem& system, const State& at, double tau,
                                 Pass pass);
 
-  /// Of the solutions.
-  double tolerance() const { return tolerance_; }
+  /// Of the solutions: that of rounding where every step is factored.
+  double solver_tolerance() const { return solver_tolerance_; }
   const StepperMemory& memory() const { return memory_; }
   /// Factors anew what another solver had factored: the system is assembled as it was there, if the memory
   /// has factors. False where that is singular.
@@ -67,7 +57,7 @@ class LaggedSolver {
   void remember(const CoupledSystem& system, Solution x, Pass pass, int iterations);
 
   Factorisation factorisation_;
-  double tolerance_;
+  double solver_tolerance_;
   Gmres flow_, motion_;
   StepperMemory memory_;
 };

@@ -2,8 +2,8 @@
 #pragma once
 
 #include "meshing/resolution.h"
+#include "model/names.h"
 #include "model/time/step_control.h"
-#include "surface3d/time_step.h"
 
 #include <array>
 
@@ -15,6 +15,17 @@ enum class Integrator {
 };
 constexpr auto names(Integrator) { return std::array{"two-step", "step-doubling"}; }
 
+/// How the mesh equations join the flow, see monolithic.h and split.h.
+enum class Scheme { split, monolithic };
+constexpr auto names(Scheme) { return std::array{"split", "monolithic"}; }
+
+/// How a step solves its linear systems.
+enum class Factorisation {
+  lagged,     ///< factors of an earlier step, refactored when that is cheaper
+  every_step  ///< the reference: exact solutions
+};
+constexpr auto names(Factorisation) { return std::array{"lagged", "every-step"}; }
+
 /// How the 3D solver steps in time. The mesh is chosen with the start.
 struct Numerics : model::TimeControl {
   Numerics() {
@@ -24,7 +35,7 @@ struct Numerics : model::TimeControl {
   Integrator integrator = Integrator::two_step;
   Scheme scheme = Scheme::split;
   Factorisation factorisation = Factorisation::lagged;
-  double solver_tolerance = default_solver_tolerance;
+  double solver_tolerance = 1e-5;
   bool remesh = false;
   int most_triangles = 5120;
 

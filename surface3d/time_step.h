@@ -7,10 +7,12 @@
 #include "surface3d/lagged_solver.h"
 
 #include <memory>
+#include <optional>
 
 namespace sbeh::surface3d {
 
 using model::Dissipation;
+using FlowStep = model::FlowStep<State>;
 
 /// What a step computes besides the next state.
 struct StepFields {
@@ -21,49 +23,43 @@ struct StepFields {
   double lambda;  ///< volume multiplier
 };
 
-/// Result of a step; the rest holds only when there is no fault.
-struct StepResult {
-  model::FlowFault fault = model::FlowFault::linear_solve;
-  bool ok() const { return fault == model::FlowFault::none; }
-  State state;
-  StepFields fields;
-  Dissipation dissipation;
-};
-
 /// First-order semi-implicit step (coupled step, then the order with its velocity, so that a step
-/// is a function of position and order alone). Keeps its matrices between steps. The scheme is the
-/// stable_scheme. The linear systems are solved to `solver_tolerance`, see LaggedSolver. Where κ is below a
-/// tenth of its largest value the step is solved up to three times more, each time at the state that it led
-/// to, until that changes by no more than 2 solver_tolerance: a sharp rim would waver otherwise.
+/// is a function of position and order alone). Keeps its matrices between steps. Of the numerics scheme
+/// (the stable_scheme is used), factorisation and solver_tolerance count. Where κ is below a tenth of its
+/// largest value the step is solved up to three times more, each time at the state that it led to, until that
+/// changes by no more than 2 solver_tolerance: a sharp rim would waver otherwise.
 class TimeStepper {
  public:
   TimeStepper(const std::shared_ptr<const Triangulation>& mesh, const model::Material& material,
-              model::Model model, Scheme scheme = Scheme::split,
-              Factorisation factorisation = Factorisation::lagged,
-              double solver_tolerance = default_solver_tolerance);
+              model::Model model, const Numerics& numerics = {});
 
-  /// Advances by tau > 0.
-  StepResult step(const State& old, const Target& target, double tau) {
+  /// Advances by tau > 0, to the area and volume of the target; without one, keeping them.
+  FlowStep step(const State& old, const std::optional<Target>& target, double tau) {
     return step(old, old, target, tau);
   }
-  /// Advances from `from` with the surface and the coefficients of `at`: of a two-step method. `target`
-  /// counts from the area and volume of `at`.
-  StepResult step(const State& at, const State& from, const Target& target, double tau);
+  /// Advances from `from` with the surface and the coefficients of `at`, keeping its area and volume: of a
+  /// two-step method.
+  FlowStep step(const State& at, const State& from, double tau) { return step(at, from, {}, tau); }
+  /// Of the last solve; empty before.
+  const StepFields& fields() const { return fields_; }
 
   const StepperMemory& memory() const { return solver_.memory(); }
   /// Factors anew what another stepper had factored. False where that is singular.
   [[nodiscard]] bool recall(const StepperMemory& memory);
 
  private:
+  FlowStep step(const State& at, const State& from, const std::optional<Target>& target,
+                double tau);
   StepFields fields_of(const Solution& x) const;
-  StepResult solve(const State& at, const State& from, const Constraints& constraints, double tau,
-                   Pass pass);
+  FlowStep solve(const State& at, const State& from, const Constraints& constraints, double tau,
+                 Pass pass);
 
   std::shared_ptr<const Triangulation> mesh_;
   model::Material material_;
   model::Model model_;
   CoupledSystem system_;
   LaggedSolver solver_;
+  StepFields fields_{};
 };
 
 }  // namespace sbeh::surface3d

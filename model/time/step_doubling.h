@@ -7,6 +7,7 @@
 #include <cmath>
 #include <concepts>
 #include <limits>
+#include <optional>
 
 namespace sbeh::model {
 
@@ -14,8 +15,8 @@ namespace sbeh::model {
 template <class S>
 concept OneStepSolver = requires(S solver, typename S::State state, const typename S::State& old,
                                  const Target& target, double tau) {
-  { solver.step(old, target, tau) } -> std::same_as<FlowStep<typename S::State>>;  // first order
-  { solver.measure(old) } -> std::same_as<Target>;
+  // of first order; without a target it keeps the area and volume that `old` has
+  { solver.step(old, std::optional(target), tau) } -> std::same_as<FlowStep<typename S::State>>;
   { solver.restore(state, target) } -> std::same_as<bool>;  // false where that fails
   { solver.distance(old, old) } -> std::same_as<Distance>;
 };
@@ -46,7 +47,7 @@ class StepDoubling {
     if (!first.ok()) return first;
     // Every step of the extrapolation begins without drift: pulled back halfway, the two halves would
     // have lost what the whole step is to cancel.
-    const Target middle = extrapolate_ ? solver_.measure(first.state) : target_;
+    const auto middle = extrapolate_ ? std::nullopt : std::optional(target_);
     auto result = solver_.step(first.state, middle, tau / 2);
     if (!result.ok()) return result;
 

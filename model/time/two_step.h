@@ -3,8 +3,6 @@
 
 #include "model/time/step_doubling.h"
 
-#include <optional>
-
 namespace sbeh::model {
 
 /// The state before the last step, and that step.
@@ -15,12 +13,11 @@ struct Past {
   Dissipation dissipation;  ///< rates at its end
 };
 
-/// A solver that steps from one state with the coefficients of another.
+/// A solver that steps from one state with the coefficients of another, whose area and volume it keeps.
 template <class S>
 concept TwoStepSolver = OneStepSolver<S> && requires(S solver, const typename S::State& at,
-                                                     const typename S::State& from,
-                                                     const Target& target, double tau) {
-  { solver.step(at, from, target, tau) } -> std::same_as<FlowStep<typename S::State>>;
+                                                     const typename S::State& from, double tau) {
+  { solver.step(at, from, tau) } -> std::same_as<FlowStep<typename S::State>>;
 };
 
 /// An integrator that remembers the state before the last step. With r = τ/τ_before it solves, at the
@@ -50,8 +47,7 @@ class TwoStep {
               old.beta + by * (old.beta - past_->state.beta)};
     };
     const State at = ahead(r);
-    auto result = solver_.step(at, ahead(r * r / (1 + 2 * r)), solver_.measure(at),
-                               tau * (1 + r) / (1 + 2 * r));
+    auto result = solver_.step(at, ahead(r * r / (1 + 2 * r)), tau * (1 + r) / (1 + 2 * r));
     if (!result.ok()) return result;
     result.error = r / (2 * (1 + r)) * solver_.distance(at, result.state).largest();
     rates_ = result.dissipation;

@@ -36,18 +36,18 @@ bool reaches(const std::vector<TimedLine>& rows, const std::vector<double>& time
 
 // The newest state in the folder that can be read and whose rows are there: a frame or the checkpoint;
 // empty when there is none yet. Throws OutputError when there are some and all are damaged.
-std::optional<Frame> newest_frame(const RunInput& input, const OutputFolder& folder) {
+std::optional<FlowMoment> newest_frame(const RunInput& input, const OutputFolder& folder) {
   std::vector<fs::path> candidates{folder / checkpoint_name};
   const std::vector<TimedLine> series = timed_lines(folder / "series.csv"),
                                frames = timed_lines(folder / "frames.csv");
   for (const FrameEntry& frame : rows_of(frame_columns(), frames))
     candidates.insert(candidates.begin() + 1, folder / frame.file);  // the newest first
-  std::optional<Frame> newest;
+  std::optional<FlowMoment> newest;
   bool damaged = false;
   for (const fs::path& path : candidates) {
     if (!fs::exists(path)) continue;
     try {
-      Frame frame = read_frame(path);
+      FlowMoment frame = read_frame(path);
       const double time = frame.record.time;
       const std::vector<double> rows =
           input.times.every_step ? std::vector{time} : input.times.rows;
@@ -85,7 +85,7 @@ void require_same_run(const OutputFolder& folder, const std::string& description
 Checkpoint::Checkpoint(const OutputFolder& folder, double minutes, ProgressLine& line)
     : file_(folder / checkpoint_name), minutes_(minutes), line_(line) {}
 
-void Checkpoint::see(const Moment& moment) {
+void Checkpoint::see(const FlowMoment& moment) {
   if (since_kept_.seconds() / 60 < minutes_) return;
   try {
     write(moment);
@@ -95,8 +95,8 @@ void Checkpoint::see(const Moment& moment) {
   put_off();
 }
 
-std::optional<Frame> frame_to_resume(const RunInput& input, const OutputFolder& folder,
-                                     const std::string& description, bool resume) {
+std::optional<FlowMoment> moment_to_resume(const RunInput& input, const OutputFolder& folder,
+                                           const std::string& description, bool resume) {
   const bool described = fs::exists(folder / "run.toml");
   if (fs::exists(folder / "scan.csv")) refuse(folder, "already holds a scan");
   if (fs::exists(folder / "series.csv") && !described)

@@ -16,9 +16,9 @@ class Checkpoint {
 
   /// From time to time. Where there is no room it says so and the run goes on: of its results nothing is
   /// missing.
-  void see(const Moment& moment);
+  void see(const FlowMoment& moment);
   /// At once. Throws OutputError.
-  void write(const Moment& moment) const { write_frame(file_, moment); }
+  void write(const FlowMoment& moment) const { write_frame(file_, moment); }
   /// Not due for a while: the state is kept elsewhere.
   void put_off() { since_kept_ = {}; }
   void remove() const { remove_file(file_); }
@@ -32,7 +32,7 @@ class Checkpoint {
 
 /// The newest state of the run in the folder, which has this description; empty for a run from the start.
 /// Throws OutputError when the folder holds what must not be overwritten.
-std::optional<Frame> frame_to_resume(const RunInput& input, const OutputFolder& folder,
-                                     const std::string& description, bool resume);
+std::optional<FlowMoment> moment_to_resume(const RunInput& input, const OutputFolder& folder,
+                                           const std::string& description, bool resume);
 
 }  // namespace sbeh::studies

@@ -82,7 +82,11 @@ surface3d::StepperMemory memory_of(const CurvedFile& file, const std::filesystem
 
 }  // namespace
 
-void write_frame(const std::filesystem::path& path, const Moment& m) {
+meshing::CurvedMesh curved_mesh(const FlowMoment& moment) {
+  return {.order = 3, .triangles = moment.mesh->triangles, .nodes = moment.state.X};
+}
+
+void write_frame(const std::filesystem::path& path, const FlowMoment& m) {
   const auto curvature = surface3d::curvature_of(*m.mesh, m.state.X);
   if (!curvature) throw std::runtime_error("the surface is degenerate");
   NodeFields at_nodes{{"order", m.state.beta.transpose()},
@@ -103,18 +107,20 @@ void write_frame(const std::filesystem::path& path, const Moment& m) {
     const auto& [friction, order, viscous] = past->dissipation;
     globals["past_step"] = Eigen::Vector4d(past->tau, friction, order, viscous);
   }
-  const meshing::CurvedMesh mesh{.order = 3, .triangles = m.mesh->triangles, .nodes = m.state.X};
-  write_file(path, vtu_text(mesh, at_nodes, globals));
+  write_file(path, vtu_text(curved_mesh(m), at_nodes, globals));
 }
 
-Frame read_frame(const std::filesystem::path& path) {
+FlowMoment read_frame(const std::filesystem::path& path) {
   MeshFile file = read_mesh(path);
   auto* curved = std::get_if<CurvedFile>(&file);
   if (!curved || curved->mesh.order != 3)
     throw InputError(
         fmt::format("{}: is no frame of a run: its triangles are not of order 3", path.string()));
-  Frame frame{.mesh = curved->mesh, .beta = {}, .record = {}, .target = {}, .memory = {}};
-  frame.beta = part(curved->fields, "order", frame.mesh.node_count(), path).transpose();
+  const meshing::CurvedMesh& mesh = curved->mesh;
+  FlowMoment frame{
+      .mesh = std::make_shared<const surface3d::Triangulation>(mesh),
+      .state = {mesh.nodes, part(curved->fields, "order", mesh.node_count(), path).transpose()},
+      .target = {}};
   frame.record.time = part(curved->globals, "TimeValue", 1, path)[0];
   frame.record.next_step = part(curved->globals, "next_step", 1, path)[0];
   frame.record.rejected = int(part(curved->globals, "rejected_steps", 1, path)[0]);
@@ -125,7 +131,7 @@ Frame read_frame(const std::filesystem::path& path) {
   frame.memory.stepper = memory_of(*curved, path);
   if (curved->globals.contains("past_step")) {
     const Eigen::VectorXd& step = part(curved->globals, "past_step", 4, path);
-    const Eigen::Index nodes = frame.mesh.node_count();
+    const Eigen::Index nodes = mesh.node_count();
     frame.memory.past = {.state = {part(curved->fields, "past", 3 * nodes, path),
                                    part(curved->fields, "past_order", nodes, path).transpose()},
                          .tau = step[0],

@@ -4,35 +4,21 @@
 #include "surface3d/flow.h"
 
 #include <filesystem>
-#include <memory>
 
 namespace sbeh::studies {
 
-/// All that a run needs to go on, bit for bit.
-struct Frame {
-  meshing::CurvedMesh mesh;      ///< its nodes are X of the state
-  surface3d::Field beta;         // nodes
-  surface3d::FlowRecord record;  ///< read from a file: without its energy
-  surface3d::Target target;
-  surface3d::FlowMemory memory;
-};
+using surface3d::FlowMoment;
 
-/// A moment of a 3D run: all that its files are made of.
-struct Moment {
-  surface3d::FlowRecord record;
-  surface3d::State state;
-  std::shared_ptr<const surface3d::Triangulation> mesh;
-  surface3d::Target target;
-  surface3d::StepFields fields;  ///< of the last solve; empty at the start and on a new mesh
-  surface3d::FlowMemory memory;
-};
+/// The surface alone.
+meshing::CurvedMesh curved_mesh(const FlowMoment& moment);
 
 /// VTU with P3 Lagrange triangles and raw doubles; point data `order`, `mean_curvature`, `normal`,
 /// `velocity`; field data `TimeValue` and the rest of the moment. Written to a temporary name first.
 /// Throws OutputError.
-void write_frame(const std::filesystem::path& path, const Moment& moment);
+void write_frame(const std::filesystem::path& path, const FlowMoment& moment);
 
-/// Throws InputError when the file is damaged or is no frame.
-Frame read_frame(const std::filesystem::path& path);
+/// The moment without its fields and the energy of its record. Throws InputError when the file is damaged or
+/// is no frame.
+FlowMoment read_frame(const std::filesystem::path& path);
 
 }  // namespace sbeh::studies

@@ -21,7 +21,7 @@ class RunObservers {
  public:
   // Of a run that begins, or goes on, at `start`. Of the files of an earlier run what is not later than
   // `until` stays. Throws OutputError.
-  RunObservers(const RunInput& input, const OutputFolder& folder, Moment start, double until);
+  RunObservers(const RunInput& input, const OutputFolder& folder, FlowMoment start, double until);
 
   // Lets each of them see the step. False when a signal asks for the end; the checkpoint is written then.
   // Throws OutputError.
@@ -38,7 +38,7 @@ class RunObservers {
   }
 
   const RunInput& input_;
-  Moment now_;
+  FlowMoment now_;
   ProgressLine line_;
   LongProgress progress_;
   SeriesWriter series_;
@@ -47,7 +47,7 @@ class RunObservers {
   Checkpoint checkpoint_;
 };
 
-RunObservers::RunObservers(const RunInput& input, const OutputFolder& folder, Moment start,
+RunObservers::RunObservers(const RunInput& input, const OutputFolder& folder, FlowMoment start,
                            double until)
     : input_(input),
       now_(std::move(start)),
@@ -61,7 +61,7 @@ bool RunObservers::see(const FlowRecord& record, const State& state, const StepV
                        bool exact) {
   progress_.see(record);
   events_.see(record, view);
-  now_ = {record, state, view.mesh, now_.target, view.fields, view.memory};
+  now_ = {view.mesh, state, now_.target, record, view.memory, view.fields};
   if (record.ends) return true;  // what remains is for finish()
   series_.see(record, exact, [&] { return diagnostics(); });
   const auto write = [&](const fs::path& file) { write_frame(file, now_); };
@@ -75,33 +75,20 @@ void RunObservers::finish(const surface3d::FlowResult& run) {
   line_.end();
   if (run.stop == surface3d::FlowStop::interrupted) return;
   now_.record = run.last;
-  now_.state = run.state;
   series_.finish(run.last, [&] { return diagnostics(); });
   frames_.finish(run.last.time, [&](const fs::path& file) { write_frame(file, now_); });
   checkpoint_.remove();
 }
 
-// Where the run begins, or goes on.
-Moment moment_of(const Frame& frame) {
-  return {.record = frame.record,
-          .state = {frame.mesh.nodes, frame.beta},
-          .mesh = std::make_shared<const surface3d::Triangulation>(frame.mesh),
-          .target = frame.target,
-          .fields = {},
-          .memory = frame.memory};
-}
-
-surface3d::FlowResult run_observed(const RunInput& input, const Moment& start,
+surface3d::FlowResult run_observed(const RunInput& input, const FlowMoment& start,
                                    RunObservers& observers) {
   model::FlowSchedule schedule = schedule_of(input.times);
   const auto over = start.record.ends;
   if (over) schedule.end_time = start.record.time;
-  surface3d::FlowResult run = surface3d::run_flow(
-      start.mesh, input.material, input.model, {start.state, start.record, start.memory},
-      start.target, input.numerics, schedule,
-      [&](const FlowRecord& record, const State& state, const StepView& view, bool exact) {
-        return observers.see(record, state, view, exact);
-      });
+  surface3d::FlowResult run =
+      surface3d::run_flow(input.material, input.model, start, input.numerics, schedule,
+                          [&](const FlowRecord& record, const State& state, const StepView& view,
+                              bool exact) { return observers.see(record, state, view, exact); });
   if (over) run.stop = *over;
   return run;
 }
@@ -110,16 +97,16 @@ surface3d::FlowResult run_observed(const RunInput& input, const Moment& start,
 
 RunSummary run_surface(const RunInput& input, const fs::path& path, std::string_view version,
                        bool resume) {
-  std::optional<Frame> begin;  // before the folder: a start that cannot be made leaves none
+  std::optional<FlowMoment> begin;  // before the folder: a start that cannot be made leaves none
   if (!fs::exists(path / "run.toml")) begin = start_of(input);
   const OutputFolder folder(path);
   const std::string description = describe(input, version);
-  const std::optional<Frame> frame = frame_to_resume(input, folder, description, resume);
-  if (!frame && !begin) begin = start_of(input);
+  const std::optional<FlowMoment> resumed = moment_to_resume(input, folder, description, resume);
+  if (!resumed && !begin) begin = start_of(input);
   write_file(folder / "run.toml", description);
 
-  const Moment start = moment_of(frame ? *frame : *begin);
-  RunObservers observers(input, folder, start, frame ? start.record.time : -1);
+  const FlowMoment& start = resumed ? *resumed : *begin;
+  RunObservers observers(input, folder, start, resumed ? start.record.time : -1);
   try {
     const surface3d::FlowResult run = run_observed(input, start, observers);
     observers.finish(run);

@@ -79,10 +79,10 @@ Start make(const ScanRow& row, const RunInput& input) {
 }
 
 Start make(const FrameStart& start, const RunInput&) {
-  Frame frame = read_frame(start.file);
-  if (!frame.beta.allFinite())
+  const FlowMoment frame = read_frame(start.file);
+  if (!frame.state.beta.allFinite())
     throw InputError(fmt::format("{}: its order is no finite number everywhere", start.file));
-  return {sound(std::move(frame.mesh), start.file), std::move(frame.beta)};
+  return {sound(curved_mesh(frame), start.file), frame.state.beta};
 }
 
 // As surface3d::CoupledSystem has them.
@@ -92,8 +92,7 @@ int unknowns_of(const RunInput& input, int nodes, int quadratic_nodes) {
   const auto scheme = surface3d::stable_scheme(m, area, input.numerics.scheme);
   const int mesh_motion = scheme == surface3d::Scheme::split ? 0 : 3 * nodes;
   if (area == model::AreaConstraint::global) return 2 * nodes + mesh_motion + 2;
-  const bool free = m.friction_tangential == 0 && m.friction_normal == 0;
-  return 4 * nodes + quadratic_nodes + mesh_motion + (free ? 7 : 1);
+  return 4 * nodes + quadratic_nodes + mesh_motion + (m.frictionless() ? 7 : 1);
 }
 
 }  // namespace
@@ -113,7 +112,7 @@ void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
   }
 }
 
-Frame start_of(const RunInput& input) {
+FlowMoment start_of(const RunInput& input) {
   Start start;
   try {
     start = std::visit([&](const auto& shape) { return make(shape, input); }, input.start);
@@ -128,18 +127,14 @@ Frame start_of(const RunInput& input) {
   // A frame goes on as it is; what has the area already keeps its bits.
   if (std::abs(meshing::area(start.mesh) / unit_area - 1) > 1e-14)
     meshing::scale_to_area(start.mesh, unit_area);
-  const surface3d::Triangulation triangulation(start.mesh);
-  Frame result{.mesh = std::move(start.mesh),
-               .beta = std::move(start.beta),
-               .record = {},
-               .target = {},
-               .memory = {}};
   const bool free_order = model::has_free_order(input.model);
-  if (!free_order || result.beta.size() == 0)
-    result.beta.setConstant(result.mesh.node_count(),
-                            free_order ? input.initial_order : model::full_order);
-  result.target = surface3d::area_and_volume(triangulation, result.mesh.nodes);
-  return result;
+  if (!free_order || start.beta.size() == 0)
+    start.beta.setConstant(start.mesh.node_count(),
+                           free_order ? input.initial_order : model::full_order);
+  const auto mesh = std::make_shared<const surface3d::Triangulation>(start.mesh);
+  return {.mesh = mesh,
+          .state = {start.mesh.nodes, start.beta},
+          .target = surface3d::area_and_volume(*mesh, start.mesh.nodes)};
 }
 
 RunCost cost_of(const RunInput& input, int triangles) {

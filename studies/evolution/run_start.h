@@ -6,10 +6,10 @@
 
 namespace sbeh::studies {
 
-/// Makes the surface that the input asks for: order 3, area 4π, its own area and volume as target. Throws InputError (a mesh or frame that is not what it
-/// should be), OutputError (files that cannot be read) and std::invalid_argument (a shape that does not
-/// exist, a perturbation too large for it).
-Frame start_of(const RunInput& input);
+/// Makes the surface that the input asks for: order 3, area 4π, its own area and volume as target. Throws
+/// InputError (a mesh or frame that is not what it should be), OutputError (files that cannot be read) and
+/// std::invalid_argument (a shape that does not exist, a perturbation too large for it).
+FlowMoment start_of(const RunInput& input);
 
 /// Displaces the nodes along the normals by Σ a_lm Y_lm of their directions from the centre. Throws
 /// std::invalid_argument where that is too large for the surface.

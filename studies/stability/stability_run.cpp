@@ -155,8 +155,11 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   const auto mesh = std::make_shared<const Triangulation>(start.mesh);
   Observer seen(key, settling_share / kappa);
   const surface3d::FlowResult run = surface3d::run_flow(
-      mesh, material, key.model, {.state = {start.mesh.nodes, start.beta}},
-      {area, key.reduced_volume * area / 3}, input.numerics_3d,
+      material, key.model,
+      {.mesh = mesh,
+       .state = {start.mesh.nodes, start.beta},
+       .target = {area, key.reduced_volume * area / 3}},
+      input.numerics_3d,
       {.end_time = input.end_time / kappa, .output_times = {}, .stop_at_rest = false},
       [&](const auto& record, const auto& state, const auto& view, bool) {
         return seen(record, state, view);

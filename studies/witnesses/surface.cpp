@@ -64,21 +64,23 @@ Rest flow_to_rest(const StationaryCase& of, const SurfaceMethod& method,
   if (!rest.failure.empty()) return rest;
   const auto mesh = std::make_shared<const Triangulation>(rest.mesh);
   const double area = 4 * std::numbers::pi;
-  const surface3d::Target target{area, of.reduced_volume * area / 3};
   BriefProgress progress(method.end_time, "surface3d: ");
-  surface3d::StepFields fields;
-  surface3d::FlowMemory memory;
-  const surface3d::FlowResult run = surface3d::run_flow(
-      mesh, of.material, of.model, {.state = {rest.mesh.nodes, rest.beta}}, target, method.numerics,
-      {.end_time = method.end_time, .output_times = history_times(method)},
-      [&](const surface3d::FlowRecord& record, const surface3d::State&,
-          const surface3d::StepView& view, bool exact) {
-        if (exact && !method.revolved) rest.history.push_back({record.time, record.energy.total()});
-        progress.see(record);
-        fields = view.fields;
-        memory = view.memory;
-        return interrupt_signal() == 0;
-      });
+  const FlowMoment start{.mesh = mesh,
+                         .state = {rest.mesh.nodes, rest.beta},
+                         .target = {area, of.reduced_volume * area / 3}};
+  FlowMoment end = start;
+  const surface3d::FlowResult run =
+      surface3d::run_flow(of.material, of.model, start, method.numerics,
+                          {.end_time = method.end_time, .output_times = history_times(method)},
+                          [&](const surface3d::FlowRecord& record, const surface3d::State&,
+                              const surface3d::StepView& view, bool exact) {
+                            if (exact && !method.revolved)
+                              rest.history.push_back({record.time, record.energy.total()});
+                            progress.see(record);
+                            end.fields = view.fields;
+                            end.memory = view.memory;
+                            return interrupt_signal() == 0;
+                          });
   if (run.stop == surface3d::FlowStop::interrupted) throw Interrupted("interrupted");
   const std::string stop =
       fmt::format("{} triangles, {} at t = {:.4g} after {} steps, speed {:.1e}",
@@ -90,13 +92,9 @@ Rest flow_to_rest(const StationaryCase& of, const SurfaceMethod& method,
   const bool lost = run.stop == surface3d::FlowStop::unresolved
                  || run.stop == surface3d::FlowStop::step_too_small;
   (lost ? rest.failure : rest.remark) = stop;
-  if (!keep.empty() && surface3d::curvature_of(*mesh, run.state.X))
-    write_frame(keep, {.record = run.last,
-                       .state = run.state,
-                       .mesh = mesh,
-                       .target = target,
-                       .fields = fields,
-                       .memory = memory});
+  end.record = run.last;
+  end.state = run.state;
+  if (!keep.empty() && surface3d::curvature_of(*mesh, run.state.X)) write_frame(keep, end);
   return rest;
 }
 
@@ -134,8 +132,8 @@ Rest last_frame(const StationaryCase& of, const fs::path& folder) {
   const auto series = read_rows(series_columns(), folder / "series.csv");
   if (frames.empty())
     throw InputError(fmt::format("{}: has no frame yet", (folder / "frames.csv").string()));
-  Frame frame = read_frame(folder / frames.back().file);
-  Rest rest{.mesh = std::move(frame.mesh), .beta = std::move(frame.beta)};
+  const FlowMoment frame = read_frame(folder / frames.back().file);
+  Rest rest{.mesh = curved_mesh(frame), .beta = frame.state.beta};
   const double v = surface3d::reduced_volume(frame.target.area, frame.target.volume);
   if (std::abs(v - of.reduced_volume) > 1e-6)
     throw InputError(

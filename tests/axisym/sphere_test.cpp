@@ -24,8 +24,8 @@ struct Evolved {
 Evolved evolve(const Material& material, State s, double tau, int steps) {
   TimeStepper stepper(material, Model::SBEH, elements);
   for (int k = 0; k < steps; ++k) {
-    StepResult r = stepper.step(s, unit_sphere, tau);
-    if (!r.ok) return {s, false};
+    FlowStep r = stepper.step(s, unit_sphere, tau);
+    if (!r.ok()) return {s, false};
     s = r.state;
   }
   return {s, true};

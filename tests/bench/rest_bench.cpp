@@ -44,10 +44,11 @@ void measure(double reduced_volume, bool prolate) {
   numerics.rest_speed = 1e-5;
   double reached = 0;
   const FlowResult run =
-      run_flow(mesh, {}, model::Model::SSH,
-               {.state = {nodes.nodes, Field::Constant(mesh->nodes, model::full_order)}},
-               {area(*mesh, nodes.nodes), volume(*mesh, nodes.nodes)}, numerics,
-               {.end_time = 20, .output_times = {}},
+      run_flow({}, model::Model::SSH,
+               {.mesh = mesh,
+                .state = {nodes.nodes, Field::Constant(mesh->nodes, model::full_order)},
+                .target = area_and_volume(*mesh, nodes.nodes)},
+               numerics, {.end_time = 20, .output_times = {}},
                [&](const FlowRecord& record, const State&, const StepView&, bool) {
                  const bool near = std::abs(record.energy.total() / expected - 1) < 2e-5;
                  if (near && reached == 0) reached = cpu_seconds() - start;

@@ -50,19 +50,15 @@ double seconds_of(const std::function<void()>& part) {
 struct Case {
   std::shared_ptr<const Triangulation> mesh;
   State start;
-  Target target;
   model::Material material;
 };
 
 Case harmonic(int triangles) {
   const std::vector<meshing::Harmonic> modes{{5, 3, 0.5}};
   const auto mesh = meshing::harmonic_sphere(modes, {.triangles = triangles});
-  Case c{.mesh = std::make_shared<Triangulation>(mesh),
-         .start = {mesh.nodes, Field::Constant(mesh.node_count(), model::full_order)},
-         .target = {},
-         .material = {}};
-  c.target = {area(*c.mesh, mesh.nodes), volume(*c.mesh, mesh.nodes)};
-  return c;
+  return {.mesh = std::make_shared<Triangulation>(mesh),
+          .start = {mesh.nodes, Field::Constant(mesh.node_count(), model::full_order)},
+          .material = {}};
 }
 
 // A step of a run: its states before and after, and the one it was extrapolated from.
@@ -82,15 +78,18 @@ struct Replay {
 };
 
 Replay replay(const Case& c, const std::vector<Taken>& steps, Scheme scheme,
-              Factorisation factorisation, double tolerance = default_solver_tolerance) {
-  TimeStepper stepper(c.mesh, c.material, model::Model::SSH, scheme, factorisation, tolerance);
+              Factorisation factorisation, double solver_tolerance = Numerics().solver_tolerance) {
+  Numerics numerics;
+  numerics.scheme = scheme;
+  numerics.factorisation = factorisation;
+  numerics.solver_tolerance = solver_tolerance;
+  TimeStepper stepper(c.mesh, c.material, model::Model::SSH, numerics);
   Replay r;
   if (factorisation == Factorisation::every_step)  // the analysis of the structure is done once
-    (void)stepper.step(steps[0].at, steps[0].from, c.target, steps[0].tau);
+    (void)stepper.step(steps[0].at, steps[0].from, steps[0].tau);
   const double start = seconds();
   for (const Taken& s : steps) {
-    const StepResult result =
-        stepper.step(s.at, s.from, {area(*c.mesh, s.at.X), volume(*c.mesh, s.at.X)}, s.tau);
+    const FlowStep result = stepper.step(s.at, s.from, s.tau);
     if (!result.ok()) std::puts("  a step failed");
     r.iterations_per_step += stepper.memory().last_iterations / double(steps.size());
     if (stepper.memory().solves == 1) ++r.factorisations;
@@ -139,8 +138,9 @@ void measure(int triangles, double end, int reference_steps) {
   int taken = 0;
   const double start = seconds();
   const FlowResult run = run_flow(
-      c.mesh, c.material, model::Model::SSH, {.state = c.start}, c.target, Numerics(), schedule,
-      [&](const FlowRecord& record, const State& state, const StepView& view, bool) {
+      c.material, model::Model::SSH,
+      {.mesh = c.mesh, .state = c.start, .target = area_and_volume(*c.mesh, c.start.X)}, Numerics(),
+      schedule, [&](const FlowRecord& record, const State& state, const StepView& view, bool) {
         if (record.time >= next_print) {
           std::printf("    t %.3f: time step %.1e, %d applications of factors %d steps old\n",
                       record.time, record.time_step, view.memory.stepper.last_iterations,

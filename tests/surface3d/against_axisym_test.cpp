@@ -27,7 +27,7 @@ void expect_same_rest(Model model) {
   numerics.tolerance = 1e-3;
   numerics.rest_speed = 1e-5;
   double before = std::numeric_limits<double>::infinity();
-  const FlowResult run = run_flow(s.mesh, material, model, {s.state}, target, numerics,
+  const FlowResult run = run_flow(material, model, {s.mesh, s.state, target}, numerics,
                                   {.end_time = 3, .output_times = {}},
                                   [&](const FlowRecord& r, const State& x, const StepView&, bool) {
                                     EXPECT_NEAR(area(*s.mesh, x.X) / target.area, 1, 1e-8);
@@ -67,8 +67,8 @@ History axisymmetric_history(Model model, int steps) {
   History U;
   int output = 0;
   for (int k = 1; k <= steps; ++k) {
-    const axisym::StepResult r = stepper.step(s, target, duration / steps);
-    EXPECT_TRUE(r.ok);
+    const axisym::FlowStep r = stepper.step(s, target, duration / steps);
+    EXPECT_TRUE(r.ok());
     s = r.state;
     if (is_output(k, steps)) U[output++] = axisym::test::energy_of(material, s).total();
   }
@@ -78,12 +78,12 @@ History axisymmetric_history(Model model, int steps) {
 History history(Model model, Scheme scheme, int count, int steps) {
   const Material material = paper_material(L);
   const Surface start = ordered_spheroid(V_r, count);
-  TimeStepper stepper(start.mesh, material, model, scheme);
+  TimeStepper stepper(start.mesh, material, model, numerics_of(scheme));
   State s = start.state;
   History U;
   int output = 0;
   for (int k = 1; k <= steps; ++k) {
-    const StepResult r = stepper.step(s, target, duration / steps);
+    const FlowStep r = stepper.step(s, target, duration / steps);
     EXPECT_TRUE(r.ok());
     s = r.state;
     if (is_output(k, steps)) U[output++] = energy_of(*start.mesh, material, s);
@@ -137,10 +137,10 @@ TEST(Schemes, come_to_the_same_rest) {
   std::vector<Diagnostics> ends;
   for (const Scheme scheme : {Scheme::split, Scheme::monolithic}) {
     const Surface s = ordered_spheroid(V_r, 80);
-    TimeStepper stepper(s.mesh, material, Model::SBEH, scheme);
+    TimeStepper stepper(s.mesh, material, Model::SBEH, numerics_of(scheme));
     State now = s.state;
     for (int k = 0; k < 60; ++k) {
-      StepResult r = stepper.step(now, target, k < 20 ? 2e-3 : 0.05);
+      FlowStep r = stepper.step(now, target, k < 20 ? 2e-3 : 0.05);
       ASSERT_TRUE(r.ok());
       now = r.state;
     }

@@ -38,6 +38,7 @@ struct Surface {
   std::shared_ptr<const Triangulation> mesh;
   State state;
   Target target() const { return area_and_volume(*mesh, state.X); }
+  FlowMoment moment() const { return {.mesh = mesh, .state = state, .target = target()}; }
 };
 
 inline Surface surface_of(const meshing::CurvedMesh& mesh, double order = model::full_order) {
@@ -61,6 +62,15 @@ inline double energy_of(const Triangulation& mesh, const Material& material, con
   return energy(mesh, material, state, *curvature).total();
 }
 
+inline Numerics numerics_of(Scheme scheme, Factorisation factorisation = Factorisation::lagged,
+                            double solver_tolerance = Numerics().solver_tolerance) {
+  Numerics numerics;
+  numerics.scheme = scheme;
+  numerics.factorisation = factorisation;
+  numerics.solver_tolerance = solver_tolerance;
+  return numerics;
+}
+
 /// How a run steps in time: two_step and step_doubling with and without extrapolation.
 enum class Method { two_step, extrapolated, two_halves };
 
@@ -75,7 +85,7 @@ inline FlowResult run_of_equal_steps(const Surface& start, const Material& mater
       method == Method::two_step ? Integrator::two_step : Integrator::step_doubling;
   numerics.extrapolate = method == Method::extrapolated;
   FlowResult run =
-      run_flow(start.mesh, material, model, {.state = start.state}, start.target(), numerics,
+      run_flow(material, model, start.moment(), numerics,
                {.end_time = duration, .output_times = {}, .stop_at_rest = false}, observe);
   EXPECT_EQ(run.stop, FlowStop::end_time);
   EXPECT_EQ(run.steps, steps);

@@ -17,16 +17,16 @@ TEST(Step, of_a_state_with_a_number_that_is_none_is_not_ok_and_leaves_no_trace) 
   const Surface s = ordered_spheroid(0.8, 80);
   const Material material = paper_material(0.05);
   for (const Scheme scheme : {Scheme::split, Scheme::monolithic}) {
-    TimeStepper stepper(s.mesh, material, Model::SBEH, scheme, every_step),
-        fresh(s.mesh, material, Model::SBEH, scheme, every_step);
+    TimeStepper stepper(s.mesh, material, Model::SBEH, numerics_of(scheme, every_step)),
+        fresh(s.mesh, material, Model::SBEH, numerics_of(scheme, every_step));
     State lost = s.state, disordered = s.state;
     lost.X(2, 17) = nan;
     disordered.beta[5] = nan;
     EXPECT_EQ(stepper.step(lost, s.target(), 1e-3).fault, FlowFault::degenerate);
     EXPECT_EQ(stepper.step(disordered, s.target(), 1e-3).fault, FlowFault::linear_solve);
     EXPECT_EQ(stepper.step(s.state, s.target(), nan).fault, FlowFault::linear_solve);
-    const StepResult a = stepper.step(s.state, s.target(), 1e-3),
-                     b = fresh.step(s.state, s.target(), 1e-3);
+    const FlowStep a = stepper.step(s.state, s.target(), 1e-3),
+                   b = fresh.step(s.state, s.target(), 1e-3);
     ASSERT_TRUE(a.ok() && b.ok());
     EXPECT_TRUE(a.state.X == b.state.X);
     EXPECT_TRUE(a.state.beta == b.state.beta);
@@ -44,14 +44,15 @@ TEST(Step, of_a_collapsed_surface_is_not_ok) {
 TEST(Step, that_turns_triangles_over_is_not_ok) {
   const Surface s = ordered_spheroid(0.8, 80);
   for (const Model model : {Model::SSH, Model::SBEH}) {
-    TimeStepper stepper(s.mesh, paper_material(0.05), model, Scheme::split, every_step),
-        fresh(s.mesh, paper_material(0.05), model, Scheme::split, every_step);
-    const StepResult large = stepper.step(s.state, s.target(), 1);
+    const Numerics numerics = numerics_of(Scheme::split, every_step);
+    TimeStepper stepper(s.mesh, paper_material(0.05), model, numerics),
+        fresh(s.mesh, paper_material(0.05), model, numerics);
+    const FlowStep large = stepper.step(s.state, s.target(), 1);
     ASSERT_TRUE(large.ok());
     EXPECT_GT(mesh_quality(*s.mesh, large.state.X), degenerate_quality);
     for (const double tau : {1e4, 1e8}) EXPECT_FALSE(stepper.step(s.state, s.target(), tau).ok());
-    const StepResult a = stepper.step(s.state, s.target(), 1e-3),
-                     b = fresh.step(s.state, s.target(), 1e-3);
+    const FlowStep a = stepper.step(s.state, s.target(), 1e-3),
+                   b = fresh.step(s.state, s.target(), 1e-3);
     ASSERT_TRUE(a.ok() && b.ok());
     EXPECT_TRUE(a.state.X == b.state.X);
     EXPECT_TRUE(a.state.beta == b.state.beta);
@@ -67,8 +68,7 @@ TEST(Flow, forgets_rejected_steps) {
     numerics.first_step = tried;
     numerics.factorisation = every_step;
     return run_flow(
-        s.mesh, material, Model::SBEH, {s.state}, s.target(), numerics,
-        {.end_time = 1, .output_times = {}},
+        material, Model::SBEH, s.moment(), numerics, {.end_time = 1, .output_times = {}},
         [](const FlowRecord& r, const State&, const StepView&, bool) { return r.time == 0; });
   };
   const FlowResult rejecting = first_step(0.05);
@@ -86,8 +86,8 @@ TEST(Flow, keeps_area_and_volume_to_rounding_while_the_energy_falls) {
   double before = std::numeric_limits<double>::infinity();
   Numerics numerics;
   numerics.tolerance = 1e-3;
-  const FlowResult run = run_flow(s.mesh, paper_material(0.05), Model::SBEH, {s.state}, target,
-                                  numerics, {.end_time = 0.02, .output_times = {}},
+  const FlowResult run = run_flow(paper_material(0.05), Model::SBEH, s.moment(), numerics,
+                                  {.end_time = 0.02, .output_times = {}},
                                   [&](const FlowRecord& r, const State& x, const StepView&, bool) {
                                     EXPECT_NEAR(area(*s.mesh, x.X) / target.area, 1, 1e-12);
                                     EXPECT_NEAR(volume(*s.mesh, x.X) / target.volume, 1, 1e-12);
@@ -104,8 +104,8 @@ TEST(Flow, stops_when_the_step_it_may_take_is_too_large_for_the_tolerance) {
   Numerics numerics;
   numerics.tolerance = 1e-12;
   numerics.first_step = numerics.smallest_step = numerics.largest_step = 1e-2;
-  const FlowResult run = run_flow(s.mesh, paper_material(0.05), Model::SSH, {s.state}, s.target(),
-                                  numerics, {.end_time = 1, .output_times = {}});
+  const FlowResult run = run_flow(paper_material(0.05), Model::SSH, s.moment(), numerics,
+                                  {.end_time = 1, .output_times = {}});
   EXPECT_EQ(run.stop, FlowStop::step_too_small);
   EXPECT_EQ(run.fault, FlowFault::error);
   EXPECT_EQ(run.steps, 0);

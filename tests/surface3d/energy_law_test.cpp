@@ -25,7 +25,7 @@ Balance run(const Surface& start, const Material& material, Model model, int ste
   double before = U;
   Balance sum{.lost = 0, .spent = 0, .area = 0, .volume = 0, .monotone = true};
   for (int k = 0; k < steps; ++k) {
-    const StepResult r = stepper.step(s.state, pulled ? begin : s.target(), tau);
+    const FlowStep r = stepper.step(s.state, pulled ? begin : s.target(), tau);
     EXPECT_TRUE(r.ok());
     sum.spent += tau * r.dissipation.total();
     s.state = r.state;

@@ -62,8 +62,8 @@ TEST(HelfrichFlow, rests_where_SSH_and_the_axisymmetric_solver_rest) {
       EXPECT_NEAR(volume(*start.mesh, state.X) / target.volume, 1, 2e-12);
       return true;
     };
-    const FlowResult run = run_flow(start.mesh, material, model, {.state = start.state}, target,
-                                    numerics, {.end_time = 1, .output_times = {}}, observe);
+    const FlowResult run = run_flow(material, model, start.moment(), numerics,
+                                    {.end_time = 1, .output_times = {}}, observe);
     const double U = run.last.energy.total();
     rests.push_back(U);
     std::printf("%-15s U = %.8f, off rest by %.1e, off SSH by %.1e, %d steps, %d rejected\n",
@@ -85,7 +85,7 @@ Evolved after_steps(const Surface& start, Model model, double tau, int steps) {
   State s = start.state;
   double spent = 0, before = energy_of(*start.mesh, material, s);
   for (int k = 0; k < steps; ++k) {
-    const StepResult r = stepper.step(s, start.target(), tau);
+    const FlowStep r = stepper.step(s, start.target(), tau);
     EXPECT_TRUE(r.ok());
     EXPECT_EQ(r.dissipation.viscous, 0);  // friction alone
     spent += tau * r.dissipation.friction;
@@ -155,15 +155,15 @@ TEST(GlobalFlow, moves_along_the_normals_and_changes_area_and_volume_as_asked) {
   const Curvature old = curvature_of(*s.mesh, s.state.X).value();
   const Target target{A * (1 + 1e-3), V * (1 - 2e-3)};
   for (const Scheme scheme : {Scheme::split, Scheme::monolithic}) {
-    TimeStepper stepper(s.mesh, material, Model::HelfrichGlobal, scheme, Factorisation::lagged,
-                        1e-8);
-    const StepResult r = stepper.step(s.state, target, tau);
+    TimeStepper stepper(s.mesh, material, Model::HelfrichGlobal,
+                        numerics_of(scheme, Factorisation::lagged, 1e-8));
+    const FlowStep r = stepper.step(s.state, target, tau);
     ASSERT_TRUE(r.ok());
-    const Nodes &v = r.fields.V, &n = old.node_normals;
+    const Nodes &v = stepper.fields().V, &n = old.node_normals;
     const double speed = v.colwise().norm().maxCoeff();
     const Nodes along = n * v.cwiseProduct(n).colwise().sum().asDiagonal();
     EXPECT_LT((v - along).cwiseAbs().maxCoeff(), 1e-14 * speed);
-    EXPECT_EQ(r.fields.p.minCoeff(), r.fields.p.maxCoeff());
+    EXPECT_EQ(stepper.fields().p.minCoeff(), stepper.fields().p.maxCoeff());
 
     double growth = 0, flux = 0, friction = 0, area_now = 0;
     for_each_point(*s.mesh, s.state.X, assembly_points(),
@@ -195,9 +195,9 @@ double bump(const Surface& s) {
 TEST(GlobalFlow, leaves_a_sphere_as_it_is_with_one_multiplier) {
   const Surface s = uniform_sphere(model::full_order, 180);
   TimeStepper stepper(s.mesh, material, Model::HelfrichGlobal);
-  const StepResult r = stepper.step(s.state, s.target(), 1e-2);
+  const FlowStep r = stepper.step(s.state, s.target(), 1e-2);
   ASSERT_TRUE(r.ok());
-  EXPECT_EQ(r.fields.lambda, 0);
+  EXPECT_EQ(stepper.fields().lambda, 0);
   const double before = bump(s), after = bump({s.mesh, r.state});
   std::printf("largest | |x| - 1 | from %.1e to %.1e\n", before, after);
   EXPECT_LT(after, 2 * before);

@@ -13,15 +13,12 @@ using namespace test;
 // Energies after equal steps.
 std::vector<double> history(const Surface& s, Scheme scheme, Factorisation factorisation,
                             double solver_tolerance, double time_step = 2e-3) {
-  Numerics numerics;
+  Numerics numerics = numerics_of(scheme, factorisation, solver_tolerance);
   numerics.tolerance = 0.1;
   numerics.first_step = numerics.largest_step = time_step;
-  numerics.scheme = scheme;
-  numerics.factorisation = factorisation;
-  numerics.solver_tolerance = solver_tolerance;
   std::vector<double> energies;
   const FlowResult end =
-      run_flow(s.mesh, paper_material(0.05), Model::SSH, {.state = s.state}, s.target(), numerics,
+      run_flow(paper_material(0.05), Model::SSH, s.moment(), numerics,
                {.end_time = 0.03, .output_times = {}, .stop_at_rest = false},
                [&](const FlowRecord& record, const State&, const StepView&, bool) {
                  energies.push_back(record.energy.total());
@@ -40,11 +37,12 @@ double largest_difference(const std::vector<double>& a, const std::vector<double
 }
 
 TEST(LaggedSolver, follows_the_history_of_the_reference) {
+  const double default_tolerance = Numerics().solver_tolerance;
   const std::vector<meshing::Harmonic> modes{{5, 3, 0.3}};
   const Surface s = surface_of(meshing::harmonic_sphere(modes, {.triangles = 80}));
   for (const Scheme scheme : {Scheme::monolithic, Scheme::split}) {
     const auto exact = [&](double time_step) {
-      return history(s, scheme, Factorisation::every_step, default_solver_tolerance, time_step);
+      return history(s, scheme, Factorisation::every_step, default_tolerance, time_step);
     };
     const auto lagged = [&](double tolerance) {
       return history(s, scheme, Factorisation::lagged, tolerance);
@@ -53,7 +51,7 @@ TEST(LaggedSolver, follows_the_history_of_the_reference) {
     EXPECT_LT(largest_difference(lagged(1e-10), reference), 1e-8) << name(scheme);
     if (scheme == Scheme::monolithic) continue;
     const double error_in_time = std::abs(exact(1e-3).back() - reference.back());
-    const double default_error = largest_difference(lagged(default_solver_tolerance), reference);
+    const double default_error = largest_difference(lagged(default_tolerance), reference);
     std::printf("error of the energy in time %.1e, by the default tolerance %.1e\n", error_in_time,
                 default_error);
     EXPECT_LT(default_error, 0.1 * error_in_time);

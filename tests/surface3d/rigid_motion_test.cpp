@@ -39,11 +39,12 @@ TEST(RigidMotion, of_the_start_is_that_of_the_result) {
   for (const Scheme scheme : {Scheme::split, Scheme::monolithic})
     for (const double friction : {0.1, 0.}) {
       const Material material = with_friction(friction);
-      TimeStepper stepper(s.mesh, material, Model::SBEH, scheme, Factorisation::lagged, 1e-10);
+      TimeStepper stepper(s.mesh, material, Model::SBEH,
+                          numerics_of(scheme, Factorisation::lagged, 1e-10));
       State here = s.state, there = moved.state;
       for (int k = 0; k < 3; ++k) {
-        const StepResult a = stepper.step(here, s.target(), 1e-3);
-        const StepResult b = stepper.step(there, s.target(), 1e-3);
+        const FlowStep a = stepper.step(here, s.target(), 1e-3);
+        const FlowStep b = stepper.step(there, s.target(), 1e-3);
         ASSERT_TRUE(a.ok() && b.ok());
         EXPECT_NEAR(a.dissipation.total() / b.dissipation.total(), 1, 1e-9);
         here = a.state;
@@ -84,13 +85,13 @@ Moments moments(const Surface& s, const Nodes& V) {
 }
 
 Nodes velocity(const Surface& s, double friction, Scheme scheme) {
-  TimeStepper stepper(s.mesh, with_friction(friction), Model::SBEH, scheme, Factorisation::lagged,
-                      1e-8);
+  TimeStepper stepper(s.mesh, with_friction(friction), Model::SBEH,
+                      numerics_of(scheme, Factorisation::lagged, 1e-8));
   // So short that a turn of the surface, which friction allows, does not matter to the curvature.
-  const StepResult r = stepper.step(s.state, s.target(), 1e-5);
+  const FlowStep r = stepper.step(s.state, s.target(), 1e-5);
   EXPECT_TRUE(r.ok());
   EXPECT_EQ(r.dissipation.friction == 0, friction == 0);
-  return r.fields.V;
+  return stepper.fields().V;
 }
 
 TEST(Frictionless, flow_does_not_move_or_turn_the_surface_in_the_mean) {
@@ -124,7 +125,7 @@ TEST(Frictionless, sphere_stays) {
   TimeStepper stepper(s.mesh, with_friction(0), Model::SSH);
   State now = s.state;
   for (int k = 0; k < 4; ++k) {
-    const StepResult r = stepper.step(now, s.target(), 0.02);
+    const FlowStep r = stepper.step(now, s.target(), 0.02);
     ASSERT_TRUE(r.ok());
     now = r.state;
   }

@@ -26,15 +26,15 @@ void expect_rest(Model model, Scheme scheme) {
   const double beta =
       model == Model::SSH ? model::full_order : model::sphere_rest_order(material).value();
   const Surface s = uniform_sphere(beta, 320);
-  TimeStepper stepper(s.mesh, material, model, scheme);
+  TimeStepper stepper(s.mesh, material, model, numerics_of(scheme));
   State now = s.state;
   double speed = 0;
   for (int k = 0; k < 5; ++k) {
-    const StepResult r = stepper.step(now, s.target(), 0.02);
+    const FlowStep r = stepper.step(now, s.target(), 0.02);
     ASSERT_TRUE(r.ok());
-    speed = r.fields.V.colwise().norm().maxCoeff();
-    EXPECT_EQ(r.fields.lambda, 0);
-    EXPECT_NEAR(r.fields.p.mean() / (-2 * material.kappa(beta)), 1, 0.01);
+    speed = stepper.fields().V.colwise().norm().maxCoeff();
+    EXPECT_EQ(stepper.fields().lambda, 0);
+    EXPECT_NEAR(stepper.fields().p.mean() / (-2 * material.kappa(beta)), 1, 0.01);
     now = r.state;
   }
   const double change = (now.beta.array() - beta).abs().maxCoeff();
@@ -59,7 +59,7 @@ TEST(Sphere, lets_uniform_order_follow_its_equation_at_first_order_in_tau) {
     TimeStepper stepper(s.mesh, material, Model::SBEH);
     State now = s.state;
     for (int k = 0; k < steps; ++k) {
-      StepResult r = stepper.step(now, s.target(), end_time / steps);
+      FlowStep r = stepper.step(now, s.target(), end_time / steps);
       ASSERT_TRUE(r.ok());
       now = r.state;
     }

@@ -18,20 +18,20 @@ TEST(Threads, change_no_bit_of_the_assembly_or_of_a_step) {
       const Curvature curvature = *curvature_of(*s.mesh, s.state.X);
       system.assemble(*s.mesh, s.state, curvature, {s.state.X, curvature.H}, 1e-3,
                       {.area_rate = 0.1, .volume_rate = 0.1, .keep_volume = true});
-      TimeStepper stepper(s.mesh, material, Model::SBEH, scheme);
-      StepResult step = stepper.step(s.state, s.target(), 1e-3);
+      TimeStepper stepper(s.mesh, material, Model::SBEH, numerics_of(scheme));
+      FlowStep step = stepper.step(s.state, s.target(), 1e-3);
       EXPECT_TRUE(step.ok());
-      return std::pair{system.flow(), std::move(step)};
+      return std::tuple{system.flow(), std::move(step), stepper.fields()};
     };
-    const auto [system, step] = result(1);
+    const auto [system, step, fields] = result(1);
     for (const std::size_t threads : {2, 4}) {
-      const auto [same_system, same_step] = result(threads);
+      const auto [same_system, same_step, same_fields] = result(threads);
       EXPECT_TRUE((system.matrix.coeffs() == same_system.matrix.coeffs()).all());
       EXPECT_TRUE(system.rhs == same_system.rhs);
       EXPECT_TRUE(step.state.X == same_step.state.X);
       EXPECT_TRUE(step.state.beta == same_step.state.beta);
-      EXPECT_TRUE(step.fields.V == same_step.fields.V);
-      EXPECT_TRUE(step.fields.p == same_step.fields.p);
+      EXPECT_TRUE(fields.V == same_fields.V);
+      EXPECT_TRUE(fields.p == same_fields.p);
       EXPECT_EQ(step.dissipation.total(), same_step.dissipation.total());
     }
   }
@@ -52,14 +52,14 @@ TEST(Step, is_a_function_of_the_state_alone) {
   // A stepper that has made other steps before, and factors again, gives the bits of a fresh one.
   const Surface s = ordered_spheroid(0.8, 80);
   const Material material = paper_material(0.05);
-  const auto every_step = Factorisation::every_step;
-  TimeStepper used(s.mesh, material, Model::SBEH, Scheme::split, every_step),
-      fresh(s.mesh, material, Model::SBEH, Scheme::split, every_step);
-  const StepResult first = used.step(s.state, s.target(), 3e-2);
+  const Numerics numerics = numerics_of(Scheme::split, Factorisation::every_step);
+  TimeStepper used(s.mesh, material, Model::SBEH, numerics),
+      fresh(s.mesh, material, Model::SBEH, numerics);
+  const FlowStep first = used.step(s.state, s.target(), 3e-2);
   ASSERT_TRUE(first.ok());
   ASSERT_TRUE(used.step(first.state, s.target(), 1e-2).ok());
-  const StepResult a = used.step(s.state, s.target(), 1e-4),
-                   b = fresh.step(s.state, s.target(), 1e-4);
+  const FlowStep a = used.step(s.state, s.target(), 1e-4),
+                 b = fresh.step(s.state, s.target(), 1e-4);
   ASSERT_TRUE(a.ok() && b.ok());
   EXPECT_TRUE(a.state.X == b.state.X);
   EXPECT_TRUE(a.state.beta == b.state.beta);

@@ -61,8 +61,8 @@ Command add_run(CLI::App& program) {
 
 void check_run(const std::string& file) {
   const studies::RunInput input = studies::read_run(file);
-  const studies::Frame start = studies::start_of(input);
-  const int triangles = start.mesh.triangle_count();
+  const studies::FlowMoment start = studies::start_of(input);
+  const int triangles = start.mesh->count();
   const studies::RunCost cost = studies::cost_of(input, triangles);
   fmt::print(
       "{}: a 3D run of {} to t = {}, reduced volume {:.6g}, {} triangles, {} unknowns; about "

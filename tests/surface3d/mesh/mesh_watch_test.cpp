@@ -26,7 +26,7 @@ struct Watched {
 Watched watch(const Surface& s, const Numerics& numerics, double end) {
   Watched w{.run = {}, .triangles = {}, .changes = {}, .refusals = {}};
   const Target target = s.target();
-  w.run = run_flow(s.mesh, paper_material(0.05), Model::SSH, {s.state}, target, numerics,
+  w.run = run_flow(paper_material(0.05), Model::SSH, {s.mesh, s.state, target}, numerics,
                    {.end_time = end, .output_times = {}},
                    [&](const FlowRecord& record, const State& x, const StepView& view, bool) {
                      EXPECT_EQ(x.X.cols(), view.mesh->nodes);
