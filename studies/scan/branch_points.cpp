@@ -48,7 +48,8 @@ PointOutcome stationary(const StationaryCase& of, const State& state) {
   };
   if (resolution > axisym::largest_resolution)
     is(PointStatus::unresolved,
-       fmt::format("|H| times node spacing is {:.2f} at the rim, more than {}: use more elements",
+       fmt::format("the profile's curvature times its node spacing is {:.2f}, more than {}: use "
+                   "more elements",
                    resolution, axisym::largest_resolution));
   else if (row.self_contact)
     is(PointStatus::unresolved, "the surface passes through itself: contact is not in the model");

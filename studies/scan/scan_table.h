@@ -20,11 +20,12 @@ constexpr auto names(PointStatus) { return std::array{"stationary", "unresolved"
 
 /// A row. The diagnostics are of the stationary state, or of the sharpest resolved one.
 struct PointResult {
-  PointKey key;
+  PointKey key{};
   PointStatus status = PointStatus::failed;
-  std::optional<axisym::Diagnostics> diagnostics;  ///< none: written as nan
-  double residual = 0;                             ///< largest force and order residual per area
-  int steps = 0;                                   ///< Newton iterations, or time steps
+  std::optional<axisym::Diagnostics> diagnostics{};  ///< none: written as nan
+  double residual = 0;                               ///< largest force and order residual per area
+  /// Newton iterations at the start and on arrival, at a fold with the arc steps to it; or time steps.
+  int steps = 0;
   double wall_seconds = 0;
   std::string shape{};  ///< class of the shape, see axisym/shape_class.h
   std::optional<int>
