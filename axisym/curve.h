@@ -26,12 +26,11 @@ using model::element_count;
 using State = model::Profile;
 
 /// A state at rest with what holds it there: a critical point of the Lagrangian of stationary/stationary.h (or a guess of one).
-struct StationaryState {
-  State state;
-  Field H;       // nodes, mean curvature
-  Field Lambda;  // nodes, multiplier of the curvature equation, about −(κ(H − H₀) + κ_G B_φφ)
-  double tension;   ///< Σ = −∂U/∂A
-  double pressure;  ///< P = ∂U/∂V
+struct StationaryState : State {
+  Field H{};  // nodes, mean curvature
+  Field Lambda{};  // nodes, multiplier of the curvature equation, about −(κ(H − H₀) + κ_G B_φφ)
+  double tension = 0;   ///< Σ = −∂U/∂A
+  double pressure = 0;  ///< P = ∂U/∂V
 };
 
 /// Shape functions of one element at one quadrature point; derivatives by the element's own

@@ -117,13 +117,10 @@ State redistribute(const State& state, double grading, int elements) {
   return interpolate(state, places(state.X, mean_curvature(state.X), grading, elements));
 }
 
-StationaryState redistribute(const StationaryState& s, double grading, int elements) {
-  const auto at = places(s.state.X, s.H, grading, elements);
-  return {.state = interpolate(s.state, at),
-          .H = interpolate(s.H, at),
-          .Lambda = interpolate(s.Lambda, at),
-          .tension = s.tension,
-          .pressure = s.pressure};
+StationaryState redistribute(const StationaryState& state, double grading, int elements) {
+  const auto at = places(state.X, state.H, grading, elements);
+  return {interpolate(static_cast<const State&>(state), at), interpolate(state.H, at),
+          interpolate(state.Lambda, at), state.tension, state.pressure};
 }
 
 }  // namespace sbeh::axisym

@@ -11,9 +11,8 @@
 namespace sbeh::axisym {
 
 /// A state on a line.
-struct LineState {
-  double mu;
-  StationaryState s;
+struct LineState : StationaryState {
+  double mu = 0;
 };
 
 /// With its tangent of unit length (root mean square of displacement and order, and μ).
@@ -21,7 +20,7 @@ struct PathState : LineState {
   Increment tangent;
   int determinant_sign;
 
-  double slope() const { return tangent.parameter; }
+  double slope() const { return tangent.mu; }
 };
 
 /// A straight line through the (V_r, L) plane, μ = 0 at `from`, 1 at `to`, and beyond both.
@@ -31,21 +30,21 @@ struct Line {
   static constexpr model::ContinuationLimits limits{
       .most_iterations = 9, .tolerance = 1e-6, .far = 0.3, .fold = 1e-8};
 
-  model::Material membrane;  ///< whose L is that of the line
+  model::Material material;  ///< but for L
   model::Model model;
   PlanePoint from, to;
 
   PlanePoint at(double mu) const;
   Target target(double mu) const { return target_of(at(mu).reduced_volume); }
-  model::Material material(double mu) const { return membrane.with_L(at(mu).L); }
+  model::Material material_at(double mu) const { return material.with_L(at(mu).L); }
   /// Whether there are states to look for: V_r <= 1, L > 0.
   bool contains(double mu) const { return at(mu).L > 0 && at(mu).reduced_volume <= 1; }
 
   double volume_rate() const { return target(1).volume - target(0).volume; }
-  Eigen::VectorXd gradient_rate(double mu, const StationaryState& s) const;
+  Eigen::VectorXd gradient_rate(const LineState& state) const;
 };
 
-/// Length of a direction: root mean square of motion and order, and the parameter.
+/// Length of a direction: root mean square of motion and order, and μ.
 double length_of(const Increment& t);
 Increment scaled(Increment t, double factor);
 
@@ -54,12 +53,12 @@ double largest_change(const Increment& step);
 
 /// The state with its tangent, pointing the way of `forward`, or of growing μ without it. Empty where
 /// the matrix is singular.
-std::optional<PathState> with_tangent(const Line& line, const LineState& at,
+std::optional<PathState> with_tangent(const Line& line, const LineState& state,
                                       const Increment* forward = nullptr);
 
 // What model::ContinuationSystem asks for.
 std::optional<LineState> predicted(const Line& line, const PathState& from, double ds);
-std::optional<double> newton_step(const Line& line, LineState& at, const PathState& from,
+std::optional<double> newton_step(const Line& line, LineState& state, const PathState& from,
                                   double ds);
 double cosine(const PathState& a, const PathState& b);
 using model::advance, model::arc_step, model::locate_fold;

@@ -17,12 +17,11 @@ std::optional<BranchEntry> enter_branch(Branch branch, const model::Material& ma
   const State start{
       spheroid(entry_volume, branch == Branch::prolate, numerics.elements, numerics.grading),
       Field::Constant(3 * numerics.elements + 1, model::full_order)};
-  const NewtonResult r =
-      solve_stationary(material, Model::SSH, target_of(entry_volume), guess_from(material, start));
-  if (r.status != NewtonStatus::converged) return {};
-  const BranchState state{{entry_volume, material.L1}, r.solution, r.determinant_sign};
-  if (branch != Branch::stomatocyte) return BranchEntry{state, {}, {}};
-  const FollowResult flat = follow(material, Model::SSH, state, {0.59, material.L1}, numerics);
+  const auto state =
+      solve_at(material, Model::SSH, {entry_volume, material.L1}, guess_from(material, start));
+  if (!state) return {};
+  if (branch != Branch::stomatocyte) return BranchEntry{*state, {}, {}};
+  const FollowResult flat = follow(material, Model::SSH, *state, {0.59, material.L1}, numerics);
   if (flat.arrival != Arrival::reached) return {};
   return enter_stomatocytes(flat.state, material, numerics);
 }
@@ -55,10 +54,10 @@ double product(const Field& areas, const Increment& a, const Increment& b) {
 // The softest antisymmetric mode of an up-down symmetric state by inverse iteration, area and volume
 // kept. Empty when the iteration does not settle.
 std::optional<SoftMode> antisymmetric_mode(const model::Material& material, model::Model model,
-                                           const StationaryState& s) {
-  const Eigen::Index nodes = s.state.beta.size();
+                                           const StationaryState& state) {
+  const Eigen::Index nodes = state.beta.size();
   NewtonSystem system(material, model, int(nodes));
-  if (!system.linearise(s)) return {};
+  if (!system.linearise(state)) return {};
   const Field& areas = system.areas();
   Increment x = antisymmetric_seed(nodes);
   double eigenvalue = 0;
@@ -71,7 +70,7 @@ std::optional<SoftMode> antisymmetric_mode(const model::Material& material, mode
     }
     Increment next;
     if (!system.tangent(-load, 0, next)) return {};
-    next.parameter = 0;
+    next.mu = 0;
     const double estimate = 1 / product(areas, x, next);
     x = next;
     if (std::abs(estimate - eigenvalue) <= 1e-9 * std::abs(estimate) + 1e-12) {
@@ -84,21 +83,19 @@ std::optional<SoftMode> antisymmetric_mode(const model::Material& material, mode
 }
 
 // A symmetric state on the line with its softest antisymmetric mode.
-struct Sample {
-  double mu;
-  StationaryState s;
+struct Sample : LineState {
   SoftMode mode;
 };
 
 // Plain Newton steps keep the symmetry; the arclength's tangent would see the other branch.
 std::optional<Sample> sample(const Line& line, double mu, const StationaryState& near,
                              const Numerics& numerics) {
-  const NewtonResult r = solve_stationary(line.material(mu), line.model, line.target(mu),
-                                          redistribute(near, numerics.grading));
-  if (r.status != NewtonStatus::converged) return {};
-  const auto mode = antisymmetric_mode(line.material(mu), line.model, r.solution);
+  const auto solved =
+      solve_at(line.material, line.model, line.at(mu), redistribute(near, numerics.grading));
+  if (!solved) return {};
+  const auto mode = antisymmetric_mode(line.material_at(mu), line.model, *solved);
   if (!mode) return {};
-  return Sample{mu, r.solution, *mode};
+  return Sample{{*solved, mu}, *mode};
 }
 
 // Follows the symmetric branch of `from` along the line until the antisymmetric mode's eigenvalue
@@ -109,7 +106,7 @@ std::optional<PathState> find_pitchfork(const Line& line, const StationaryState&
   auto a = sample(line, 0, from, numerics);
   constexpr int steps = 16;
   for (int k = 1; k <= steps && a; ++k) {
-    auto b = sample(line, double(k) / steps, a->s, numerics);
+    auto b = sample(line, double(k) / steps, *a, numerics);
     if (!b) return {};
     if (a->mode.eigenvalue * b->mode.eigenvalue > 0) {
       a = b;
@@ -121,13 +118,13 @@ std::optional<PathState> find_pitchfork(const Line& line, const StationaryState&
       return (a->mu * fb - b->mu * fa) / (fb - fa);
     };
     for (int iteration = 0; iteration < 12 && std::abs(zero() - b->mu) > 1e-7; ++iteration) {
-      const auto next = sample(line, zero(), b->s, numerics);
+      const auto next = sample(line, zero(), *b, numerics);
       if (!next) break;
       a = b;
       b = next;
     }
     const Increment& along = b->mode.direction;
-    return PathState{{zero(), b->s}, scaled(along, 1 / length_of(along)), 0};
+    return PathState{{*b, zero()}, scaled(along, 1 / length_of(along)), 0};
   }
   return {};
 }
@@ -135,17 +132,16 @@ std::optional<PathState> find_pitchfork(const Line& line, const StationaryState&
 // --- The way up from it -------------------------------------------------------------------------------
 
 BranchState state_of(const Line& line, const PathState& p) {
-  return {line.at(p.mu), p.s, p.determinant_sign};
+  return {p, line.at(p.mu), p.determinant_sign};
 }
 
 // The state on a mesh of so many elements, on the same side of the fold, tangent towards it.
 std::optional<PathState> lifted(const Line& line, const PathState& coarse,
                                 const Numerics& numerics) {
-  const NewtonResult r =
-      solve_stationary(line.material(coarse.mu), line.model, line.target(coarse.mu),
-                       redistribute(coarse.s, numerics.grading, numerics.elements));
-  if (r.status != NewtonStatus::converged) return {};
-  auto fine = with_tangent(line, {coarse.mu, r.solution});
+  const auto solved = solve_at(line.material, line.model, line.at(coarse.mu),
+                               redistribute(coarse, numerics.grading, numerics.elements));
+  if (!solved) return {};
+  auto fine = with_tangent(line, {*solved, coarse.mu});
   if (fine && fine->slope() * coarse.slope() < 0) fine->tangent = scaled(fine->tangent, -1);
   return fine;
 }
@@ -169,15 +165,15 @@ std::optional<BranchEntry> enter_stomatocytes(const BranchState& oblate,
                                               const model::Material& material,
                                               const Numerics& numerics) {
   const Line line{material, Model::SSH, oblate.at, {0.45, material.L1}};
-  const auto pitchfork = find_pitchfork(line, oblate.solution, numerics);
+  const auto pitchfork = find_pitchfork(line, oblate, numerics);
   if (!pitchfork) return {};
   BranchEntry entry{{}, state_of(line, *pitchfork), {}};
 
   // The way up needs no fine mesh; the fold does.
   Numerics coarse = numerics;
   coarse.elements = std::min(numerics.elements, 32);
-  const auto rough = find_pitchfork(
-      line, redistribute(oblate.solution, numerics.grading, coarse.elements), coarse);
+  const auto rough =
+      find_pitchfork(line, redistribute(oblate, numerics.grading, coarse.elements), coarse);
   double ds = 0.1;
   const auto near = rough ? climb(line, *rough, coarse.grading, ds) : std::nullopt;
   auto here = near ? lifted(line, *near, numerics) : std::nullopt;

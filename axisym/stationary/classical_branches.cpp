@@ -38,22 +38,22 @@ BranchState moved(const BranchState& from, double reduced_volume, const Numerics
 }
 
 double reduced_energy(const BranchState& b) {
-  const Energy u = energy(classical_material(), b.solution.state, b.solution.H);
+  const Energy u = energy(classical_material(), b, b.H);
   return (u.bending + 4 * pi) / (8 * pi);
 }
 
 ClassicalShape shape_of(Branch branch, const BranchState& b) {
-  ClassicalShape shape{.branch = branch,
-                       .reduced_volume = b.at.reduced_volume,
-                       .energy = reduced_energy(b),
-                       .H_pole = 0,
-                       .pressure = b.solution.pressure,
-                       .tension = b.solution.tension,
-                       .self_contact = crosses_itself(b.solution.state.X),
-                       .profile = b.solution.state.X,
-                       .negative_directions = negative_directions(classical_material(),
-                                                                  model::Model::SSH, b.solution)};
-  const auto [north, south] = pole_curvatures(b.solution.state.X, b.solution.H);
+  ClassicalShape shape{
+      .branch = branch,
+      .reduced_volume = b.at.reduced_volume,
+      .energy = reduced_energy(b),
+      .H_pole = 0,
+      .pressure = b.pressure,
+      .tension = b.tension,
+      .self_contact = crosses_itself(b.X),
+      .profile = b.X,
+      .negative_directions = negative_directions(classical_material(), model::Model::SSH, b)};
+  const auto [north, south] = pole_curvatures(b.X, b.H);
   shape.H_pole = std::max(north, south);
   if (south > north) {
     shape.profile = shape.profile.rowwise().reverse().eval();
@@ -70,7 +70,7 @@ SpecialPoint equal_energy(BranchState a, BranchState b, double start, const Nume
     a = moved(a, v, numerics);
     b = moved(b, v, numerics);
     const double gap = reduced_energy(a) - reduced_energy(b);
-    const double step = gap / ((a.solution.pressure - b.solution.pressure) / 6);
+    const double step = gap / ((a.pressure - b.pressure) / 6);
     if (std::abs(step) < 1e-12) break;
     v -= step;
   }
@@ -80,7 +80,7 @@ SpecialPoint equal_energy(BranchState a, BranchState b, double start, const Nume
 SpecialPoint self_contact(BranchState oblate, const Numerics& numerics) {
   const auto thickness = [&](double v) {
     oblate = moved(oblate, v, numerics);
-    const Nodes& X = oblate.solution.state.X;
+    const Nodes& X = oblate.X;
     return X(1, 0) - X(1, X.cols() - 1);
   };
   const double v = model::root_near(0.52, 0.505, thickness, 1e-11);

@@ -1,24 +1,28 @@
 // Following a branch of stationary states through the (V_r, L) plane, up to and including its fold.
 #pragma once
 
-#include "axisym/options.h"
 #include "axisym/stationary/stationary.h"
+#include "axisym/stationary/stationary_case.h"
+
+#include <optional>
 
 namespace sbeh::axisym {
 
-/// Where a state belongs: reduced volume and elastic constant of the one-constant approximation.
-struct PlanePoint {
-  double reduced_volume;
-  double L;
+/// A stationary state at its point of the plane.
+struct BranchState : StationaryState {
+  PlanePoint at{};
+  int determinant_sign = 0;  ///< flips where another branch crosses, and at a fold
+  /// Of the last Newton solve: where `follow` arrives that of the redistributed state, 0 if it failed. At a
+  /// fold the number of arc steps before it.
+  int iterations = 0;
 };
 
-/// A stationary state at its parameters.
-struct BranchState {
-  PlanePoint at;
-  StationaryState solution;
-  int determinant_sign = 0;  ///< flips where another branch crosses, and at a fold
-  int iterations = 0;        ///< of Newton, all that led here from the last state
-};
+// Functions of a material and a PlanePoint take the material but for L.
+
+/// Newton's method at a point, from a guess; empty unless it converges.
+std::optional<BranchState> solve_at(const model::Material& material, model::Model model,
+                                    PlanePoint at, const StationaryState& guess,
+                                    const NewtonOptions& options = {});
 
 enum class Arrival {
   reached,  ///< `state` is at the point asked for

@@ -30,17 +30,17 @@ struct NormalShapes {
 
 // Rows of B in the order of LagrangianData; element unknowns component-wise.
 std::array<model::DataRow<4>, data> data_rows(const NormalShapes& n, const ShapeValues& s) {
-  constexpr int d = 4 * node_d, L = 4 * node_Lambda, H = 4 * node_H, b = 4 * node_beta;
+  constexpr int d = 4 * node_d, Lambda = 4 * node_Lambda, H = 4 * node_H, beta = 4 * node_beta;
   return {{{d, n.r.data()},
            {d, n.dr.data()},
            {d, n.dz.data()},
            {H, s.phi.data()},
-           {b, s.phi.data()},
-           {b, s.dphi.data()},
-           {L, n.r.data()},
-           {L, n.z.data()},
-           {L, n.dr.data()},
-           {L, n.dz.data()}}};
+           {beta, s.phi.data()},
+           {beta, s.dphi.data()},
+           {Lambda, n.r.data()},
+           {Lambda, n.z.data()},
+           {Lambda, n.dr.data()},
+           {Lambda, n.dz.data()}}};
 }
 
 std::array<double, data> point_data(const StationaryState& state, const NormalShapes& n, int e,
@@ -48,17 +48,17 @@ std::array<double, data> point_data(const StationaryState& state, const NormalSh
   std::array<double, data> q{};
   for (int a = 0; a < 4; ++a) {
     const int i = 3 * e + a;
-    q[at_r] += s.phi[a] * state.state.X(0, i);
-    q[at_dr] += s.dphi[a] * state.state.X(0, i);
-    q[at_dz] += s.dphi[a] * state.state.X(1, i);
-    q[at_Lr] += n.r[a] * state.Lambda[i];
-    q[at_Lz] += n.z[a] * state.Lambda[i];
-    q[at_dLr] += n.dr[a] * state.Lambda[i];
-    q[at_dLz] += n.dz[a] * state.Lambda[i];
+    q[at_r] += s.phi[a] * state.X(0, i);
+    q[at_dr] += s.dphi[a] * state.X(0, i);
+    q[at_dz] += s.dphi[a] * state.X(1, i);
+    q[at_Lambda_r] += n.r[a] * state.Lambda[i];
+    q[at_Lambda_z] += n.z[a] * state.Lambda[i];
+    q[at_dLambda_r] += n.dr[a] * state.Lambda[i];
+    q[at_dLambda_z] += n.dz[a] * state.Lambda[i];
   }
   q[at_H] = value_at(state.H, e, s);
-  q[at_beta] = value_at(state.state.beta, e, s);
-  q[at_dbeta] = slope_at(state.state.beta, e, s);
+  q[at_beta] = value_at(state.beta, e, s);
+  q[at_dbeta] = slope_at(state.beta, e, s);
   return q;
 }
 
@@ -76,16 +76,16 @@ struct PointDerivatives {
 };
 PointDerivatives differentiate(const model::Material& material, const StationaryState& state,
                                const std::array<double, data>& q) {
-  const auto L =
+  const auto density =
       lagrangian_density(material, state.tension, state.pressure, independent<Second>(q));
   PointDerivatives d;
   d.hessian.setZero();
   auto gradient = d.gradient.head<nonlinear_data>();
   auto hessian = d.hessian.topLeftCorner<nonlinear_data, nonlinear_data>();
-  gradient = L.energy.g;
-  hessian = L.energy.h;
+  gradient = density.energy.g;
+  hessian = density.energy.h;
   for (int k = 0; k < 4; ++k) {
-    const Second& c = L.curvature[k];
+    const Second& c = density.curvature[k];
     const int i = nonlinear_data + k;
     gradient += q[i] * c.g;
     hessian += q[i] * c.h;
@@ -118,7 +118,7 @@ void assemble(const model::Material& material, const StationaryState& state, con
   out.area = out.volume = 0;
   Eigen::Matrix<double, element_unknowns, element_unknowns> matrix;
   Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV;
-  for (int e = 0; e < element_count(state.state.X); ++e) {
+  for (int e = 0; e < element_count(state.X); ++e) {
     matrix.setZero();
     vector.setZero();
     dA.setZero();
@@ -127,11 +127,11 @@ void assemble(const model::Material& material, const StationaryState& state, con
       const NormalShapes shapes(normals, e, s);
       const auto rows = data_rows(shapes, s);
       const auto q = point_data(state, shapes, e, s);
-      const PointDerivatives L = differentiate(material, state, q);
+      const PointDerivatives density = differentiate(material, state, q);
       const First A = area_density(independent<First>(q)),
                   V = volume_density(independent<First>(q));
-      model::add_matrix(rows, rows, L.hessian, s.weight, matrix);
-      model::add_vector(rows, L.gradient, s.weight, vector);
+      model::add_matrix(rows, rows, density.hessian, s.weight, matrix);
+      model::add_vector(rows, density.gradient, s.weight, vector);
       model::add_vector(rows, padded(A), s.weight, dA);
       model::add_vector(rows, padded(V), s.weight, dV);
       out.area += s.weight * A.a;
@@ -150,9 +150,9 @@ void assemble(const model::Material& material, const StationaryState& state, con
 Eigen::VectorXd gradient_rate_by_L(const model::Material& material, const StationaryState& state,
                                    const Nodes& normals) {
   const model::Material unit = material.with_L(1), zero = material.with_L(0);
-  Eigen::VectorXd rate = Eigen::VectorXd::Zero(node_unknowns * state.state.beta.size());
+  Eigen::VectorXd rate = Eigen::VectorXd::Zero(node_unknowns * state.beta.size());
   Eigen::Matrix<double, element_unknowns, 1> vector;
-  for (int e = 0; e < element_count(state.state.X); ++e) {
+  for (int e = 0; e < element_count(state.X); ++e) {
     vector.setZero();
     for (const ShapeValues& s : assembly_points()) {
       const NormalShapes shapes(normals, e, s);

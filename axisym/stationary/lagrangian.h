@@ -20,13 +20,13 @@ enum LagrangianData {
   at_H,
   at_beta,
   at_dbeta,
-  at_Lr,
-  at_Lz,
-  at_dLr,
-  at_dLz,
+  at_Lambda_r,
+  at_Lambda_z,
+  at_dLambda_r,
+  at_dLambda_z,
   lagrangian_data
 };
-inline constexpr int nonlinear_data = at_Lr;
+inline constexpr int nonlinear_data = at_Lambda_r;
 template <class T>
 using PointFields = std::array<T, nonlinear_data>;
 
@@ -83,12 +83,12 @@ struct LagrangianDerivatives {
 };
 
 /// Assembles at a state whose curve moves along `normals` (2 x nodes).
-void assemble(const model::Material& material, const StationaryState& s, const Nodes& normals,
+void assemble(const model::Material& material, const StationaryState& state, const Nodes& normals,
               LagrangianDerivatives& out);
 
 /// ∂(gradient)/∂L for the elastic constant L of the one-constant approximation, in which the energy is
 /// linear; 4 nodes.
-Eigen::VectorXd gradient_rate_by_L(const model::Material& material, const StationaryState& s,
+Eigen::VectorXd gradient_rate_by_L(const model::Material& material, const StationaryState& state,
                                    const Nodes& normals);
 
 }  // namespace sbeh::axisym

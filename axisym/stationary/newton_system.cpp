@@ -30,14 +30,14 @@ Eigen::VectorXd scattered(const Increment& row) {
 NewtonSystem::NewtonSystem(const model::Material& material, model::Model model, int nodes)
     : material_(material), model_(model), derivatives_(nodes) {}
 
-bool NewtonSystem::linearise(const StationaryState& s) {
-  assemble(material_, s, node_normals(s.state.X), derivatives_);
-  for_each_pinned(model_, s.state.beta.size(), [&](int i) {
+bool NewtonSystem::linearise(const StationaryState& state) {
+  assemble(material_, state, node_normals(state.X), derivatives_);
+  for_each_pinned(model_, state.beta.size(), [&](int i) {
     derivatives_.hessian.set_identity_row(i);
     derivatives_.gradient[i] = 0;
     derivatives_.constraints.row(i).setZero();
   });
-  areas_ = node_areas(s.state.X);
+  areas_ = node_areas(state.X);
   return derivatives_.gradient.allFinite() && derivatives_.hessian.factor();
 }
 
@@ -54,35 +54,35 @@ bool NewtonSystem::newton_step(const Target& target, Increment& step) {
   return solve(-derivatives_.gradient, miss, nullptr, step);
 }
 
-bool NewtonSystem::newton_step(const Target& target, const Parameter& parameter, double arc,
+bool NewtonSystem::newton_step(const Target& target, const PathEquation& path, double arc,
                                Increment& step) {
   const Eigen::Vector3d miss(target.area - derivatives_.area, derivatives_.volume - target.volume,
                              arc);
-  return solve(-derivatives_.gradient, miss, &parameter, step);
+  return solve(-derivatives_.gradient, miss, &path, step);
 }
 
 bool NewtonSystem::tangent(const Eigen::VectorXd& gradient_rate, double volume_rate,
                            Increment& direction) {
   const bool ok = solve(-gradient_rate, Eigen::Vector2d(0, -volume_rate), nullptr, direction);
-  direction.parameter = 1;
+  direction.mu = 1;
   return ok;
 }
 
-bool NewtonSystem::tangent(const Parameter& parameter, Increment& direction) {
-  return solve(Eigen::VectorXd::Zero(derivatives_.gradient.size()), Eigen::Vector3d(0, 0, 1),
-               &parameter, direction);
+bool NewtonSystem::tangent(const PathEquation& path, Increment& direction) {
+  return solve(Eigen::VectorXd::Zero(derivatives_.gradient.size()), Eigen::Vector3d(0, 0, 1), &path,
+               direction);
 }
 
 bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& border_rhs,
-                         const Parameter* parameter, Increment& out) {
+                         const PathEquation* path, Increment& out) {
   const Eigen::Index n = rhs.size(), m = border_rhs.size();
   Eigen::MatrixXd B(n, m), C(n, m), D = Eigen::MatrixXd::Zero(m, m);
   B.leftCols(2) = C.leftCols(2) = derivatives_.constraints;
-  if (parameter) {
-    B.col(2) = parameter->gradient_rate;
-    C.col(2) = scattered(parameter->row);
-    D(1, 2) = parameter->volume_rate;
-    D(2, 2) = parameter->row.parameter;
+  if (path) {
+    B.col(2) = path->gradient_rate;
+    C.col(2) = scattered(path->row);
+    D(1, 2) = path->volume_rate;
+    D(2, 2) = path->row.mu;
   }
   Eigen::VectorXd f = rhs;
   for_each_pinned(model_, n / node_unknowns, [&](int i) {
@@ -103,17 +103,17 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
   }
   out.tension = solution.y[0];
   out.pressure = solution.y[1];
-  out.parameter = parameter ? solution.y[2] : 0;
+  out.mu = path ? solution.y[2] : 0;
   return true;
 }
 
-void displace(const Increment& step, double scale, StationaryState& s) {
-  s.state.X += node_normals(s.state.X) * (scale * step.d).asDiagonal();
-  s.state.beta += scale * step.beta;
-  s.Lambda += scale * step.Lambda;
-  s.H += scale * step.H;
-  s.tension += scale * step.tension;
-  s.pressure += scale * step.pressure;
+void displace(const Increment& step, double scale, StationaryState& state) {
+  state.X += node_normals(state.X) * (scale * step.d).asDiagonal();
+  state.beta += scale * step.beta;
+  state.Lambda += scale * step.Lambda;
+  state.H += scale * step.H;
+  state.tension += scale * step.tension;
+  state.pressure += scale * step.pressure;
 }
 
 }  // namespace sbeh::axisym

@@ -20,34 +20,34 @@ void for_each_pinned(model::Model model, Eigen::Index nodes, Visit&& visit) {
 struct Increment {
   Field d, Lambda, H, beta;
   double tension = 0, pressure = 0;
-  double parameter = 0;  ///< of the continuation; 0 where there is none
+  double mu = 0;  ///< parameter of a path; 0 where there is none
 };
 
-/// A further unknown μ with its equation row·(d, β) + row_parameter δμ = right-hand side.
-struct Parameter {
+/// The equation row·(d, β) + row_μ δμ = right-hand side of a further unknown μ, the parameter of a path.
+struct PathEquation {
   Eigen::VectorXd gradient_rate;  // 4 nodes: ∂(gradient of 𝓛)/∂μ
   double volume_rate;             ///< ∂V₀/∂μ
-  Increment row;                  ///< only d, β and parameter are used
+  Increment row;                  ///< only d, β and μ are used
 };
 
-/// s moves by scale · step along its node normals.
-void displace(const Increment& step, double scale, StationaryState& s);
+/// The state moves by scale · step along its node normals.
+void displace(const Increment& step, double scale, StationaryState& state);
 
 class NewtonSystem {
  public:
   NewtonSystem(const model::Material& material, model::Model model, int nodes);
 
-  /// Assembles at s and factors. False when the matrix is singular or not finite.
-  bool linearise(const StationaryState& s);
+  /// Assembles at the state and factors. False when the matrix is singular or not finite.
+  bool linearise(const StationaryState& state);
 
-  /// The Newton step towards `target`; with a parameter, μ changes too so that its equation holds
+  /// The Newton step towards `target`; on a path, μ changes too so that its equation holds
   /// with right-hand side `arc`. False when singular.
   bool newton_step(const Target& target, Increment& step);
-  bool newton_step(const Target& target, const Parameter& parameter, double arc, Increment& step);
-  /// The change of the solution per change of μ (parameter = 1).
+  bool newton_step(const Target& target, const PathEquation& path, double arc, Increment& step);
+  /// The change of the solution per change of μ (mu = 1).
   bool tangent(const Eigen::VectorXd& gradient_rate, double volume_rate, Increment& direction);
   /// The direction along the branch with row·(d, β, μ) = 1; regular at folds as well.
-  bool tangent(const Parameter& parameter, Increment& direction);
+  bool tangent(const PathEquation& path, Increment& direction);
 
   /// Area that every node stands for, ∫ |φ_i| dS, at the last linearisation.
   const Field& areas() const { return areas_; }
@@ -58,7 +58,7 @@ class NewtonSystem {
 
  private:
   bool solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& border_rhs,
-             const Parameter* parameter, Increment& out);
+             const PathEquation* path, Increment& out);
 
   model::Material material_;
   model::Model model_;

@@ -44,17 +44,17 @@ class InertiaCounter {
 }  // namespace
 
 int negative_directions(const model::Material& material, model::Model model,
-                        const StationaryState& s) {
-  const int nodes = int(s.state.beta.size()), size = node_unknowns * nodes;
-  LagrangianDerivatives L(nodes);
-  assemble(material, s, node_normals(s.state.X), L);
+                        const StationaryState& state) {
+  const int nodes = int(state.beta.size()), size = node_unknowns * nodes;
+  LagrangianDerivatives lagrangian(nodes);
+  assemble(material, state, node_normals(state.X), lagrangian);
   // Pinned unknowns leave the matrix symmetrically; a 1 on the diagonal counts as no negative.
   std::vector<bool> pinned(std::size_t(size), false);
   for_each_pinned(model, nodes, [&](int i) { pinned[std::size_t(i)] = true; });
   const auto entry = [&](int i, int j) {
     if (i >= size || j >= size || pinned[std::size_t(i)] || pinned[std::size_t(j)])
       return i == j ? 1. : 0.;
-    return std::abs(i - j) <= L.hessian.half_width() ? L.hessian(i, j) : 0.;
+    return std::abs(i - j) <= lagrangian.hessian.half_width() ? lagrangian.hessian(i, j) : 0.;
   };
 
   InertiaCounter counter;
@@ -69,7 +69,7 @@ int negative_directions(const model::Material& material, model::Model model,
         below(i, j) = entry(row + block, block * k + j);
       }
       for (int c = 0; c < 2; ++c)
-        border(i, c) = row < size && !pinned[std::size_t(row)] ? L.constraints(row, c) : 0;
+        border(i, c) = row < size && !pinned[std::size_t(row)] ? lagrangian.constraints(row, c) : 0;
     }
     counter.eliminate(diagonal, below, border);
   }

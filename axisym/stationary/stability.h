@@ -10,6 +10,6 @@ namespace sbeh::axisym {
 /// eigenvalues of the matrix of the Lagrangian with all its multipliers, less the number of
 /// multipliers, counted by a block LDLᵀ factorisation (Sylvester's law of inertia); O(elements).
 int negative_directions(const model::Material& material, model::Model model,
-                        const StationaryState& s);
+                        const StationaryState& state);
 
 }  // namespace sbeh::axisym

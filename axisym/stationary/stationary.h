@@ -18,13 +18,13 @@ enum class NewtonStatus { converged, diverged, singular };
 
 struct NewtonResult {
   NewtonStatus status;
-  StationaryState solution;  ///< the last iterate
+  StationaryState state;  ///< the last iterate
   int iterations;
   int determinant_sign;  ///< of the bordered matrix; constant along a branch, flips at a fold
 };
 
 struct NewtonOptions {
-  int iterations = 12;         ///< at most
+  int most_iterations = 12;
   double tolerance = 1e-8;     ///< on the largest change of position and order; as Newton converges
                                ///< quadratically, the error left is about its square
   double longest_step = 0.15;  ///< larger displacements are shortened to it
@@ -32,10 +32,11 @@ struct NewtonOptions {
 
 /// Completes position and order to a guess: H from the curve, Λ from H, tension and pressure by least
 /// squares on the force balance.
-StationaryState guess_from(const model::Material& material, const State& state);
+StationaryState guess_from(const model::Material& material, const State& shape);
 
 /// Largest force (normal) or order residual per area of its node: 0 at an exact solution.
-double residual_of(const model::Material& material, model::Model model, const StationaryState& s);
+double residual_of(const model::Material& material, model::Model model,
+                   const StationaryState& state);
 
 /// Newton on the Lagrangian at the area and volume of `target`, starting from `guess`.
 NewtonResult solve_stationary(const model::Material& material, model::Model model,

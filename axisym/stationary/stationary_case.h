@@ -7,6 +7,12 @@
 
 namespace sbeh::axisym {
 
+/// Where a state belongs: reduced volume and elastic constant of the one-constant approximation.
+struct PlanePoint {
+  double reduced_volume;
+  double L;
+};
+
 struct StationaryCase {
   model::Model model = model::Model::SBEH;  ///< SBEH or SSH
   Branch branch = Branch::oblate;
@@ -16,6 +22,7 @@ struct StationaryCase {
 
   /// Of the one-constant approximation.
   double L() const { return material.L1; }
+  PlanePoint at() const { return {reduced_volume, L()}; }
 
   bool operator==(const StationaryCase&) const = default;
 };

@@ -38,40 +38,40 @@ std::vector<FoldRow> fold_of(const ScanInput& input, axisym::Branch branch, doub
     return std::vector<FoldRow>{{branch, v, L, d.energy.total(), d.order_min, d.H_abs_max}};
   };
   for (const double L : input.L) {
-    const auto at = point({v, L, Model::SBEH, branch});
-    if (at && at->row.fold_L) return fold_at(*at->row.fold_L, *at->row.diagnostics);
+    const auto reached = point({v, L, Model::SBEH, branch});
+    if (reached && reached->row.fold_L)
+      return fold_at(*reached->row.fold_L, *reached->row.diagnostics);
   }
   const double L = input.L.back();
   const auto last = point({v, L, Model::SBEH, branch});
   const auto fold =
       is_stationary(last) ? fold_above(case_of(input, last->row.key), *last->state) : std::nullopt;
   if (!fold) return {};
-  return fold_at(fold->at.L,
-                 axisym::diagnose(input.material.with_L(fold->at.L), fold->solution.state));
+  return fold_at(fold->at.L, axisym::diagnose(input.material.with_L(fold->at.L), *fold));
 }
 
 // Newton on the difference of two branches' energies, from states at the same reduced volume.
 std::optional<EqualEnergyRow> meet(const ScanInput& input, const PointOutcome& first,
                                    const PointOutcome& second, double lowest, double highest) {
   const std::array<const PointOutcome*, 2> points{&first, &second};
-  std::array<std::optional<axisym::BranchState>, 2> at;
+  std::array<std::optional<axisym::BranchState>, 2> states;
   for (std::size_t k = 0; k < 2; ++k) {
-    at[k] = settled(case_of(input, points[k]->row.key), *points[k]->state);
-    if (!at[k]) return {};
+    states[k] = settled(case_of(input, points[k]->row.key), *points[k]->state);
+    if (!states[k]) return {};
   }
   auto [v, L, model, branch] = first.row.key;
   const model::Material material = input.material.with_L(L);
   for (int iteration = 0; iteration < 10; ++iteration) {
     std::array<double, 2> energy{};
     for (std::size_t k = 0; k < 2; ++k)
-      energy[k] = axisym::diagnose(material, at[k]->solution.state).energy.total();
-    const double slope = (at[0]->solution.pressure - at[1]->solution.pressure)
+      energy[k] = axisym::diagnose(material, *states[k]).energy.total();
+    const double slope = (states[0]->pressure - states[1]->pressure)
                        * (axisym::target_of(1).volume - axisym::target_of(0).volume);
     const double step = (energy[0] - energy[1]) / slope;
     if (std::abs(step) < 1e-9)
       return EqualEnergyRow{branch, second.row.key.branch, L, v, energy[0]};
     v = std::clamp(v - step, lowest, highest);
-    for (auto& state : at) {
+    for (auto& state : states) {
       const auto moved = axisym::follow(input.material, model, *state, {v, L}, input.numerics);
       if (moved.arrival != axisym::Arrival::reached) return {};
       state = moved.state;

@@ -17,24 +17,20 @@ using axisym::BranchState;
 using axisym::PlanePoint;
 using axisym::State;
 using axisym::StationaryCase;
+using axisym::StationaryState;
 using model::Model;
 
 namespace {
 
-PointKey key_of(const StationaryCase& of) {
-  return {of.reduced_volume, of.L(), of.model, of.branch};
-}
-
-StationaryCase at_place(StationaryCase of, const PlanePoint& place) {
-  of.reduced_volume = place.reduced_volume;
-  of.material = of.material.with_L(place.L);
+StationaryCase moved_to(const PlanePoint& at, StationaryCase of) {
+  of.reduced_volume = at.reduced_volume;
+  of.material = of.material.with_L(at.L);
   return of;
 }
 
 // What a state is, apart from the branch that led to it.
-PointOutcome stationary(const StationaryCase& of, const State& state) {
-  PointOutcome point{{.key = key_of(of),
-                      .status = PointStatus::stationary,
+PointOutcome outcome_of(const StationaryCase& of, const StationaryState& state) {
+  PointOutcome point{{.status = PointStatus::stationary,
                       .diagnostics = axisym::diagnose(of.material, state),
                       .stop_reason = "stationary"},
                      state};
@@ -83,23 +79,19 @@ PointOutcome outcome_of(const StationaryCase& of, const BranchState& start,
                         const axisym::FollowResult& result) {
   const PlanePoint at = result.state.at;
   if (result.arrival == axisym::Arrival::lost)
-    return failed_point(of,
-                        fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}",
+    return failed_point(fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}",
                                     at.reduced_volume, at.L));
-  const StationaryCase there = at_place(of, at);
-  const axisym::StationaryState& solution = result.state.solution;
-  PointOutcome point = stationary(there, solution.state);
-  point.solution = solution;
-  point.row.key = key_of(of);
-  point.row.residual = axisym::residual_of(there.material, of.model, solution);
+  const StationaryCase there = moved_to(at, of);
+  PointOutcome point = outcome_of(there, result.state);
+  point.row.residual = axisym::residual_of(there.material, of.model, result.state);
   point.row.steps = result.state.iterations;
-  point.row.negative_directions = axisym::negative_directions(there.material, of.model, solution);
+  point.row.negative_directions =
+      axisym::negative_directions(there.material, of.model, result.state);
   point.row.fold_side = "before";
   if (result.arrival == axisym::Arrival::fold && point.row.status != PointStatus::failed)
-    describe_fold(
-        of, at,
-        axisym::negative_directions(of.material.with_L(start.at.L), of.model, start.solution),
-        point.row);
+    describe_fold(of, at,
+                  axisym::negative_directions(of.material.with_L(start.at.L), of.model, start),
+                  point.row);
   return point;
 }
 
@@ -119,29 +111,18 @@ axisym::FollowResult follow_up(const StationaryCase& of, BranchState from, doubl
 
 }  // namespace
 
-PointOutcome failed_point(const StationaryCase& of, std::string reason) {
-  return {{.key = key_of(of),
-           .status = PointStatus::failed,
-           .diagnostics = {},
-           .stop_reason = std::move(reason)},
-          {}};
+PointOutcome failed_point(std::string reason) {
+  return {{.status = PointStatus::failed, .stop_reason = std::move(reason)}, {}};
 }
 
 std::optional<BranchState> settled(const StationaryCase& of, const State& state) {
-  const auto r =
-      axisym::solve_stationary(of.material, of.model, axisym::target_of(of.reduced_volume),
-                               axisym::guess_from(of.material, state));
-  if (r.status != axisym::NewtonStatus::converged) return {};
-  return BranchState{.at = {of.reduced_volume, of.L()},
-                     .solution = r.solution,
-                     .determinant_sign = r.determinant_sign,
-                     .iterations = r.iterations};
+  return axisym::solve_at(of.material, of.model, of.at(), axisym::guess_from(of.material, state));
 }
 
-std::optional<Neighbour> enter_branch(const StationaryCase& of) {
+std::optional<Neighbour> entry_of(const StationaryCase& of) {
   const auto entry = axisym::enter_branch(of.branch, of.material, of.numerics);
   if (!entry) return {};
-  return Neighbour{entry->state.at, entry->state.solution.state};
+  return Neighbour{entry->state.at, entry->state};
 }
 
 constexpr double largest_fold = 2;  // of L
@@ -156,11 +137,10 @@ std::optional<BranchState> fold_above(const StationaryCase& of, const State& sta
 
 PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
   const Stopwatch watch;
-  const auto start = settled(at_place(of, from.at), from.state);
-  if (!start) return failed_point(of, "Newton's method failed at the neighbouring point");
-  PointOutcome point = outcome_of(
-      of, *start,
-      axisym::follow(of.material, of.model, *start, {of.reduced_volume, of.L()}, of.numerics));
+  const auto start = settled(moved_to(from.at, of), from.state);
+  if (!start) return failed_point("Newton's method failed at the neighbouring point");
+  PointOutcome point =
+      outcome_of(of, *start, axisym::follow(of.material, of.model, *start, of.at(), of.numerics));
   point.row.steps += start->iterations;
   point.row.wall_seconds = watch.seconds();
   return point;
@@ -175,36 +155,34 @@ PointOutcome rescale_to(const StationaryCase& of, const Neighbour& from) {
   return point;
 }
 
-PointOutcome order_from(const StationaryCase& of, const Neighbour& ssh) {
+PointOutcome order_from(const StationaryCase& of, const State& ssh) {
   const Stopwatch watch;
   // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly. It must be
   // well below any fold: beyond one, Newton may find a state of another branch.
   const double first_L = std::min(of.L(), small_L);
   for (double L = first_L; L > first_L / 1000; L /= 2) {
-    const auto first = settled(at_place(of, {of.reduced_volume, L}), ssh.state);
+    const auto first = settled(moved_to({of.reduced_volume, L}, of), ssh);
     if (!first) continue;
     PointOutcome point = outcome_of(of, *first, follow_up(of, *first, of.L()));
     point.row.wall_seconds = watch.seconds();
     return point;
   }
-  return failed_point(of,
-                      "Newton's method found no ordered state near the SSH shape, even at small L");
+  return failed_point("Newton's method found no ordered state near the SSH shape, even at small L");
 }
 
 PointOutcome sphere_point(const StationaryCase& of) {
   const Stopwatch watch;
   const std::optional<double> order =
       has_free_order(of.model) ? model::sphere_rest_order(of.material) : model::full_order;
-  if (!order) return failed_point(of, "no ordered state at rest on the sphere at this L");
+  if (!order) return failed_point("no ordered state at rest on the sphere at this L");
   const int elements = of.numerics.elements;
   const State state{axisym::spheroid(1., 1., elements, 0),
                     axisym::Field::Constant(3 * elements + 1, *order)};
-  PointOutcome point{{.key = key_of(of),
-                      .status = PointStatus::stationary,
+  PointOutcome point{{.status = PointStatus::stationary,
                       .diagnostics = axisym::diagnose(of.material, state),
                       .shape = "sphere",
                       .stop_reason = "the sphere"},
-                     state};
+                     StationaryState{state}};
   point.row.wall_seconds = watch.seconds();
   return point;
 }
@@ -230,7 +208,7 @@ std::optional<PointOutcome> flow_to_rest(const StationaryCase& of, double end_ti
       });
   if (run.stop == axisym::FlowStop::interrupted) return {};
 
-  PointOutcome point = stationary(of, run.state);
+  PointOutcome point = outcome_of(of, StationaryState{run.state});
   point.row.residual = std::max(run.last.normal_speed, run.last.order_speed);
   if (run.stop == axisym::FlowStop::at_rest) {
     if (const auto polished = settled(of, run.state)) {

@@ -14,12 +14,11 @@
 
 namespace sbeh::studies {
 
-/// A row and the state it describes.
+/// A row, whose key is left to the scan, and the state it describes.
 struct PointOutcome {
   PointResult row;
-  std::optional<axisym::State> state;  ///< none where the point failed
-  /// The state with H, Λ, Σ and P where Newton's method has found it; not where it was read back, or evolved.
-  std::optional<axisym::StationaryState> solution{};
+  /// None where the point failed; H, Λ, Σ and P only where Newton's method has found it in this process.
+  std::optional<axisym::StationaryState> state;
 };
 
 /// A stationary state to start from.
@@ -29,14 +28,14 @@ struct Neighbour {
 };
 
 /// A failed point, with the reason.
-PointOutcome failed_point(const axisym::StationaryCase& of, std::string reason);
+PointOutcome failed_point(std::string reason);
 
 /// Newton's method from positions and order alone; empty when it fails.
 std::optional<axisym::BranchState> settled(const axisym::StationaryCase& of,
                                            const axisym::State& state);
 
 /// SSH's state from which the branch is followed, at the case's elastic constant; empty when Newton fails.
-std::optional<Neighbour> enter_branch(const axisym::StationaryCase& of);
+std::optional<Neighbour> entry_of(const axisym::StationaryCase& of);
 
 /// Follows the branch of the case's model from a neighbour (of the same model) to the case.
 PointOutcome follow_to(const axisym::StationaryCase& of, const Neighbour& from);
@@ -48,7 +47,7 @@ PointOutcome rescale_to(const axisym::StationaryCase& of, const Neighbour& from)
 inline constexpr double small_L = 1e-5;
 
 /// The first SBEH state at a reduced volume, from SSH's: at a small L, then along the branch.
-PointOutcome order_from(const axisym::StationaryCase& of, const Neighbour& ssh);
+PointOutcome order_from(const axisym::StationaryCase& of, const axisym::State& ssh);
 
 /// The fold in which the branch of SBEH ends as L grows, from the case's state; empty when there is none below
 /// L = 2.

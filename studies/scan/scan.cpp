@@ -37,13 +37,15 @@ struct Scan {
     const PointResult* row = row_of(key);
     if (!row) return {};
     PointOutcome point{*row, {}};
-    if (row->diagnostics) point.state = read_profile(point_file(folder.path(), key, ".csv"));
+    if (row->diagnostics)
+      point.state = axisym::StationaryState{read_profile(point_file(folder.path(), key, ".csv"))};
     return point;
   }
 
   /// Keeps a point: its files first, so that a row means that they are whole.
-  void keep(const PointOutcome& point) {
-    if (point.state) write_profile(point_file(folder.path(), point.row.key, ".csv"), *point.state);
+  void keep(const PointKey& key, PointOutcome& point) {
+    point.row.key = key;
+    if (point.state) write_profile(point_file(folder.path(), key, ".csv"), *point.state);
     const std::lock_guard lock(mutex);
     table.append(point.row);
     ++computed;
@@ -56,8 +58,8 @@ struct Scan {
   std::optional<PointOutcome> point(const PointKey& key, Compute&& compute) {
     if (auto there = finished(key)) return there;
     if (interrupt_signal()) return {};
-    const PointOutcome outcome = compute(case_of(input, key));
-    keep(outcome);
+    PointOutcome outcome = compute(case_of(input, key));
+    keep(key, outcome);
     return outcome;
   }
 
@@ -97,8 +99,8 @@ void scan_order_column(Scan& scan, Branch branch, const Neighbour& ssh) {
   for (const double L : scan.input.L) {
     const PointKey key{v, L, Model::SBEH, branch};
     const auto outcome = scan.point(key, [&](const StationaryCase& of) {
-      if (fold) return fold->row.key = key, *fold;
-      return last ? follow_to(of, *last) : order_from(of, ssh);
+      if (fold) return *fold;
+      return last ? follow_to(of, *last) : order_from(of, ssh.state);
     });
     if (!outcome) return;
     if (outcome->row.status == PointStatus::stationary) {
@@ -143,7 +145,7 @@ std::vector<double> chain_of(const std::vector<double>& volumes, double entry) {
 template <class BranchOff>
 void walk_chain(Scan& scan, Branch branch, BranchOff&& branch_off) {
   const double L = scan.input.L.front();
-  const auto entry = enter_branch(case_of(scan.input, {entry_volume, L, Model::SSH, branch}));
+  const auto entry = entry_of(case_of(scan.input, {entry_volume, L, Model::SSH, branch}));
   const double first_volume = entry ? entry->at.reduced_volume : entry_volume;
   std::optional<Neighbour> last = entry;
   bool below = false;
@@ -153,16 +155,15 @@ void walk_chain(Scan& scan, Branch branch, BranchOff&& branch_off) {
     const PointKey key{v, L, Model::SSH, branch};
     const auto compute = [&](const StationaryCase& of) {
       return last ? follow_to(of, *last)
-                  : failed_point(of, "Newton's method failed at the entry of the branch");
+                  : failed_point("Newton's method failed at the entry of the branch");
     };
     const std::optional<PointOutcome> ssh =
         scan.input.has(Model::SSH) ? scan.point(key, compute) : compute(case_of(scan.input, key));
     if (!ssh) return;
     if (ssh->row.status != PointStatus::stationary) {
       // Without it nothing of this reduced volume can be reached: all its points share the reason.
-      scan_all_of(scan, v, branch, [&](const StationaryCase& of) {
-        PointOutcome outcome =
-            failed_point(of, "no SSH shape to start from: " + ssh->row.stop_reason);
+      scan_all_of(scan, v, branch, [&](const StationaryCase&) {
+        PointOutcome outcome = failed_point("no SSH shape to start from: " + ssh->row.stop_reason);
         outcome.row.status = ssh->row.status;
         return outcome;
       });
@@ -191,13 +192,12 @@ void scan_by_flow(Scan& scan) {
     if (interrupt_signal() || scan.has(keys[k])) return;
     std::vector<SeriesRow> history;
     const StationaryCase of = case_of(scan.input, keys[k]);
-    const auto outcome = of.reduced_volume == 1
-                           ? std::optional(sphere_point(of))
-                           : flow_to_rest(of, scan.input.flow_end_time, history);
+    auto outcome = of.reduced_volume == 1 ? std::optional(sphere_point(of))
+                                          : flow_to_rest(of, scan.input.flow_end_time, history);
     if (!outcome) return;
     write_file(point_file(scan.folder.path(), keys[k], ".series.csv"),
                table_text(series_columns(), history));
-    scan.keep(*outcome);
+    scan.keep(keys[k], *outcome);
   });
 }
 

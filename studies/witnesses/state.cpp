@@ -48,13 +48,13 @@ WitnessState failed(Witness witness, std::string reason) {
 
 // Follows the branch of SSH from its entry, then, for a free order, to the elastic constant.
 PointOutcome follow_branch(const StationaryCase& of) {
-  const auto entry = enter_branch(of);
-  if (!entry) return failed_point(of, "Newton's method failed at the entry of the branch");
+  const auto entry = entry_of(of);
+  if (!entry) return failed_point("Newton's method failed at the entry of the branch");
   StationaryCase classical = of;
   classical.model = Model::SSH;
   PointOutcome ssh = follow_to(classical, *entry);
   if (of.model == Model::SSH || ssh.row.status != PointStatus::stationary) return ssh;
-  return order_from(of, {{of.reduced_volume, of.L()}, *ssh.state});
+  return order_from(of, *ssh.state);
 }
 
 }  // namespace
@@ -95,14 +95,14 @@ WitnessState newton_state(const StationaryCase& of) {
     const std::string& reason = point.row.stop_reason;  // of a row, whose values are not taken here
     return failed(Witness::newton, reason.substr(0, reason.find("; the values")));
   }
-  const axisym::StationaryState& s = *point.solution;
+  const axisym::StationaryState& s = *point.state;
   WitnessState found{.witness = Witness::newton,
-                     .remark = fmt::format("{} elements", axisym::element_count(s.state.X)),
-                     .measures = measures_of(axisym::energy(of.material, s.state, s.H),
+                     .remark = fmt::format("{} elements", axisym::element_count(s.X)),
+                     .measures = measures_of(axisym::energy(of.material, s, s.H),
                                              *point.row.diagnostics, s.pressure),
-                     .profile = s.state};
+                     .profile = s};
   found.measures.tension = s.tension;
-  take_curve(found, Meridian(s.state), axisym::pole_curvatures(s.state.X, s.H));
+  take_curve(found, Meridian(s), axisym::pole_curvatures(s.X, s.H));
   return found;
 }
 

@@ -51,7 +51,7 @@ inline Energy energy_of(const Material& material, const State& s) {
 }
 /// Energy of a stationary state, with its own curvature field.
 inline Energy energy_of(const Material& material, const StationaryState& s) {
-  return energy(material, s.state, s.H);
+  return energy(material, s, s.H);
 }
 
 /// U_EL, the part of the energy that is linear in L: everything but the potential.
@@ -68,10 +68,7 @@ inline BranchState settled(Model model, PlanePoint at, const StationaryState& gu
   const NewtonResult r =
       solve_stationary(paper_material(at.L), model, target_of(at.reduced_volume), guess);
   EXPECT_EQ(r.status, NewtonStatus::converged) << "V_r = " << at.reduced_volume;
-  return {.at = at,
-          .solution = r.solution,
-          .determinant_sign = r.determinant_sign,
-          .iterations = r.iterations};
+  return {r.state, at, r.determinant_sign, r.iterations};
 }
 
 /// The smooth oblate at (0.8, 0.05): a short run from the spheroid, then Newton.
@@ -88,13 +85,13 @@ inline BranchState first_oblate(Model model, int elements = 24) {
 
 /// The same state on another number of elements.
 inline BranchState refined(Model model, const BranchState& b, int elements) {
-  return settled(model, b.at, redistribute(b.solution, Numerics{}.grading, elements));
+  return settled(model, b.at, redistribute(b, Numerics{}.grading, elements));
 }
 
 /// Follows the branch to a point which it must reach.
 inline BranchState reach(Model model, const BranchState& from, PlanePoint to) {
-  const FollowResult r = follow(paper_material(from.at.L), model, from, to,
-                                with_elements(element_count(from.solution.state.X)));
+  const FollowResult r =
+      follow(paper_material(from.at.L), model, from, to, with_elements(element_count(from.X)));
   EXPECT_EQ(r.arrival, Arrival::reached) << "V_r = " << to.reduced_volume << ", L = " << to.L;
   return r.state;
 }

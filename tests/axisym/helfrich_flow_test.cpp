@@ -47,7 +47,7 @@ TEST(HelfrichFlow, rests_where_SSH_rests_and_gets_there_in_another_way) {
   const std::vector<double> times{0.001, 0.01};
   for (const double v : {0.6, 0.8}) {
     const double at_rest =
-        energy_of(paper_material(0.05), oblate(Model::SSH, {v, 0.05}, elements).solution).total();
+        energy_of(paper_material(0.05), oblate(Model::SSH, {v, 0.05}, elements)).total();
     std::vector<Way> ways;
     for (const Model model : {Model::SSH, Model::HelfrichLocal, Model::HelfrichGlobal}) {
       const Way way = way_to_rest(model, v, times);

@@ -169,12 +169,12 @@ TEST(Redistribute, changes_the_number_of_elements_when_asked_to) {
 }
 
 TEST(Redistribute, moves_all_fields_of_a_stationary_state_alike) {
-  StationaryState s{.state = egg(24), .H = {}, .Lambda = {}, .tension = 3, .pressure = -4};
-  s.H = 2 * s.state.beta;
-  s.Lambda = -s.state.beta;
+  StationaryState s{egg(24), {}, {}, 3, -4};
+  s.H = 2 * s.beta;
+  s.Lambda = -s.beta;
   const StationaryState moved = redistribute(s, 1.);
-  EXPECT_LT((moved.H - 2 * moved.state.beta).cwiseAbs().maxCoeff(), 1e-14);
-  EXPECT_LT((moved.Lambda + moved.state.beta).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((moved.H - 2 * moved.beta).cwiseAbs().maxCoeff(), 1e-14);
+  EXPECT_LT((moved.Lambda + moved.beta).cwiseAbs().maxCoeff(), 1e-14);
   EXPECT_EQ(moved.tension, 3);
   EXPECT_EQ(moved.pressure, -4);
 }

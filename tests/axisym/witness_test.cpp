@@ -79,16 +79,16 @@ TEST(TwoWitnesses, agree_on_the_ordered_oblates_of_the_paper) {
       const auto minimum = minimise_ordered(paper_material(L), v);
       ASSERT_TRUE(minimum) << v << " " << L;
       const BranchState b = oblate(model::Model::SBEH, {v, L}, Numerics{}.elements);
-      const double U = energy_of(paper_material(L), b.solution).total();
+      const double U = energy_of(paper_material(L), b).total();
       EXPECT_NEAR(U / minimum->energy, 1, 2e-9) << v << " " << L;
     }
 }
 
 // Negative eigenvalues of the whole matrix less those that the multipliers bring.
 int negative_directions_densely(const Material& material, Model model, const StationaryState& s) {
-  const int n = int(s.state.beta.size()), size = node_unknowns * n;
+  const int n = int(s.beta.size()), size = node_unknowns * n;
   LagrangianDerivatives L(n);
-  assemble(material, s, node_normals(s.state.X), L);
+  assemble(material, s, node_normals(s.X), L);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size + 2, size + 2);
   K.topLeftCorner(size, size) = densely(L.hessian);
   K.topRightCorner(size, 2) = L.constraints;
@@ -109,12 +109,12 @@ TEST(NegativeDirections, are_those_of_the_dense_matrix_on_either_side_of_the_pit
   for (const auto& [v, expected] : {std::pair{0.9, 0}, {0.6, 0}, {0.52, 0}, {0.5, 1}, {0.4, 1}}) {
     b = follow(material, Model::SSH, b, {v, material.L1}, numerics).state;
     ASSERT_EQ(b.at.reduced_volume, v);
-    EXPECT_EQ(negative_directions(material, Model::SSH, b.solution), expected) << v;
-    EXPECT_EQ(negative_directions_densely(material, Model::SSH, b.solution), expected) << v;
+    EXPECT_EQ(negative_directions(material, Model::SSH, b), expected) << v;
+    EXPECT_EQ(negative_directions_densely(material, Model::SSH, b), expected) << v;
   }
   const BranchState ordered = oblate(Model::SBEH, {0.7, 0.03}, 32);
-  EXPECT_EQ(negative_directions(paper_material(0.03), Model::SBEH, ordered.solution), 0);
-  EXPECT_EQ(negative_directions_densely(paper_material(0.03), Model::SBEH, ordered.solution), 0);
+  EXPECT_EQ(negative_directions(paper_material(0.03), Model::SBEH, ordered), 0);
+  EXPECT_EQ(negative_directions_densely(paper_material(0.03), Model::SBEH, ordered), 0);
 }
 
 TEST(ShapeClass, is_told_of_the_classical_shapes) {

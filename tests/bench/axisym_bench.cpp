@@ -32,13 +32,12 @@ BranchState oblate(Model model, PlanePoint at) {
     const auto r = solve_stationary(material.with_L(where.L), m, target_of(where.reduced_volume),
                                     guess_from(material.with_L(where.L), near));
     if (r.status != NewtonStatus::converged) throw std::runtime_error("no stationary state");
-    return BranchState{where, r.solution, r.determinant_sign};
+    return BranchState{r.state, where, r.determinant_sign};
   };
   const BranchState entry = solved(Model::SSH, {0.95, 0.01}, start);
   const FollowResult classical =
       follow(material, Model::SSH, entry, {at.reduced_volume, 0.01}, numerics);
-  return follow(material, model, solved(model, classical.state.at, classical.state.solution.state),
-                at, numerics)
+  return follow(material, model, solved(model, classical.state.at, classical.state), at, numerics)
       .state;
 }
 
@@ -65,7 +64,7 @@ void time_step(benchmark::State& run) {
 void newton_assembly(benchmark::State& run) {
   const int elements = int(run.range(0));
   const StationaryState state = guess_from(material, spheroid_state(elements));
-  const Nodes normals = node_normals(state.state.X);
+  const Nodes normals = node_normals(state.X);
   LagrangianDerivatives derivatives(3 * elements + 1);
   for (auto _ : run) assemble(material, state, normals, derivatives);
   run.SetComplexityN(run.range(0));

@@ -25,8 +25,8 @@ double energy_of(const model::Material& material, const RevolvedMesh& r) {
 }
 
 const axisym::StationaryState& state_of(Model model) {
-  static const auto sbeh = axisym::test::first_oblate(Model::SBEH, 96).solution;
-  static const auto ssh = axisym::test::first_oblate(Model::SSH, 96).solution;
+  static const auto sbeh = axisym::test::first_oblate(Model::SBEH, 96);
+  static const auto ssh = axisym::test::first_oblate(Model::SSH, 96);
   return model == Model::SBEH ? sbeh : ssh;
 }
 
@@ -37,7 +37,7 @@ TEST(RevolvedState, has_its_one_dimensional_energy_to_the_fourth_order) {
     const double exact = axisym::test::energy_of(material, s).total();
     sbeh::test::OrderTable table(std::string("energy of the revolved state, ") + name(m), "h");
     for (const int count : {320, 1280, 5120}) {
-      const RevolvedMesh r = revolved(s.state, {.triangles = count});
+      const RevolvedMesh r = revolved(s, {.triangles = count});
       table.add(std::sqrt(20. / count), energy_of(material, r) - exact);
     }
     EXPECT_GT(table.print(), 3.5);
@@ -45,7 +45,7 @@ TEST(RevolvedState, has_its_one_dimensional_energy_to_the_fourth_order) {
 }
 
 TEST(RevolvedState, lies_on_the_profile_with_the_order_of_the_profile) {
-  const axisym::State& state = state_of(Model::SBEH).state;
+  const axisym::State& state = state_of(Model::SBEH);
   const RevolvedMesh r = revolved(state, {.triangles = 320});
   const ProfileCurve curve(state);
   for (int i = 0; i < r.mesh.node_count(); ++i) {
@@ -60,7 +60,7 @@ TEST(RevolvedState, lies_on_the_profile_with_the_order_of_the_profile) {
 }
 
 TEST(RevolvedState, has_the_area_and_volume_of_the_profile_or_those_asked_for) {
-  const axisym::State& state = state_of(Model::SBEH).state;
+  const axisym::State& state = state_of(Model::SBEH);
   CurvedMesh mesh = revolved(state, {.triangles = 5120}).mesh;
   EXPECT_NEAR(area(mesh) / axisym::area(state.X), 1, 3e-6);
   EXPECT_NEAR(volume(mesh) / axisym::volume(state.X), 1, 3e-6);
@@ -70,7 +70,7 @@ TEST(RevolvedState, has_the_area_and_volume_of_the_profile_or_those_asked_for) {
 }
 
 TEST(RevolvedState, is_outward_whichever_way_the_profile_runs) {
-  const Profile down = state_of(Model::SBEH).state;
+  const Profile down = state_of(Model::SBEH);
   const Profile up{.X = down.X.rowwise().reverse(), .beta = down.beta.reverse()};
   const RevolvedMesh a = revolved(down, {.triangles = 320}), b = revolved(up, {.triangles = 320});
   EXPECT_GT(volume(b.mesh), 0);
@@ -79,7 +79,7 @@ TEST(RevolvedState, is_outward_whichever_way_the_profile_runs) {
 }
 
 TEST(Profile, that_is_none_is_refused) {
-  const Profile good = state_of(Model::SBEH).state;
+  const Profile good = state_of(Model::SBEH);
   const auto refused = [&](auto&& change) {
     Profile bad = good;
     change(bad);

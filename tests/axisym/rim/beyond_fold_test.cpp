@@ -31,7 +31,7 @@ StationaryState settled_on(const RimRecord& row, int elements, double grading) {
       solve_stationary(material, Model::SBEH, target_of(row.reduced_volume),
                        guess_from(material, redistribute(row.state, grading, elements)));
   EXPECT_EQ(r.status, NewtonStatus::converged) << name(row.kind) << ", L = " << row.L;
-  return r.solution;
+  return r.state;
 }
 
 TEST(RimBasis, integrates_the_sphere_exactly) {
@@ -75,7 +75,7 @@ TEST(BeyondFold, agrees_with_the_finite_elements_on_energy_rim_and_stability) {
     const RimRecord* row = find(rows, c.kind, c.L);
     if (!row) continue;
     const StationaryState s = settled_on(*row, 192, 2);
-    const Diagnostics d = diagnose(paper_material(c.L), s.state);
+    const Diagnostics d = diagnose(paper_material(c.L), s);
     const double U = energy_of(paper_material(c.L), s).total();
     std::printf("  V_r %.2f L %.2f %-6s: U = %.9f, elements %+.1e; rim: order %.6f, H %.3f\n",
                 c.reduced_volume, c.L, name(c.kind), row->energy, U - row->energy, row->order_rim,
@@ -102,8 +102,8 @@ TEST(BeyondFold, has_the_folds_that_the_finite_elements_find_from_either_side) {
   ASSERT_EQ(up.arrival, Arrival::fold);
   EXPECT_NEAR(up.state.at.L, fold->L, 1e-7);
   const StationaryState s = settled_on(*sharp, 96, 2);
-  const FollowResult down = follow(paper_material(0.05), Model::SBEH,
-                                   {.at = {0.8, 0.15}, .solution = s}, {0.8, 0.05}, numerics);
+  const FollowResult down =
+      follow(paper_material(0.05), Model::SBEH, {s, {0.8, 0.15}}, {0.8, 0.05}, numerics);
   ASSERT_EQ(down.arrival, Arrival::fold);
   EXPECT_NEAR(down.state.at.L, second->L, 1e-7);
   EXPECT_EQ(fold->negative_directions, 0);
@@ -116,13 +116,13 @@ TEST(SharpRim, is_lower_than_the_smooth_one_beyond_the_L_of_equal_energy) {
   ASSERT_TRUE(equal);
   EXPECT_NEAR(equal->L, 0.0437915, 1e-6);  // below the paper's L = 0.05
   BranchState smooth = oblate(Model::SBEH, {0.6, equal->L}, 48);
-  EXPECT_NEAR(energy_of(paper_material(equal->L), smooth.solution).total(), equal->energy, 1e-8);
+  EXPECT_NEAR(energy_of(paper_material(equal->L), smooth).total(), equal->energy, 1e-8);
   for (const double L : {0.02, 0.03, 0.05, 0.07}) {
     const RimRecord *sharp = find(rows, RimKind::sharp, L),
                     *saddle = find(rows, RimKind::saddle, L);
     ASSERT_TRUE(sharp && saddle);
     smooth = reach(Model::SBEH, smooth, {0.6, L});
-    const double U = energy_of(paper_material(L), smooth.solution).total();
+    const double U = energy_of(paper_material(L), smooth).total();
     EXPECT_EQ(sharp->energy<U, L> equal->L) << "L = " << L;
     EXPECT_GT(saddle->energy, std::max(U, sharp->energy)) << "L = " << L;
     EXPECT_EQ(sharp->order_rim, 0) << "L = " << L;
@@ -209,9 +209,9 @@ TEST(Kink, is_the_limit_of_a_vanishing_residual_stiffness) {
     ASSERT_TRUE(guess) << k0;
     const State state = redistribute(spectral::profile_of(problem, guess->y), 2, 192);
     const NewtonResult r = solve_stationary(material, Model::SBEH, target_of(0.6),
-                                            guess_from(material, state), {.iterations = 30});
+                                            guess_from(material, state), {.most_iterations = 30});
     ASSERT_EQ(r.status, NewtonStatus::converged) << k0;
-    table.add(k0, energy_of(material, r.solution).total() - energy_at(kinks, kink));
+    table.add(k0, energy_of(material, r.state).total() - energy_at(kinks, kink));
   }
   EXPECT_NEAR(table.print(), 0.5, 0.05);
 }

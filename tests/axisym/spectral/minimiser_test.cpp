@@ -263,11 +263,11 @@ TEST(OrderedMinimiser, of_stomatocytes_ends_in_the_fold_that_the_finite_elements
   const auto entry = enter_branch(Branch::stomatocyte, material, numerics);
   ASSERT_TRUE(entry);
   const FollowResult ssh = follow(material, model::Model::SSH, entry->state, {v, 1e-5}, numerics);
-  const NewtonResult r = solve_stationary(material, model::Model::SBEH, target_of(v),
-                                          guess_from(material, ssh.state.solution.state));
+  const NewtonResult r =
+      solve_stationary(material, model::Model::SBEH, target_of(v), guess_from(material, ssh.state));
   ASSERT_EQ(r.status, NewtonStatus::converged);
-  const FollowResult end = follow(material, model::Model::SBEH,
-                                  {.at = {v, 1e-5}, .solution = r.solution}, {v, 1e-3}, numerics);
+  const FollowResult end =
+      follow(material, model::Model::SBEH, {r.state, {v, 1e-5}}, {v, 1e-3}, numerics);
   ASSERT_EQ(end.arrival, Arrival::fold);
   std::printf("  L* = %.8f by the stiffness, %.8f by 96 elements\n", fold, end.state.at.L);
   EXPECT_NEAR(end.state.at.L / fold, 1, 2e-4);  // the elements' error falls with their number: 3e-5

@@ -21,9 +21,9 @@ constexpr Direction by_L{"L", 1, 0, 2e-4}, by_volume{"volume", 0, 1, 1e-2};
 StationaryState neighbour(const Material& material, Model model, const BranchState& b,
                           const Target& target) {
   const NewtonResult r =
-      solve_stationary(material, model, target, b.solution, {.iterations = 20, .tolerance = 1e-11});
+      solve_stationary(material, model, target, b, {.most_iterations = 20, .tolerance = 1e-11});
   EXPECT_EQ(r.status, NewtonStatus::converged);
-  return r.solution;
+  return r.state;
 }
 StationaryState neighbour(const BranchState& b, const Direction& direction, double step) {
   Target target = target_of(b.at.reduced_volume);
@@ -40,23 +40,22 @@ auto rate_of(const F& f, double h) {
 }
 
 Eigen::VectorXd gradient_rate(const BranchState& b, const Direction& direction) {
-  return direction.L
-       * gradient_rate_by_L(paper_material(b.at.L), b.solution, node_normals(b.solution.state.X));
+  return direction.L * gradient_rate_by_L(paper_material(b.at.L), b, node_normals(b.X));
 }
 
 Increment tangent_of(const BranchState& b, const Direction& direction) {
-  NewtonSystem system(paper_material(b.at.L), Model::SBEH, int(b.solution.H.size()));
-  EXPECT_TRUE(system.linearise(b.solution));
+  NewtonSystem system(paper_material(b.at.L), Model::SBEH, int(b.H.size()));
+  EXPECT_TRUE(system.linearise(b));
   Increment t;
   EXPECT_TRUE(system.tangent(gradient_rate(b, direction), direction.volume, t));
-  EXPECT_EQ(t.parameter, 1);
+  EXPECT_EQ(t.mu, 1);
   return t;
 }
 
 // The rates of all unknowns, from neighbouring solutions: (d, Λ, H, β, tension, pressure) per column
 // group as in Increment.
 Increment differenced(const BranchState& b, const Direction& direction) {
-  const Nodes n = node_normals(b.solution.state.X);
+  const Nodes n = node_normals(b.X);
   std::vector<StationaryState> s;  // at −2, −1, 1, 2 steps
   for (const int k : {-2, -1, 1, 2}) s.push_back(neighbour(b, direction, k * direction.step));
   const auto rate = [&](const auto& of) {
@@ -69,11 +68,11 @@ Increment differenced(const BranchState& b, const Direction& direction) {
   };
   Increment t;
   t.d = rate([&](const StationaryState& x) -> Field {
-    return x.state.X.cwiseProduct(n).colwise().sum().transpose();
+    return x.X.cwiseProduct(n).colwise().sum().transpose();
   });
   t.Lambda = rate([](const StationaryState& x) { return x.Lambda; });
   t.H = rate([](const StationaryState& x) { return x.H; });
-  t.beta = rate([](const StationaryState& x) { return x.state.beta; });
+  t.beta = rate([](const StationaryState& x) { return x.beta; });
   t.tension = rate([](const StationaryState& x) { return x.tension; });
   t.pressure = rate([](const StationaryState& x) { return x.pressure; });
   return t;
@@ -81,9 +80,9 @@ Increment differenced(const BranchState& b, const Direction& direction) {
 
 TEST(Tangent, solves_the_assembled_equations) {
   const BranchState b = oblate(Model::SBEH, {0.7, 0.05}, 24);
-  const Eigen::Index nodes = b.solution.H.size();
+  const Eigen::Index nodes = b.H.size();
   LagrangianDerivatives L{int(nodes)};
-  assemble(paper_material(b.at.L), b.solution, node_normals(b.solution.state.X), L);
+  assemble(paper_material(b.at.L), b, node_normals(b.X), L);
   for (const Direction& direction : {by_L, by_volume}) {
     const Increment t = tangent_of(b, direction);
     Eigen::VectorXd v(node_unknowns * nodes);
@@ -159,7 +158,7 @@ TEST(EnergyAlongTheBranch, changes_with_L_by_its_elastic_part_over_L) {
       "dU/dL against U_EL/L", Model::SBEH, [](const BranchState& b) {
         const double slope =
             rate_of([&](double dL) { return energy_at(b, Model::SBEH, dL, 0, 0); }, by_L.step);
-        return slope * b.at.L / elastic(energy_of(paper_material(b.at.L), b.solution)) - 1;
+        return slope * b.at.L / elastic(energy_of(paper_material(b.at.L), b)) - 1;
       });
 }
 
@@ -168,7 +167,7 @@ TEST(EnergyAlongTheBranch, changes_with_volume_by_the_pressure) {
     expect_exact_to_the_order_of_the_energy("dU/dV against P", model, [&](const BranchState& b) {
       const double slope =
           rate_of([&](double dV) { return energy_at(b, model, 0, 0, dV); }, by_volume.step);
-      return slope / b.solution.pressure - 1;
+      return slope / b.pressure - 1;
     });
 }
 
@@ -178,7 +177,7 @@ TEST(EnergyAlongTheBranch, changes_with_area_by_minus_the_tension) {
         "dU/dA against -Sigma", model, [&](const BranchState& b) {
           const double slope =
               rate_of([&](double dA) { return energy_at(b, model, 0, dA, 0); }, 2 * by_volume.step);
-          return slope / b.solution.tension + 1;
+          return slope / b.tension + 1;
         });
 }
 
@@ -194,9 +193,9 @@ TEST(Virial, of_a_stationary_state_closes_at_the_order_of_the_energy) {
       const Target t = target_of(b.at.reduced_volume);
       const Material material = paper_material(b.at.L);
       const double u = model == Model::SSH ? material.potential.value(model::full_order) * t.area
-                                           : energy_of(material, b.solution).thermotropic;
-      const double lhs = 1.5 * b.solution.pressure * t.volume;
-      table.add(1. / count, (b.solution.tension * t.area + u) / lhs - 1);
+                                           : energy_of(material, b).thermotropic;
+      const double lhs = 1.5 * b.pressure * t.volume;
+      table.add(1. / count, (b.tension * t.area + u) / lhs - 1);
     }
     EXPECT_GT(table.print(), 4);
   }

@@ -19,7 +19,7 @@ TEST(Grid, has_SBEH_below_SSH_with_a_gap_that_grows_with_L_and_with_falling_V_r)
         const Model model = m == 0 ? Model::SBEH : Model::SSH;
         if (k == 0) row[m] = reach(model, row[m], {v, 0.05});
         const BranchState b = reach(model, row[m], {v, grid_L[k]});
-        U[m] = energy_of(paper_material(grid_L[k]), b.solution).total();
+        U[m] = energy_of(paper_material(grid_L[k]), b).total();
       }
       const double gap = U[1] - U[0];
       std::printf("V_r %.1f L %.2f: SBEH %.9f SSH %.9f gap %.6f\n", v, grid_L[k], U[0], U[1], gap);
@@ -36,7 +36,7 @@ TEST(Grid, has_the_order_smallest_at_the_rim) {
   for (const double v : grid_volumes) {
     row = reach(Model::SBEH, row, {v, 0.05});
     for (const double L : grid_L) {
-      const State s = reach(Model::SBEH, row, {v, L}).solution.state;
+      const State s = reach(Model::SBEH, row, {v, L});
       Eigen::Index rim, smallest;
       s.X.row(0).maxCoeff(&rim);
       s.beta.minCoeff(&smallest);
@@ -52,11 +52,11 @@ TEST(SSH, has_shapes_that_do_not_depend_on_L) {
     row = reach(Model::SSH, row, {v, 0.05});
     const BranchState low = reach(Model::SSH, row, {v, 0.01}),
                       high = reach(Model::SSH, row, {v, 0.07});
-    const double miss = (low.solution.state.X - high.solution.state.X).cwiseAbs().maxCoeff();
+    const double miss = (low.X - high.X).cwiseAbs().maxCoeff();
     std::printf("V_r %.1f: largest distance of nodes between L = 0.01 and 0.07: %.1e\n", v, miss);
     EXPECT_LT(miss, 1e-9);
-    const double ratio = elastic(energy_of(paper_material(0.07), high.solution))
-                       / elastic(energy_of(paper_material(0.01), low.solution));
+    const double ratio = elastic(energy_of(paper_material(0.07), high))
+                       / elastic(energy_of(paper_material(0.01), low));
     EXPECT_NEAR(ratio, 7, 1e-9);
   }
 }
@@ -64,12 +64,11 @@ TEST(SSH, has_shapes_that_do_not_depend_on_L) {
 // ∫ |B|⁴ dS
 double fourth_power_of_curvature(const StationaryState& s) {
   double sum = 0;
-  for_each_point(s.state.X, diagnostic_points(),
-                 [&](int e, const ShapeValues& q, const CurvePoint& p) {
-                   const double B_tt = value_at(s.H, e, q) - p.B_phi;
-                   const double squared = B_tt * B_tt + p.B_phi * p.B_phi;
-                   sum += p.dS * squared * squared;
-                 });
+  for_each_point(s.X, diagnostic_points(), [&](int e, const ShapeValues& q, const CurvePoint& p) {
+    const double B_tt = value_at(s.H, e, q) - p.B_phi;
+    const double squared = B_tt * B_tt + p.B_phi * p.B_phi;
+    sum += p.dS * squared * squared;
+  });
   return sum;
 }
 
@@ -79,7 +78,7 @@ TEST(Gap, between_SSH_and_SBEH_begins_as_a_sixth_of_the_fourth_power_of_curvatur
   for (const double v : {0.8, 0.6}) {
     BranchState fixed = oblate(Model::SSH, {v, 0.01}, 48),
                 free = oblate(Model::SBEH, {v, 0.01}, 48);
-    const double predicted = fourth_power_of_curvature(fixed.solution) / 6;
+    const double predicted = fourth_power_of_curvature(fixed) / 6;
     char title[80];
     std::snprintf(title, sizeof title, "V_r %.1f: (gap/L^2)/%.3f - 1", v, predicted);
     OrderTable table(title, "L");
@@ -87,8 +86,7 @@ TEST(Gap, between_SSH_and_SBEH_begins_as_a_sixth_of_the_fourth_power_of_curvatur
       fixed = reach(Model::SSH, fixed, {v, L});
       free = reach(Model::SBEH, free, {v, L});
       const Material material = paper_material(L);
-      const double gap =
-          energy_of(material, fixed.solution).total() - energy_of(material, free.solution).total();
+      const double gap = energy_of(material, fixed).total() - energy_of(material, free).total();
       table.add(L, gap / (L * L) / predicted - 1);
     }
     EXPECT_NEAR(table.print(), 1, 0.1);  // the next term is of relative order L
@@ -103,16 +101,16 @@ TEST(Follow, reaches_a_point_along_any_way) {
   const BranchState by_V = reach(Model::SBEH, reach(Model::SBEH, start, {0.65, 0.05}), end);
   EXPECT_EQ(direct.at.reduced_volume, end.reduced_volume);
   EXPECT_EQ(direct.at.L, end.L);
-  const Diagnostics d = diagnose(paper_material(end.L), direct.solution.state);
+  const Diagnostics d = diagnose(paper_material(end.L), direct);
   EXPECT_NEAR(d.area / (4 * pi), 1, 1e-10);
   EXPECT_NEAR(d.reduced_volume, end.reduced_volume, 1e-10);
   // The same state, on nodes that were placed along different ways: equal to the error in space.
-  const double U = energy_of(paper_material(end.L), direct.solution).total();
+  const double U = energy_of(paper_material(end.L), direct).total();
   for (const BranchState& b : {by_L, by_V}) {
-    EXPECT_NEAR(energy_of(paper_material(end.L), b.solution).total(), U, 1e-7);
+    EXPECT_NEAR(energy_of(paper_material(end.L), b).total(), U, 1e-7);
     EXPECT_EQ(b.determinant_sign, direct.determinant_sign);
   }
-  EXPECT_LT(residual_of(paper_material(end.L), Model::SBEH, direct.solution), 1e-6);
+  EXPECT_LT(residual_of(paper_material(end.L), Model::SBEH, direct), 1e-6);
 }
 
 TEST(Follow, keeps_the_sign_of_the_determinant_up_to_the_fold) {
@@ -151,7 +149,7 @@ TEST(Fold, of_the_smooth_oblate_at_06_lies_at_L_007064) {
   for (const int elements : {24, 48, 96}) {
     const FollowResult r = towards(refined(Model::SBEH, b, elements), 0.12, elements);
     ASSERT_EQ(r.arrival, Arrival::fold) << elements << " elements";
-    const Diagnostics d = diagnose(paper_material(r.state.at.L), r.state.solution.state);
+    const Diagnostics d = diagnose(paper_material(r.state.at.L), r.state);
     std::printf("%d elements: L* = %.10f, |H| %.4f and order %.5f at the rim, %d arc steps\n",
                 elements, r.state.at.L, d.H_abs_max, d.order_min, r.state.iterations);
     found.push_back(r.state.at.L);
@@ -187,8 +185,7 @@ TEST(Fold, is_approached_by_the_order_at_the_rim_like_a_square_root) {
   BranchState s = b;
   for (const double distance : {4e-6, 1e-6, 2.5e-7}) {
     s = reach(Model::SBEH, s, {0.6, fold.state.at.L - distance});
-    table.add(distance, diagnose({}, s.solution.state).order_min
-                            - diagnose({}, fold.state.solution.state).order_min);
+    table.add(distance, diagnose({}, s).order_min - diagnose({}, fold.state).order_min);
   }
   EXPECT_NEAR(table.print(), 0.5, 0.05);
 }

@@ -34,19 +34,15 @@ std::vector<NamedMaterial> materials() {
 // No solution of anything: smooth fields that have nothing to do with each other.
 StationaryState any_state() {
   const Eigen::Index nodes = 3 * elements + 1;
-  StationaryState s{.state = {.X = Nodes(2, nodes), .beta = Field(nodes)},
-                    .H = Field(nodes),
-                    .Lambda = Field(nodes),
-                    .tension = 1.3,
-                    .pressure = -2.1};
+  StationaryState s{{Nodes(2, nodes), Field(nodes)}, Field(nodes), Field(nodes), 1.3, -2.1};
   for (Eigen::Index i = 0; i < nodes; ++i) {
     const double t = pi * double(i) / double(nodes - 1);
-    s.state.X.col(i) << (1 + 0.2 * std::cos(t)) * std::sin(t), 0.7 * std::cos(t);
-    s.state.beta[i] = 0.5 + 0.1 * std::cos(2 * t) - 0.05 * std::cos(t);
+    s.X.col(i) << (1 + 0.2 * std::cos(t)) * std::sin(t), 0.7 * std::cos(t);
+    s.beta[i] = 0.5 + 0.1 * std::cos(2 * t) - 0.05 * std::cos(t);
     s.H[i] = -2 + 0.4 * std::cos(t) - 0.3 * std::cos(3 * t);
     s.Lambda[i] = 0.3 - 0.2 * std::cos(2 * t);
   }
-  s.state.X(0, 0) = s.state.X(0, nodes - 1) = 0;
+  s.X(0, 0) = s.X(0, nodes - 1) = 0;
   return s;
 }
 
@@ -55,13 +51,13 @@ double lagrangian(const Material& material, const StationaryState& s, const Node
   double sum = 0;
   for (int e = 0; e < elements; ++e)
     for (const ShapeValues& shape : assembly_points()) {
-      const CurvePoint p = curve_point(s.state.X, e, shape);
+      const CurvePoint p = curve_point(s.X, e, shape);
       const PointFields<double> q{p.x[0],
                                   p.dx[0],
                                   p.dx[1],
                                   value_at(s.H, e, shape),
-                                  value_at(s.state.beta, e, shape),
-                                  slope_at(s.state.beta, e, shape)};
+                                  value_at(s.beta, e, shape),
+                                  slope_at(s.beta, e, shape)};
       const auto density = lagrangian_density(material, s.tension, s.pressure, q);
       sum += shape.weight * density.energy;
       for (int k = 0; k < 2; ++k) {
@@ -80,10 +76,10 @@ StationaryState moved(const StationaryState& s, const Nodes& normals, const Eige
   StationaryState m = s;
   for (Eigen::Index i = 0; i < s.H.size(); ++i) {
     const auto at = [&](NodeUnknown c) { return h * v[node_unknowns * i + c]; };
-    m.state.X.col(i) += at(node_d) * normals.col(i);
+    m.X.col(i) += at(node_d) * normals.col(i);
     m.Lambda[i] += at(node_Lambda);
     m.H[i] += at(node_H);
-    m.state.beta[i] += at(node_beta);
+    m.beta[i] += at(node_beta);
   }
   return m;
 }
@@ -117,7 +113,7 @@ LagrangianDerivatives assembled(const Material& material, const StationaryState&
 
 TEST(Lagrangian, gradient_is_the_difference_of_the_value_in_every_block) {
   const StationaryState s = any_state();
-  const Nodes n = node_normals(s.state.X);
+  const Nodes n = node_normals(s.X);
   for (const auto& [name, material] : materials()) {
     const LagrangianDerivatives L = assembled(material, s, n);
     for (int block = 0; block < node_unknowns; ++block)
@@ -135,7 +131,7 @@ TEST(Lagrangian, gradient_is_the_difference_of_the_value_in_every_block) {
 
 TEST(Lagrangian, hessian_is_the_difference_of_the_gradient_in_every_block) {
   const StationaryState s = any_state();
-  const Nodes n = node_normals(s.state.X);
+  const Nodes n = node_normals(s.X);
   for (const auto& [name, material] : materials()) {
     const LagrangianDerivatives L = assembled(material, s, n);
     for (int block = 0; block < node_unknowns; ++block) {
@@ -157,7 +153,7 @@ TEST(Lagrangian, hessian_is_the_difference_of_the_gradient_in_every_block) {
 
 TEST(Lagrangian, hessian_is_symmetric) {
   const StationaryState s = any_state();
-  const Nodes n = node_normals(s.state.X);
+  const Nodes n = node_normals(s.X);
   for (const auto& [name, material] : materials()) {
     const Eigen::MatrixXd K = densely(assembled(material, s, n).hessian);
     const Eigen::MatrixXd below = K.triangularView<Eigen::StrictlyLower>();
@@ -170,11 +166,11 @@ TEST(Lagrangian, hessian_is_symmetric) {
 
 TEST(Lagrangian, knows_area_and_volume_and_their_gradients) {
   const StationaryState s = any_state();
-  const Nodes n = node_normals(s.state.X);
+  const Nodes n = node_normals(s.X);
   const LagrangianDerivatives L = assembled(paper_material(0.05), s, n);
   // Area: 6 against 10 Gauss points, the integrand is a root of a polynomial.
-  EXPECT_NEAR(L.area, area(s.state.X), 1e-9);
-  EXPECT_NEAR(L.volume, volume(s.state.X), 1e-13);
+  EXPECT_NEAR(L.area, area(s.X), 1e-9);
+  EXPECT_NEAR(L.volume, volume(s.X), 1e-13);
   const Eigen::VectorXd v = random_direction(node_d, 5);
   const double dA = difference([&](double t) { return assembled({}, moved(s, n, v, t), n).area; });
   const double dV =
@@ -188,17 +184,16 @@ TEST(Lagrangian, at_exact_curvature_and_zero_multiplier_is_the_energy) {
   s.tension = s.pressure = 0;
   s.Lambda.setZero();
   const Material material = materials()[1].material;
-  const Energy e = energy(material, s.state, s.H);
+  const Energy e = energy(material, s, s.H);
   // The same density with 6 and with 10 Gauss points per element.
-  EXPECT_NEAR(lagrangian(material, s, node_normals(s.state.X)), e.total(),
-              1e-8 * std::abs(e.total()));
+  EXPECT_NEAR(lagrangian(material, s, node_normals(s.X)), e.total(), 1e-8 * std::abs(e.total()));
 }
 
 TEST(Lagrangian, ties_H_to_the_curve_by_its_derivative_in_Lambda) {
   // ∂𝓛/∂Λ = 0 is the curvature equation: it holds for mean_curvature of any curve.
   StationaryState s = any_state();
-  s.H = mean_curvature(s.state.X);
-  const LagrangianDerivatives L = assembled(paper_material(0.05), s, node_normals(s.state.X));
+  s.H = mean_curvature(s.X);
+  const LagrangianDerivatives L = assembled(paper_material(0.05), s, node_normals(s.X));
   const auto rows = Eigen::seqN(int(node_Lambda), s.H.size(), Eigen::Index(node_unknowns));
   EXPECT_LT(L.gradient(rows).cwiseAbs().maxCoeff(), 1e-12);
 }

@@ -31,12 +31,12 @@ TEST(StartOfAnotherBranch, is_refused_with_its_class_named) {
     const auto at = [](double v, double L, Model model, Branch branch) {
       return case_of(v, L, model, branch, 32);
     };
-    const auto start = enter_branch(at(0.8, 0.05, Model::SSH, given));
+    const auto start = entry_of(at(0.8, 0.05, Model::SSH, given));
     ASSERT_TRUE(start);
     expect_refused(follow_to(at(0.8, 0.05, Model::SSH, asked), *start), given);
     const double v = start->at.reduced_volume;
     expect_refused(rescale_to(at(v, 0.07, Model::SSH, asked), *start), given);
-    expect_refused(order_from(at(v, 0.05, Model::SBEH, asked), *start), given);
+    expect_refused(order_from(at(v, 0.05, Model::SBEH, asked), start->state), given);
     EXPECT_EQ(follow_to(at(0.8, 0.05, Model::SSH, given), *start).row.status,
               PointStatus::stationary);
   }
@@ -57,12 +57,11 @@ TEST(StateAtAFold, is_told_with_the_L_and_the_stability_of_the_side_before_it) {
     for (const double v : {0.55, 0.58, 0.61, 0.64}) {
       SCOPED_TRACE(std::string(name(branch)) + " " + std::to_string(v));
       const axisym::StationaryCase classical = case_of(v, 0.05, Model::SSH, branch, 48);
-      const auto entry = enter_branch(classical);
+      const auto entry = entry_of(classical);
       ASSERT_TRUE(entry);
       const PointOutcome ssh = follow_to(classical, *entry);
       ASSERT_TRUE(ssh.state);
-      const PointOutcome fold =
-          order_from(case_of(v, 0.12, Model::SBEH, branch, 48), {{v, 0.05}, *ssh.state});
+      const PointOutcome fold = order_from(case_of(v, 0.12, Model::SBEH, branch, 48), *ssh.state);
       EXPECT_EQ(fold.row.status, PointStatus::unresolved) << fold.row.stop_reason;
       EXPECT_EQ(fold.row.fold_side, "at");
       ASSERT_TRUE(fold.row.fold_L) << fold.row.stop_reason;
