@@ -239,7 +239,8 @@ bool CoupledSystem::solve(const State& old, const Field& H, const std::optional<
                           double tau, StepFields& out) {
   const double A = area(old.X), V = volume(old.X);
   const Target wanted = target.value_or(Target{A, V});
-  assemble(old, H, {.tau = tau, .area_rate = (wanted.area - A) / (tau * A), .area = area_});
+  assemble(old, H,
+           {.tau = tau, .area_rate = (wanted.area - A) / (tau * A), .area_constraint = area_});
   lambda_.rhs = (wanted.volume - V) / tau;
   pin_what_is_not_free();
   // Without friction nothing resists a motion along the axis: hold the north pole, and let the whole

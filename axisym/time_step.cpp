@@ -11,16 +11,16 @@ bool TimeStepper::solve_order(const State& old, const Field& H, const Nodes& rel
   order_.set_zero();
   beta = Field::Zero(old.beta.size());
   for_each_point(old.X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
-    double slip = 0;
-    for (int a = 0; a < 4; ++a) slip += s.phi[a] * relative_velocity.col(3 * e + a).dot(p.t);
+    double slip_t = 0;
+    for (int a = 0; a < 4; ++a) slip_t += s.phi[a] * slip.col(3 * e + a).dot(p.t);
     const double h = value_at(H, e, s);
-    const double beta_old = value_at(old.beta, e, s);
+    const double beta_from = value_at(old.beta, e, s);
     const model::OrderData d = model::order_step_point(material_,
-                                                       {.beta = beta_old,
-                                                        .beta_old = beta_old,
+                                                       {.beta = beta_from,
+                                                        .beta_from = beta_from,
                                                         .H = h,
                                                         .K = gauss_curvature(h, p.B_phi),
-                                                        .slip = {slip, 0}},
+                                                        .slip = {slip_t, 0}},
                                                        tau);
     const double advection = d.advection[0] / p.stretch;
     const double diffusion = d.diffusion / (p.stretch * p.stretch);
@@ -45,15 +45,15 @@ Dissipation dissipation_of(const model::Material& m, const State& old, const Ste
   Dissipation d;
   const Field rate = (beta_new - old.beta) / tau;
   for_each_point(old.X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
-    Eigen::Vector2d V = Eigen::Vector2d::Zero(), dV = V, slip = V;
+    Eigen::Vector2d V = Eigen::Vector2d::Zero(), dV = V, local_slip = V;
     for (int a = 0; a < 4; ++a) {
       V += s.phi[a] * f.V.col(3 * e + a);
       dV += s.dphi[a] * f.V.col(3 * e + a);
-      slip += s.phi[a] * relative_velocity.col(3 * e + a);
+      local_slip += s.phi[a] * slip.col(3 * e + a);
     }
     const double beta = value_at(old.beta, e, s);
     const double beta_dot =
-        value_at(rate, e, s) + slip.dot(p.t) * slope_at(beta_new, e, s) / p.stretch;
+        value_at(rate, e, s) + local_slip.dot(p.t) * slope_at(beta_new, e, s) / p.stretch;
     const double V_t = V.dot(p.t), V_n = V.dot(p.nu);
     d.friction += p.dS * (m.friction_tangential * V_t * V_t + m.friction_normal * V_n * V_n);
     d.order += p.dS * m.order_drag() * beta_dot * beta_dot;

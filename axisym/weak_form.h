@@ -44,7 +44,7 @@ struct OldPoint {
 struct StepParameters {
   double tau;        ///< time step
   double area_rate;  ///< (A₀ − A)/(τA), the drift correction of (P1)
-  model::AreaConstraint area = model::AreaConstraint::local;  ///< global: with (V11)
+  model::AreaConstraint area_constraint = model::AreaConstraint::local;  ///< global: with (V11)
 };
 
 /// ∇_C W in the frame (t, e_φ, ν) of a field W with values W and derivative dW.
@@ -95,7 +95,7 @@ Tested<T> coupled_step_point(const model::Material& m, const OldPoint& old,
   model::Gradient<T> stress = -model::elastic_stress(m, elastic);  // (V5) … (V10)
   stress.template topRows<2>() += model::rate_of_strain(grad_V) * T(m.eta(old.beta));  // (V1)
   T isotropic = -u.p;                                                                  // (V3)
-  if (step.area == model::AreaConstraint::global)
+  if (step.area_constraint == model::AreaConstraint::global)
     isotropic += model::bending_tension(m, elastic);  // (V11)
   stress(0, 0) += isotropic;
   stress(1, 1) += isotropic;

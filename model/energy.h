@@ -3,18 +3,19 @@
 
 namespace sbeh::model {
 
-/// Integrals of the energy density over the surface, dimensionless.
+/// Integrals of the energy density over the surface, dimensionless. Unlike EnergyDensity's the bending part
+/// contains the Gaussian one.
 struct Energy {
-  double distortion = 0;    ///< ∫ (l₁/2)|∇β|²
-  double bending = 0;       ///< ∫ (κ/2)(H − H₀)² + κ_G K
-  double thermotropic = 0;  ///< ∫ u(β)
+  double distortion = 0;    ///< ∫ (l₁/2)|∇β|²              (E1)
+  double bending = 0;       ///< ∫ (κ/2)(H − H₀)² + κ_G K   (E2) + (E3)
+  double thermotropic = 0;  ///< ∫ u(β)                     (E4)
   double total() const { return distortion + bending + thermotropic; }
 };
 
 /// Rates of dissipation: dU/dt = −(friction + order + viscous).
 struct Dissipation {
   double friction = 0;  ///< ∫ γ_∥|PV|² + γ_⊥(V·ν)² dS
-  double order = 0;     ///< ∫ (3/2)(M + μξ²/2) β̇² dS
+  double order = 0;     ///< ∫ m_β β̇² dS
   double viscous = 0;   ///< ∫ (η/2)|σ(V)|² dS
   double total() const { return friction + order + viscous; }
 };

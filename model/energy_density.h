@@ -5,7 +5,7 @@
 
 namespace sbeh::model {
 
-/// Energy per area, split as it is reported; T is double or an automatic-differentiation number.
+/// Energy per area; T is double or an automatic-differentiation number.
 template <class T>
 struct EnergyDensity {
   T distortion;    ///< (l₁/2)|∇β|²                             (E1)

@@ -77,7 +77,7 @@ struct Material {
     const double factor = 1 + order_viscosity * beta / 2;
     return viscosity * factor * factor;
   }
-  /// (3/2)(M + μξ²/2), what multiplies β̇ in the order equation.
+  /// m_β = (3/2)(M + μξ²/2), what multiplies β̇ in the order equation.
   double order_drag() const {
     return 1.5 * (immobility + viscosity * order_viscosity * order_viscosity / 2);
   }

@@ -14,7 +14,7 @@ OrderData order_step_point(const Material& m, const OrderPoint& x, double tau) {
                 + m.potential.secant(x.beta),  // (B5)
       .advection = drag * x.slip,              // (B1)
       .diffusion = m.l1(),                     // (B2)
-      .rhs = drag * x.beta_old / tau           // (B1)
+      .rhs = drag * x.beta_from / tau          // (B1)
            - m.potential.slope_at_zero(),      // (B5)
   };
 }

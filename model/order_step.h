@@ -11,7 +11,7 @@ namespace sbeh::model {
 /// from which the step begins (the same but for two-step methods), curvatures, and the velocity of the
 /// material relative to the mesh, the tangential part of V − Y/τ.
 struct OrderPoint {
-  double beta, beta_old, H, K;
+  double beta, beta_from, H, K;
   Tangent<double> slip;
 };
 

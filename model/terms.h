@@ -94,7 +94,7 @@ Gradient<T> gaussian_shape_stress(const Material& m, const ElasticPoint<S, T>& x
   return detail::normal_row<T>(g.template cast<T>());
 }
 
-/// (V11) e = (κ/2)(tr B − H₀)(H − H₀), isotropic: −(e, Div_C W) stands in the momentum equation only
+/// (V11) (κ/2)(tr B − H₀)(H − H₀), isotropic: −(·, Div_C W) stands in the momentum equation only
 /// where the pressure is a number and cannot take it up. For β ≡ 2/3, else (E1) and (E4) are missing.
 template <class S, class T>
 T bending_tension(const Material& m, const ElasticPoint<S, T>& x) {

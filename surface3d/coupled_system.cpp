@@ -83,7 +83,7 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
   node_normals_ = curvature.node_normals;
   total_area_rate_.setZero(along_normals() ? mesh.count() : 0);
   std::visit([&](auto& scheme) { scheme.begin(mesh, node_normals_, tau); }, scheme_);
-  const StepParameters step{.area_rate = constraints.area_rate, .area = area_};
+  const StepParameters step{.area_rate = constraints.area_rate, .area_constraint = area_};
 
   for_each_by_colour(mesh, [&](int e) {
     static thread_local ElementSystem element;

@@ -34,7 +34,7 @@ struct Origin {
 /// What a step keeps besides the equations at points.
 struct Constraints {
   double area_rate;    ///< (A₀ − A)/(τA) of (P1)
-  double volume_rate;  ///< (V₀ − V)/τ of (P2)
+  double volume_rate;  ///< (vol₀ − vol)/τ of (P2)
   bool keep_volume;  ///< false on a sphere, where a constant p and λ are one unknown: then λ = 0
 };
 

@@ -47,7 +47,7 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
       const model::OrderData d = model::order_step_point(
           material,
           {.beta = value_at(beta, s),
-           .beta_old = value_at(beta_from, s),
+           .beta_from = value_at(beta_from, s),
            .H = h,
            .K = model::gauss_curvature(B),
            .slip = x.frame.leftCols<2>().transpose() * value_at(local_slip, s)},

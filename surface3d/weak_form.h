@@ -45,7 +45,7 @@ struct OldPoint {
 /// Choices of the step which every point sees.
 struct StepParameters {
   double area_rate;  ///< (A₀ − A)/(τA), the drift correction of (P1)
-  model::AreaConstraint area = model::AreaConstraint::local;  ///< global: with (V11)
+  model::AreaConstraint area_constraint = model::AreaConstraint::local;  ///< global: with (V11)
 };
 
 /// Momentum (V1)–(V11) without (V4), and incompressibility (P1).
@@ -62,7 +62,7 @@ Tested<T> flow_point(const model::Material& m, const OldPoint& old, const StepPa
   model::Gradient<T> stress = -model::elastic_stress(m, elastic);  // (V5) … (V10)
   stress.template topRows<2>() += model::rate_of_strain(grad_V) * m.eta(old.beta);  // (V1)
   T isotropic = -u.p;                                                               // (V3)
-  if (step.area == model::AreaConstraint::global)
+  if (step.area_constraint == model::AreaConstraint::global)
     isotropic += model::bending_tension(m, elastic);  // (V11)
   stress(0, 0) += isotropic;
   stress(1, 1) += isotropic;
