@@ -13,8 +13,9 @@ Field mean_curvature(const Nodes& X) {
     for (int a = 0; a < 4; ++a) {
       const int i = 3 * e + a;
       const double cosine = p.dS * p.nu.dot(n.col(i));
-      rhs[i] -= p.dS * (s.dphi[a] * p.t.dot(n.col(i)) / p.stretch + s.phi[a] * n(0, i) / p.x[0]);
-      for (int b = 0; b < 4; ++b) mass(i, 3 * e + b) += cosine * s.phi[a] * s.phi[b];
+      rhs[i] -=
+          p.dS * (s.dphi[a] * p.t.dot(n.col(i)) / p.stretch + s.phi[a] * n(0, i) / p.x[0]);  // (H1)
+      for (int b = 0; b < 4; ++b) mass(i, 3 * e + b) += cosine * s.phi[a] * s.phi[b];        // (H1)
     }
   });
   if (!mass.factor()) return {};

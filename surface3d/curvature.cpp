@@ -66,11 +66,12 @@ Sums sums_on(const Triangulation& mesh, int e, const Nodes& X, const Nodes& node
                        test = phi.cwiseProduct(n.transpose() * (p.dS * p.nu()));
     sums.mass.noalias() += weighted * phi.transpose();
     sums.rhs.leftCols<3>().noalias() += weighted * p.nu().transpose();
-    sums.cosines.noalias() += test * phi.transpose();
+    sums.cosines.noalias() += test * phi.transpose();  // (H1)
     for (std::size_t k = 0; k < positions.size(); ++k) {
       const Eigen::Matrix<double, 3, 2> slope = p.dS * gradient_at(places[k], p);
       for (int i = 0; i < 2; ++i)
-        forces[k].noalias() -= slope.col(i) * Shapes(p.grad[std::size_t(i)].data()).transpose();
+        forces[k].noalias() -=
+            slope.col(i) * Shapes(p.grad[std::size_t(i)].data()).transpose();  // (H1)
     }
   }
   for (std::size_t k = 0; k < positions.size(); ++k)

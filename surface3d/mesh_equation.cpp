@@ -30,9 +30,9 @@ ElementNodes MeshEquation::mesh_force(const ElementField& H, const ElementNodes&
 
 ElementNodes MeshEquation::mesh_drive(const MovingTriangle& t) const {
   const double theta = t.tau / (t.tau + mesh_relaxation_time);
-  ElementNodes force = -theta * t.from * stiffness;
+  ElementNodes force = -theta * t.from * stiffness;  // (H1)
   for (int k = 0; k < 3; ++k)
-    force.row(k) += (1 - theta) * (normal_mass[std::size_t(k)] * t.H_from).transpose();
+    force.row(k) += (1 - theta) * (normal_mass[std::size_t(k)] * t.H_from).transpose();  // (H1)
   return force;
 }
 

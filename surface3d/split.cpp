@@ -47,7 +47,7 @@ void Split::add(const Triangulation& mesh, const MovingTriangle& t, const MeshEq
 }
 
 // (H1) along the normals, with the displacement τ(V·n) n from the foot points: a test field Z = φ_a n_a
-// gives the row a of G.
+// gives the row a of G. θ drops out: tested so, (Ĥ ν, Z) is −(∇_C x̂, ∇_C Z).
 void Split::add_to_flow(const MovingTriangle& t, const MeshEquation& equation,
                         FlowPiece& piece) const {
   const ElementNodes &n = t.node_normals, foot = foot_points(t.X, t.from, n);
