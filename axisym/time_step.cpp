@@ -6,8 +6,8 @@
 
 namespace sbeh::axisym {
 
-bool TimeStepper::solve_order(const State& old, const Field& H, const Nodes& relative_velocity,
-                              double tau, Field& beta) {
+bool TimeStepper::solve_order(const State& old, const Field& H, const Nodes& slip, double tau,
+                              Field& beta) {
   order_.set_zero();
   beta = Field::Zero(old.beta.size());
   for_each_point(old.X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
@@ -41,7 +41,7 @@ bool TimeStepper::solve_order(const State& old, const Field& H, const Nodes& rel
 namespace {
 
 Dissipation dissipation_of(const model::Material& m, const State& old, const StepFields& f,
-                           const Nodes& relative_velocity, const Field& beta_new, double tau) {
+                           const Nodes& slip, const Field& beta_new, double tau) {
   Dissipation d;
   const Field rate = (beta_new - old.beta) / tau;
   for_each_point(old.X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
@@ -78,11 +78,9 @@ FlowStep TimeStepper::step(const State& old, const std::optional<Target>& target
   if (!coupled_.solve(old, H, target, tau, fields_)) return result;
   result.state = {old.X + fields_.Y, old.beta};
   result.state.X(0, 0) = result.state.X(0, old.X.cols() - 1) = 0;  // exactly
-  const Nodes relative_velocity = fields_.V - fields_.Y / tau;
-  if (has_free_order(model_) && !solve_order(old, H, relative_velocity, tau, result.state.beta))
-    return result;
-  result.dissipation =
-      dissipation_of(material_, old, fields_, relative_velocity, result.state.beta, tau);
+  const Nodes slip = fields_.V - fields_.Y / tau;
+  if (has_free_order(model_) && !solve_order(old, H, slip, tau, result.state.beta)) return result;
+  result.dissipation = dissipation_of(material_, old, fields_, slip, result.state.beta, tau);
   result.fault = model::FlowFault::none;
   result.lambda = fields_.lambda;
   result.speed_max = fields_.V.colwise().norm().maxCoeff();

@@ -24,8 +24,7 @@ class TimeStepper {
 
  private:
   // With V − Y/τ. False when the matrix is singular.
-  bool solve_order(const State& old, const Field& H, const Nodes& relative_velocity, double tau,
-                   Field& beta);
+  bool solve_order(const State& old, const Field& H, const Nodes& slip, double tau, Field& beta);
 
   model::Material material_;
   model::Model model_;

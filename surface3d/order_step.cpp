@@ -28,14 +28,13 @@ Field solve(const SparseMatrix& matrix, const Field& rhs, const Field& guess) {
 }  // namespace
 
 Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
-                 const Field& from, const Curvature& curvature, const Nodes& relative_velocity,
-                 double tau) {
+                 const Field& from, const Curvature& curvature, const Nodes& slip, double tau) {
   SparseMatrix matrix = mesh.scalars.zero();
   Field rhs = Field::Zero(mesh.nodes);
   for_each_by_colour(mesh, [&](int e) {
     const ElementNodes X = on_element(mesh, e, at.X),
                        normals = on_element(mesh, e, curvature.normals),
-                       local_slip = on_element(mesh, e, relative_velocity);
+                       local_slip = on_element(mesh, e, slip);
     const ElementField beta = on_element(mesh, e, at.beta), beta_from = on_element(mesh, e, from),
                        H = on_element(mesh, e, curvature.H);
     Eigen::Matrix<double, 10, 10> local = decltype(local)::Zero();

@@ -7,10 +7,9 @@
 namespace sbeh::surface3d {
 
 /// β of the next time, τ after `from`, which are the nodes' numbers; surface and coefficients are those
-/// of `at`. 3 x nodes `relative_velocity` is that of the material, relative to the mesh: V − Y/τ. Empty
+/// of `at`. 3 x nodes `slip` is that of the material, relative to the mesh: V − Y/τ. Empty
 /// when the linear solve fails.
 Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
-                 const Field& from, const Curvature& curvature, const Nodes& relative_velocity,
-                 double tau);
+                 const Field& from, const Curvature& curvature, const Nodes& slip, double tau);
 
 }  // namespace sbeh::surface3d

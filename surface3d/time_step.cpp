@@ -12,18 +12,17 @@ namespace sbeh::surface3d {
 namespace {
 
 Dissipation dissipation_of(const Triangulation& mesh, const model::Material& m, const State& old,
-                           const Nodes& velocity, const Nodes& relative_velocity,
-                           const Field& beta_new, const Field& beta_from, double tau) {
+                           const Nodes& velocity, const Nodes& slip, const Field& beta_new,
+                           const Field& beta_from, double tau) {
   const Field rate = (beta_new - beta_from) / tau;
   const auto sum = integrate<3>(mesh, old.X, assembly_points(), [&](int e) {
-    return [&m, velocities = on_element(mesh, e, velocity),
-            slips = on_element(mesh, e, relative_velocity), beta = on_element(mesh, e, old.beta),
-            rates = on_element(mesh, e, rate),
+    return [&m, velocities = on_element(mesh, e, velocity), slips = on_element(mesh, e, slip),
+            beta = on_element(mesh, e, old.beta), rates = on_element(mesh, e, rate),
             beta_end = on_element(mesh, e, beta_new)](const ShapeValues& s, const SurfacePoint& p) {
       const Eigen::Vector3d V = value_at(velocities, s);
       const double V_n = V.dot(p.nu());
-      const Eigen::Vector2d slip = p.frame.leftCols<2>().transpose() * value_at(slips, s);
-      const double beta_dot = value_at(rates, s) + slip.dot(gradient_at(beta_end, p));
+      const Eigen::Vector2d slip_t = p.frame.leftCols<2>().transpose() * value_at(slips, s);
+      const double beta_dot = value_at(rates, s) + slip_t.dot(gradient_at(beta_end, p));
       const model::Gradient<double> grad_V = p.frame.transpose() * gradient_at(velocities, p);
       return Eigen::Array3d(
           m.friction_tangential * (V.squaredNorm() - V_n * V_n) + m.friction_normal * V_n * V_n,
@@ -116,14 +115,14 @@ FlowStep TimeStepper::solve(const State& at, const State& from, const Constraint
   State next{from.X + fields_.Y, from.beta};
   if (!(mesh_quality(*mesh_, next.X) > 0))  // a triangle is turned over
     return {.fault = model::FlowFault::degenerate};
-  const Nodes relative_velocity = fields_.V - fields_.Y / tau;
+  const Nodes slip = fields_.V - fields_.Y / tau;
   if (has_free_order(model_))
-    next.beta = order_step(*mesh_, material_, at, from.beta, *curvature, relative_velocity, tau);
+    next.beta = order_step(*mesh_, material_, at, from.beta, *curvature, slip, tau);
   if (next.beta.size() == 0) return {};
   return {.fault = model::FlowFault::none,
           .state = next,
-          .dissipation = dissipation_of(*mesh_, material_, at, fields_.V, relative_velocity,
-                                        next.beta, from.beta, tau),
+          .dissipation =
+              dissipation_of(*mesh_, material_, at, fields_.V, slip, next.beta, from.beta, tau),
           .lambda = fields_.lambda,
           .speed_max = fields_.V.colwise().norm().maxCoeff()};
 }
