@@ -19,7 +19,7 @@ using figures::Figure;
 
 namespace {
 
-struct Words {
+struct FigureWords {
   std::vector<std::string> figures;
   std::string folder = "results/figures", inputs = "studies/inputs";
   std::optional<int> triangles;
@@ -73,7 +73,7 @@ void tell_missing(const figures::Summary& summary) {
   }
 }
 
-int make(const Words& w) {
+int make(const FigureWords& w) {
   const fs::path folder = w.folder;
   const figures::Summary summary = figures::make_figures({.figures = figures_of(w.figures),
                                                           .folder = folder,
@@ -103,8 +103,8 @@ int make(const Words& w) {
 }  // namespace
 
 Command add_figures(CLI::App& program) {
-  const auto words = std::make_shared<Words>();
-  Words& w = *words;
+  const auto words = std::make_shared<FigureWords>();
+  FigureWords& w = *words;
   CLI::App* app =
       program.add_subcommand("figures", "the paper's figures: the runs they need, then pictures");
   app->add_option("FIGURE", w.figures,

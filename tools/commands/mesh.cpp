@@ -16,7 +16,7 @@ using studies::InputError;
 
 namespace {
 
-struct Words {
+struct MeshWords {
   CLI::App *sphere = nullptr, *ellipsoid = nullptr, *harmonic = nullptr, *revolve = nullptr,
            *file = nullptr;
   std::string axes, input, output, area;
@@ -62,7 +62,7 @@ void refuse_to_overwrite(const fs::path& path) {
     throw InputError(fmt::format("{}: is there already; --overwrite replaces it", path.string()));
 }
 
-studies::MeshRequest request_of(const Words& w) {
+studies::MeshRequest request_of(const MeshWords& w) {
   studies::MeshRequest request{.shape = studies::SphereShape{},
                                .triangles = w.triangles,
                                .order = w.order,
@@ -87,7 +87,7 @@ studies::MeshRequest request_of(const Words& w) {
   return request;
 }
 
-int make(const Words& w) {
+int make_and_write(const MeshWords& w) {
   if (w.output.empty() && !w.report)
     throw InputError("mesh: nothing to do: give a file with -o, or --report, or both");
   if (!w.output.empty()) {
@@ -117,8 +117,8 @@ int make(const Words& w) {
 }  // namespace
 
 Command add_mesh(CLI::App& program) {
-  const auto words = std::make_shared<Words>();
-  Words& w = *words;
+  const auto words = std::make_shared<MeshWords>();
+  MeshWords& w = *words;
   CLI::App* mesh =
       program.add_subcommand("mesh", "a curved mesh of a shape: mesh SHAPE ... -o FILE");
   mesh->require_subcommand(1);
@@ -150,7 +150,7 @@ Command add_mesh(CLI::App& program) {
   w.file = add("file", "triangles of a file, curved; without --triangles they stay as they are");
   w.file->add_option("FILE", w.input, ".obj, .off, .ply, .stl, .vtu or .vtp")->required();
   w.file->add_flag("--repair", w.repair, "mend what can be mended safely, and say what was done");
-  return {mesh, [words] { return make(*words); }};
+  return {mesh, [words] { return make_and_write(*words); }};
 }
 
 }  // namespace sbeh::tools

@@ -7,13 +7,13 @@ namespace sbeh::tools {
 
 namespace {
 
-struct Words {
+struct SeifertWords {
   std::string folder = "results/seifert";
   bool no_pictures = false;
   int elements = 96;
 };
 
-int seifert(const Words& w) {
+int seifert(const SeifertWords& w) {
   fmt::print("{}", studies::table_of(studies::run_seifert(w.folder, w.elements)));
   fmt::print("tables in {}\n", w.folder);
   if (!w.no_pictures) draw_results(studies::ResultsKind::seifert, w.folder);
@@ -23,7 +23,7 @@ int seifert(const Words& w) {
 }  // namespace
 
 Command add_seifert(CLI::App& program) {
-  const auto words = std::make_shared<Words>();
+  const auto words = std::make_shared<SeifertWords>();
   CLI::App* app = program.add_subcommand("seifert", "the classical diagram by three witnesses");
   app->add_option("-o,--output", words->folder, "folder for the results (results/seifert)");
   app->add_flag("--no-pictures", words->no_pictures, "tables only");
