@@ -94,12 +94,25 @@ Gradient<T> gaussian_shape_stress(const Material& m, const ElasticPoint<S, T>& x
   return detail::normal_row<T>(g.template cast<T>());
 }
 
-/// (V11) (κ/2)(tr B − H₀)(H − H₀), isotropic: −(·, Div_C W) stands in the momentum equation only
-/// where the pressure is a number and cannot take it up. For β ≡ 2/3, else (E1) and (E4) are missing.
+/// (V11) of (E2): (κ/2)(tr B − H₀)(H − H₀), isotropic. For β ≡ 2/3 it is all that varies of e.
 template <class S, class T>
 T bending_tension(const Material& m, const ElasticPoint<S, T>& x) {
   const S known = m.kappa(x.beta) / 2. * (x.B.trace() - m.spontaneous_curvature);
   return T(known) * (x.H - m.spontaneous_curvature);
+}
+
+/// (V11) e = (E1) + (E2) + (E4), isotropic: −(e, Div_C W) stands in the momentum equation where the pressure
+/// does not take it up. (E2) in the form that is linear in H.
+template <class S, class T>
+T energy_tension(const Material& m, const ElasticPoint<S, T>& x) {
+  return bending_tension(m, x)
+       + T(m.l1() / 2. * x.grad_beta.squaredNorm() + m.potential.value(x.beta));
+}
+
+/// (V12) h ∇β, h = δU/δβ: what the elastic forces are along the surface, but for gradients.
+template <class T>
+Tangent<T> order_traction(const T& h, const Tangent<T>& grad_beta) {
+  return h * grad_beta;  // (V12)
 }
 
 /// The right-hand side of the momentum equation: the sum of (V5) … (V10).

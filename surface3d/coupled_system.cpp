@@ -28,18 +28,13 @@ std::variant<Monolithic, Split> chosen(Scheme scheme, const Triangulation& mesh)
 
 }  // namespace
 
-Scheme stable_scheme(const model::Material& material, model::AreaConstraint area, Scheme wanted) {
-  const bool damped = material.viscosity > 0 || area == model::AreaConstraint::global;
-  return damped ? wanted : Scheme::monolithic;
-}
-
 CoupledSystem::CoupledSystem(const Triangulation& mesh, const model::Material& material,
                              Scheme scheme, model::AreaConstraint area)
     : material_(material),
       area_(area),
       nodes_(mesh.nodes),
       quadratic_nodes_(mesh.quadratic_nodes),
-      multipliers_(material.frictionless() ? 7 : 1),
+      multipliers_(along_normals() ? 1 : 7),
       scheme_(chosen(scheme, mesh)),
       layout_(flow_layout(mesh, area, has_displacement(), along_normals() ? 2 : multipliers_)) {}
 
@@ -54,9 +49,8 @@ void CoupledSystem::set_flow(const ElementSystem& element, bool keep_volume,
   const auto constraints = element.constraints.leftCols(multipliers_);
   piece.matrix.setZero(size, size);
   piece.rhs.setZero(size);
-  piece.matrix.topLeftCorner<head, head>() = element.flow.topLeftCorner<head, head>();
-  piece.matrix.block<head, 10>(0, FlowPiece::H) = element.flow.block<head, 10>(0, padded::H);
-  piece.rhs.head<head>() = element.rhs.head<head>();
+  piece.matrix.topLeftCorner<ElementSystem::tests, ElementSystem::unknowns>() = element.flow;
+  piece.rhs.head<ElementSystem::tests>() = element.rhs;
   piece.matrix.topRightCorner(30, multipliers_) = constraints;                // (V4)
   piece.matrix.bottomLeftCorner(multipliers_, 30) = constraints.transpose();  // (P2)
   if (!keep_volume) {
@@ -77,13 +71,12 @@ void CoupledSystem::add_flow(int e, const ElementNodes& normals, FlowPiece& piec
 }
 
 void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
-                             const Curvature& curvature, const Origin& from, double tau,
-                             const Constraints& constraints) {
+                             const Curvature& curvature, const Field& order_force,
+                             const Origin& from, double tau, const Constraints& constraints) {
   layout_.pattern.set_zero(flow_);
   node_normals_ = curvature.node_normals;
   total_area_rate_.setZero(along_normals() ? mesh.count() : 0);
   std::visit([&](auto& scheme) { scheme.begin(mesh, node_normals_, tau); }, scheme_);
-  const StepParameters step{.area_rate = constraints.area_rate, .area_constraint = area_};
 
   for_each_by_colour(mesh, [&](int e) {
     static thread_local ElementSystem element;
@@ -96,10 +89,12 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
                                   .H_from = on_element(mesh, e, from.H)};
     assemble_element(material_,
                      {.X = triangle.X,
-                      .normals = on_element(mesh, e, curvature.normals),
+                      .node_normals = triangle.node_normals,
+                      .projected_normals = on_element(mesh, e, curvature.normals),
                       .beta = on_element(mesh, e, old.beta),
-                      .H = on_element(mesh, e, curvature.H)},
-                     step, element);
+                      .H = on_element(mesh, e, curvature.H),
+                      .order_force = on_element(mesh, e, order_force)},
+                     constraints.area_rate, element);
     set_flow(element, constraints.keep_volume, piece);
     std::visit([&](auto& scheme) { scheme.add(mesh, triangle, element.mesh, piece); }, scheme_);
     add_flow(e, triangle.node_normals, piece);

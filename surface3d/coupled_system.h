@@ -20,10 +20,6 @@
 
 namespace sbeh::surface3d {
 
-/// The scheme that is used where another may be wanted: without viscosity, which damps tangential flow at the
-/// scale of the mesh, the split one was seen to be unstable; see README.md.
-Scheme stable_scheme(const model::Material& material, model::AreaConstraint area, Scheme wanted);
-
 /// The positions from which the displacement Y counts, 3 x nodes, and their curvature on the surface of
 /// the step, see curvature_of.
 struct Origin {
@@ -44,9 +40,10 @@ class CoupledSystem {
   CoupledSystem(const Triangulation& mesh, const model::Material& material, Scheme scheme,
                 model::AreaConstraint area = model::AreaConstraint::local);
 
-  /// Fills the systems from the old state; elements in parallel, sums in a fixed order.
+  /// Fills the systems from the old state, with h of (V12); elements in parallel, sums in a fixed order.
   void assemble(const Triangulation& mesh, const State& old, const Curvature& curvature,
-                const Origin& from, double tau, const Constraints& constraints);
+                const Field& order_force, const Origin& from, double tau,
+                const Constraints& constraints);
 
   /// V, p, H, when monolithic Y, and λ; or, under a global area constraint, v, H, Y, λ and p.
   const LinearSystem& flow() const { return flow_; }

@@ -6,16 +6,13 @@
 
 namespace sbeh::surface3d {
 
-/// V, p, H as in FlowPiece, but p padded from six numbers to the ten that each component of the others has.
-namespace padded {
-inline constexpr int V = FlowPiece::V, p = FlowPiece::p, H = p + 10, size = H + 10, tests = H;
-}
-
 /// The parts of the coupled step on a triangle.
 struct ElementSystem {
-  Eigen::Matrix<double, padded::tests, padded::size> flow;  // row: test function, column: unknown
-  Eigen::Matrix<double, padded::tests, 1> rhs;
-  /// What the multipliers meet: (ν, W) of (V4) and (P2), then (R, W) of the rigid motions R: three
+  static constexpr int tests = FlowPiece::H, unknowns = FlowPiece::Y;
+  /// In the order of FlowPiece; row: test function W, q, column: unknown V, p, H.
+  Eigen::Matrix<double, tests, unknowns> flow;
+  Eigen::Matrix<double, tests, 1> rhs;
+  /// What the multipliers meet: (ν, W_n) of (V4) and (P2), then (R, W) of the rigid motions R: three
   /// translations, three rotations about the axes.
   Eigen::Matrix<double, 30, 7> constraints;
   MeshEquation mesh;
@@ -23,12 +20,13 @@ struct ElementSystem {
 
 /// What a triangle has of the old state.
 struct ElementState {
-  ElementNodes X, normals;
-  ElementField beta, H;
+  ElementNodes X, node_normals, projected_normals;
+  ElementField beta, H, order_force;
 };
 
-/// Sums over the quadrature points, of the linear `flow_point` among others.
-void assemble_element(const model::Material& material, const ElementState& old,
-                      const StepParameters& step, ElementSystem& out);
+/// Sums over the quadrature points, of the linear `flow_point` among others; `area_rate` is (A₀ − A)/(τA),
+/// the drift correction of (P1).
+void assemble_element(const model::Material& material, const ElementState& old, double area_rate,
+                      ElementSystem& out);
 
 }  // namespace sbeh::surface3d

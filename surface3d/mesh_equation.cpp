@@ -39,13 +39,15 @@ ElementNodes MeshEquation::mesh_drive(const MovingTriangle& t) const {
 void MeshEquation::set_rows(const MovingTriangle& t, FlowPiece& piece) const {
   constexpr int G = FlowPiece::G, H = FlowPiece::H;
   const ElementNodes drive = mesh_drive(t);
+  const Scalar normal_speed = normal_mass_along(t.node_normals).transpose();
   for (int k = 0; k < 3; ++k) {
     const int V = FlowPiece::V + 10 * k, Y = FlowPiece::Y + 10 * k, Z = FlowPiece::Z + 10 * k;
-    piece.block(G, Y) = normal_mass[std::size_t(k)];           // (Y1)
-    piece.block(G, V) = -t.tau * normal_mass[std::size_t(k)];  // (Y1)
-    piece.block(Z, H) = normal_mass[std::size_t(k)];           // (H1)
-    piece.block(Z, Y) = stiffness;                             // (H1)
-    piece.rhs.segment<10>(Z) = drive.row(k).transpose();       // (H1)
+    piece.block(G, Y) = normal_mass[std::size_t(k)];  // (Y1)
+    piece.block(G, V) =
+        -t.tau * normal_speed * t.node_normals.row(k).transpose().asDiagonal();  // (Y1)
+    piece.block(Z, H) = normal_mass[std::size_t(k)];                             // (H1)
+    piece.block(Z, Y) = stiffness;                                               // (H1)
+    piece.rhs.segment<10>(Z) = drive.row(k).transpose();                         // (H1)
   }
 }
 

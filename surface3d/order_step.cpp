@@ -6,6 +6,8 @@
 
 #include <Eigen/IterativeLinearSolvers>
 
+#include <limits>
+
 namespace sbeh::surface3d {
 
 namespace {
@@ -25,12 +27,11 @@ Field solve(const SparseMatrix& matrix, const Field& rhs, const Field& guess) {
   return x.allFinite() ? x : Field();
 }
 
-}  // namespace
-
-Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
-                 const Field& from, const Curvature& curvature, const Nodes& slip, double tau) {
-  SparseMatrix matrix = mesh.scalars.zero();
-  Field rhs = Field::Zero(mesh.nodes);
+// The equation of the order over a time τ, which may be infinite.
+LinearSystem equation_of_order(const Triangulation& mesh, const model::Material& material,
+                               const State& at, const Field& from, const Curvature& curvature,
+                               const Nodes& slip, double tau) {
+  LinearSystem system{mesh.scalars.zero(), Field::Zero(mesh.nodes)};
   for_each_by_colour(mesh, [&](int e) {
     const ElementNodes X = on_element(mesh, e, at.X),
                        normals = on_element(mesh, e, curvature.normals),
@@ -59,10 +60,36 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
       local += (x.dS * d.diffusion * grad_2) * grad_2.transpose();
       vector += x.dS * d.rhs * phi;
     }
-    mesh.scalars.add(e, local, matrix);
-    for (int a = 0; a < 10; ++a) rhs[mesh.triangles(a, e)] += vector[a];
+    mesh.scalars.add(e, local, system.matrix);
+    for (int a = 0; a < 10; ++a) system.rhs[mesh.triangles(a, e)] += vector[a];
   });
-  return solve(matrix, rhs, at.beta);
+  return system;
+}
+
+}  // namespace
+
+Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
+                 const Field& from, const Curvature& curvature, const Nodes& slip, double tau) {
+  const LinearSystem system = equation_of_order(mesh, material, at, from, curvature, slip, tau);
+  return solve(system.matrix, system.rhs, at.beta);
+}
+
+Field order_force(const Triangulation& mesh, const model::Material& material, const State& at,
+                  const Curvature& curvature) {
+  const Nodes no_slip = Nodes::Zero(3, mesh.nodes);
+  const LinearSystem force = equation_of_order(mesh, material, at, at.beta, curvature, no_slip,
+                                               std::numeric_limits<double>::infinity());
+  SparseMatrix mass = mesh.scalars.zero();
+  for_each_by_colour(mesh, [&](int e) {
+    const ElementNodes X = on_element(mesh, e, at.X);
+    Eigen::Matrix<double, 10, 10> local = decltype(local)::Zero();
+    for (const ShapeValues& s : assembly_points()) {
+      const Shapes phi(s.phi.data());
+      local += (surface_point(X, s).dS * phi) * phi.transpose();
+    }
+    mesh.scalars.add(e, local, mass);
+  });
+  return solve(mass, force.matrix * at.beta - force.rhs, Field::Zero(mesh.nodes));
 }
 
 }  // namespace sbeh::surface3d

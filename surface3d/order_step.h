@@ -12,4 +12,8 @@ namespace sbeh::surface3d {
 Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
                  const Field& from, const Curvature& curvature, const Nodes& slip, double tau);
 
+/// h = δU/δβ, nodes: (h, ψ) = (B2) + … + (B5). Empty when the linear solve fails.
+Field order_force(const Triangulation& mesh, const model::Material& material, const State& at,
+                  const Curvature& curvature);
+
 }  // namespace sbeh::surface3d

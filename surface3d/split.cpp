@@ -104,7 +104,7 @@ Nodes Split::displacement(const Nodes& V, const Eigen::VectorXd&,
   const auto w = motion.reshaped(2, V.cols());
   for (int k = 0; k < 2; ++k) Y += tangents_[std::size_t(k)] * w.row(k).asDiagonal();
 
-  const Nodes missing = tau_ * V - Y;
+  const Nodes missing = along_normals(V) - Y;
   Eigen::RowVectorXd flux = Eigen::RowVectorXd::Zero(V.cols());
   for (const auto& [nodes, equation] : triangles_)
     flux(nodes) += equation.normal_flux(missing(Eigen::all, nodes));  // (Y1)

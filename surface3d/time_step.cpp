@@ -63,8 +63,7 @@ TimeStepper::TimeStepper(const std::shared_ptr<const Triangulation>& mesh,
     : mesh_(mesh),
       material_(effective(material, model)),
       model_(model),
-      system_(*mesh, material_, stable_scheme(material_, area_constraint(model), numerics.scheme),
-              area_constraint(model)),
+      system_(*mesh, material_, numerics.scheme, area_constraint(model)),
       solver_(numerics) {}
 
 bool TimeStepper::recall(const StepperMemory& memory) {
@@ -73,7 +72,8 @@ bool TimeStepper::recall(const StepperMemory& memory) {
     const auto curvature = curvature_of(*mesh_, at.X);
     if (!curvature) return false;
     const double tau = memory.factored_tau;
-    system_.assemble(*mesh_, at, *curvature, {at.X, curvature->H}, tau,
+    const Field no_force = Field::Zero(mesh_->nodes);  // the factors do not know it
+    system_.assemble(*mesh_, at, *curvature, no_force, {at.X, curvature->H}, tau,
                      constraints_of(*mesh_, at.X, {}, tau));
   }
   return solver_.recall(system_, memory);
@@ -108,7 +108,10 @@ FlowStep TimeStepper::solve(const State& at, const State& from, const Constraint
                             double tau, Pass pass) {
   const auto curvature = curvature_of(*mesh_, at.X, &from.X);
   if (!curvature) return {.fault = model::FlowFault::degenerate};
-  system_.assemble(*mesh_, at, *curvature, {from.X, curvature->H_from}, tau, constraints);
+  const Field force = has_free_order(model_) ? order_force(*mesh_, material_, at, *curvature)
+                                             : Field::Zero(mesh_->nodes);
+  if (force.size() == 0) return {};
+  system_.assemble(*mesh_, at, *curvature, force, {from.X, curvature->H_from}, tau, constraints);
   const auto solution = solver_.solve(system_, at, tau, pass);
   if (!solution) return {};
   fields_ = fields_of(*solution);

@@ -24,8 +24,8 @@ struct StepFields {
 };
 
 /// First-order semi-implicit step (coupled step, then the order with its velocity, so that a step
-/// is a function of position and order alone). Keeps its matrices between steps. Of the numerics scheme
-/// (the stable_scheme is used), factorisation and solver_tolerance count. Where κ is below a tenth of its
+/// is a function of position and order alone). Keeps its matrices between steps. Of the numerics scheme,
+/// factorisation and solver_tolerance count. Where κ is below a tenth of its
 /// largest value the step is solved up to three times more, each time at the state that it led to, until that
 /// changes by no more than 2 solver_tolerance: a sharp rim would waver otherwise.
 class TimeStepper {

@@ -87,12 +87,10 @@ Start make(const FrameStart& start, const RunInput&) {
 
 // As surface3d::CoupledSystem has them.
 int unknowns_of(const RunInput& input, int nodes, int quadratic_nodes) {
-  const model::Material m = model::effective(input.material, input.model);
   const model::AreaConstraint area = model::area_constraint(input.model);
-  const auto scheme = surface3d::stable_scheme(m, area, input.numerics.scheme);
-  const int mesh_motion = scheme == surface3d::Scheme::split ? 0 : 3 * nodes;
+  const int mesh_motion = input.numerics.scheme == surface3d::Scheme::split ? 0 : 3 * nodes;
   if (area == model::AreaConstraint::global) return 2 * nodes + mesh_motion + 2;
-  return 4 * nodes + quadratic_nodes + mesh_motion + (m.frictionless() ? 7 : 1);
+  return 4 * nodes + quadratic_nodes + mesh_motion + 7;
 }
 
 }  // namespace

@@ -96,6 +96,12 @@ Parts energy_parts(const Material& m, const Triangulation& mesh, const State& s)
   return sum;
 }
 
+// The part of W along the node normals.
+Nodes along_normals(const Discrete& d) {
+  const Nodes n = node_normals(d.mesh(), d.surface.state.X);
+  return n * n.cwiseProduct(d.displacement).colwise().sum().asDiagonal();
+}
+
 // The discrete power of each term of each part, of which (e, Div_C W) is the last.
 std::vector<std::vector<double>> discrete_powers(const Discrete& d,
                                                  std::span<const ShapeValues> points) {
@@ -199,25 +205,29 @@ TEST(Stress, is_minus_the_derivative_of_every_part_of_the_discrete_energy) {
 
 // ---- what the step assembles ------------------------------------------------------------------------
 
-TEST(Momentum, of_the_coupled_system_contains_the_stress_and_nothing_else_that_does_not_move) {
-  const Discrete d = discrete(80);
-  const State& s = d.surface.state;
-  const auto curvature = curvature_of(d.mesh(), s.X);
-  CoupledSystem system(d.mesh(), general_material(), Scheme::monolithic);
-  system.assemble(d.mesh(), s, *curvature, {s.X, curvature->H}, 1e-3,
-                  {.area_rate = 0.3, .volume_rate = 0.2, .keep_volume = true});
-  const int N = d.mesh().nodes;
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(system.flow().rhs.size());
-  x.segment(3 * N + d.mesh().quadratic_nodes, N) = curvature->H;
-  const Eigen::VectorXd residual = system.flow().matrix * x - system.flow().rhs;
-  double expected = 0, magnitude = 0;
-  const auto powers = discrete_powers(d, assembly_points());
-  for (std::size_t k = 0; k < powers.size(); ++k)
-    for (std::size_t t = 0; t < parts()[k].terms.size(); ++t) {
-      expected -= powers[k][t];
-      magnitude += std::abs(powers[k][t]);
-    }
-  EXPECT_NEAR(residual.head(3 * N).dot(d.displacement.reshaped()), expected, 1e-12 * magnitude);
+// (f, g)
+double product(const Discrete& d, const Field& f, const Field& g) {
+  double sum = 0;
+  for_each_point(d.mesh(), d.surface.state.X, assembly_points(),
+                 [&](int e, const ShapeValues& v, const SurfacePoint& p) {
+                   sum += p.dS * value_at(on_element(d.mesh(), e, f), v)
+                        * value_at(on_element(d.mesh(), e, g), v);
+                 });
+  return sum;
+}
+
+// (h ∇β, W)
+double power_of_order(const Discrete& d, const Field& h, const Nodes& W) {
+  double sum = 0;
+  for_each_point(d.mesh(), d.surface.state.X, assembly_points(),
+                 [&](int e, const ShapeValues& v, const SurfacePoint& p) {
+                   const Eigen::Vector3d gradient =
+                       p.frame.leftCols<2>()
+                       * gradient_at(on_element(d.mesh(), e, d.surface.state.beta), p);
+                   sum += p.dS * value_at(on_element(d.mesh(), e, h), v)
+                        * gradient.dot(value_at(on_element(d.mesh(), e, W), v));
+                 });
+  return sum;
 }
 
 // ∫ e(β + amount ψ), the curvature and the quadrature points those of the order step.
@@ -232,15 +242,62 @@ double energy_of_changed_order(const Discrete& d, const Curvature& curvature, co
   return sum;
 }
 
-// (f, ψ)
-double product(const Discrete& d, const Field& f) {
-  double sum = 0;
-  for_each_point(d.mesh(), d.surface.state.X, assembly_points(),
-                 [&](int e, const ShapeValues& v, const SurfacePoint& p) {
-                   sum += p.dS * value_at(on_element(d.mesh(), e, f), v)
-                        * value_at(on_element(d.mesh(), e, d.order_change), v);
-                 });
-  return sum;
+TEST(Momentum, along_the_normals_has_the_whole_elastic_force_and_across_them_that_of_the_order) {
+  Discrete d = discrete(80);
+  const State& s = d.surface.state;
+  const auto curvature = curvature_of(d.mesh(), s.X);
+  CoupledSystem system(d.mesh(), general_material(), Scheme::monolithic);
+  const Field h = order_force(d.mesh(), general_material(), s, *curvature);
+  system.assemble(d.mesh(), s, *curvature, h, {s.X, curvature->H}, 1e-3,
+                  {.area_rate = 0.3, .volume_rate = 0.2, .keep_volume = true});
+  const int N = d.mesh().nodes;
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(system.flow().rhs.size());
+  x.segment(3 * N + d.mesh().quadratic_nodes, N) = curvature->H;
+  const Eigen::VectorXd residual = system.flow().matrix * x - system.flow().rhs;
+  const Nodes W = d.displacement, W_n = along_normals(d);
+  const double across = power_of_order(d, h, W - W_n);
+  d.displacement = W_n;
+  double expected = -across, magnitude = std::abs(across);
+  const auto powers = discrete_powers(d, assembly_points());
+  for (std::size_t k = 0; k < powers.size(); ++k) {
+    for (const double power : powers[k]) magnitude += std::abs(power);
+    for (std::size_t t = 0; t < parts()[k].terms.size(); ++t) expected -= powers[k][t];
+    expected += powers[k].back();
+  }
+  EXPECT_NEAR(residual.head(3 * N).dot(W.reshaped()), expected, 1e-12 * magnitude);
+}
+
+// A displacement across the normals moves nothing but the order relative to the surface.
+TEST(Momentum, across_the_normals_is_minus_the_derivative_of_the_discrete_energy) {
+  OrderTable table("(V12), its derivative", "h");
+  for (const int triangles : refinements) {
+    const Discrete d = discrete(triangles);
+    const State& s = d.surface.state;
+    const Nodes W = d.displacement - along_normals(d);
+    const double derivative = derivative_at_zero(
+        [&](double amount) -> double {
+          return energy_parts(general_material(), d.mesh(), {s.X + amount * W, s.beta}).sum();
+        },
+        0.02);
+    const Field h = order_force(d.mesh(), general_material(), s, *curvature_of(d.mesh(), s.X));
+    const double power = power_of_order(d, h, W);
+    EXPECT_GT(std::abs(power), 1e-2);
+    table.add(mesh_size(triangles), derivative + power);
+  }
+  EXPECT_GT(table.print(), 3);
+}
+
+TEST(OrderForce, is_the_derivative_of_the_energy_by_the_order) {
+  const Discrete d = discrete(80);
+  const State& s = d.surface.state;
+  const auto curvature = curvature_of(d.mesh(), s.X);
+  for (const auto& [label, material] : model::test::order_cases()) {
+    const Material& m = material;
+    const double derivative = derivative_at_zero(
+        [&](double amount) { return energy_of_changed_order(d, *curvature, m, amount); }, 0.5);
+    const Field h = order_force(d.mesh(), m, s, *curvature);
+    EXPECT_NEAR(product(d, h, d.order_change), derivative, 1e-8 * std::abs(derivative)) << label;
+  }
 }
 
 TEST(OrderStep, begins_with_minus_the_derivative_of_the_energy_by_the_order) {
@@ -256,7 +313,7 @@ TEST(OrderStep, begins_with_minus_the_derivative_of_the_energy_by_the_order) {
     for (const double tau : {1e-3, 1e-4, 1e-5}) {
       const Field beta = order_step(d.mesh(), m, s, s.beta, *curvature, no_slip, tau);
       ASSERT_EQ(beta.size(), s.beta.size());
-      const double drag = m.order_drag() * product(d, (beta - s.beta) / tau);
+      const double drag = m.order_drag() * product(d, (beta - s.beta) / tau, d.order_change);
       table.add(tau, drag / derivative + 1);
     }
     // Of first order down to 1e-5: nothing else is left but what vanishes with τ.

@@ -16,7 +16,7 @@ TEST(Threads, change_no_bit_of_the_assembly_or_of_a_step) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
       CoupledSystem system(*s.mesh, material, scheme);
       const Curvature curvature = *curvature_of(*s.mesh, s.state.X);
-      system.assemble(*s.mesh, s.state, curvature, {s.state.X, curvature.H}, 1e-3,
+      system.assemble(*s.mesh, s.state, curvature, s.state.beta, {s.state.X, curvature.H}, 1e-3,
                       {.area_rate = 0.1, .volume_rate = 0.1, .keep_volume = true});
       TimeStepper stepper(s.mesh, material, Model::SBEH, numerics_of(scheme));
       FlowStep step = stepper.step(s.state, s.target(), 1e-3);

@@ -24,9 +24,9 @@ TEST(RunCost, counts_the_unknowns_of_the_solver) {
         input.material.friction_tangential = input.material.friction_normal = friction;
         const model::Material m = effective(input.material, model);
         const model::AreaConstraint area = area_constraint(model);
-        surface3d::CoupledSystem system(mesh, m, stable_scheme(m, area, scheme), area);
+        surface3d::CoupledSystem system(mesh, m, scheme, area);
         const surface3d::Curvature curvature = *curvature_of(mesh, sphere.X);
-        system.assemble(mesh, sphere, curvature, {sphere.X, curvature.H}, 1e-3,
+        system.assemble(mesh, sphere, curvature, sphere.beta, {sphere.X, curvature.H}, 1e-3,
                         {.area_rate = 0, .volume_rate = 0, .keep_volume = true});
         EXPECT_EQ(cost_of(input, 20).unknowns, system.flow().matrix.rows()) << name(model);
       }
