@@ -42,7 +42,7 @@ TEST_F(Check, of_a_3d_run_tells_what_it_costs_and_prints_every_parameter) {
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_TRUE(
       ended.out.starts_with("in.toml: a 3D run of SBEH to t = 3, reduced volume 0.8, 1280 "
-                            "triangles, 25611 unknowns; about "))
+                            "triangles, 25617 unknowns; about "))
       << ended.out;
   for (const char* words :
        {" s a step and ", " MB of memory; 201 lines of history, 8 frames of 1.79 MB\n",

@@ -169,6 +169,7 @@ TEST(OrderedOblate, next_to_its_fold_leaves_in_two_ways_and_well_before_it_stays
     input.L = {row.L};
     input.models = {Model::SBEH};
     input.perturbations = {row.mode};
+    input.numerics_3d.largest_step = 0.02;
     input.end_time = 0.5;
     const auto run = run_perturbed(input, keys_of(input).front());
     ASSERT_TRUE(run && run->result.growth);
