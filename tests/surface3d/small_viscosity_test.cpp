@@ -2,6 +2,7 @@
 #include "tests/surface3d/cases.h"
 
 #include <limits>
+#include <ostream>
 
 namespace sbeh::surface3d {
 namespace {
@@ -13,9 +14,9 @@ struct Case {
   double viscosity, friction, order_viscosity;
   int triangles;
 };
-void PrintTo(const Case& c, std::ostream* out) {
-  *out << name(c.model) << ", viscosity " << c.viscosity << ", friction " << c.friction
-       << ", order viscosity " << c.order_viscosity << ", " << c.triangles << " triangles";
+std::ostream& operator<<(std::ostream& out, const Case& c) {
+  return out << name(c.model) << ", viscosity " << c.viscosity << ", friction " << c.friction
+             << ", order viscosity " << c.order_viscosity << ", " << c.triangles << " triangles";
 }
 
 class SmallViscosity : public testing::TestWithParam<Case> {};

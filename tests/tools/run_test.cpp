@@ -20,7 +20,7 @@ class Run3d : public Workplace {
  protected:
   static std::vector<std::string> resumed(const std::string& results) {
     auto arguments = into(results, "run");
-    arguments.push_back("--resume");
+    arguments.emplace_back("--resume");
     return arguments;
   }
   /// Starts, and sends the signal when there are so many complete lines in frames.csv.

@@ -182,8 +182,8 @@ TEST(OrderedOblate, next_to_its_fold_leaves_in_two_ways_and_well_before_it_stays
 
 TEST(Thresholds, lie_where_the_rate_between_two_reduced_volumes_is_0) {
   StabilityResult low, high;
-  low.key = {0.7, 0.05, Model::SBEH, axisym::Branch::oblate, 2, 2};
-  high.key = {0.8, 0.05, Model::SBEH, axisym::Branch::oblate, 2, 2};
+  low.key = {{0.7, 0.05, Model::SBEH, axisym::Branch::oblate}, 2, 2};
+  high.key = {{0.8, 0.05, Model::SBEH, axisym::Branch::oblate}, 2, 2};
   low.growth = GrowthRate{.rate = -0.01, .error = 0.001};
   high.growth = GrowthRate{.rate = 0.03, .error = 0.001};
   const auto thresholds = find_thresholds({}, {low, high});
