@@ -1,6 +1,6 @@
 // How the mesh moves, and what its curvature is: (Y1) and (H1) of model/equations.md on a triangle.
 //
-//   ( Y·ν, G ) − τ ( V·ν, G ) = 0                                                 (Y1)
+//   ( Y·ν, G ) − τ ( V_n·ν, G ) = 0                                                (Y1)
 //   ( H ν, Z ) + ( ∇_C Y, ∇_C Z ) = −θ ( ∇_C x̂, ∇_C Z ) + (1 − θ) ( Ĥ ν, Z )      (H1)
 //
 // x̂ are the positions from which the displacement Y counts (the old ones but for two-step methods), Ĥ is

@@ -104,7 +104,8 @@ void print_parts(const Case& c) {
   for (const Scheme scheme : {Scheme::split, Scheme::monolithic}) {
     CoupledSystem system(*c.mesh, c.material, scheme);
     const double assembly = seconds_of([&] {
-      system.assemble(*c.mesh, c.start, curvature, c.start.beta, {c.start.X, curvature.H}, 1e-3, {0, 0, true});
+      system.assemble(*c.mesh, c.start, curvature, c.start.beta, {c.start.X, curvature.H}, 1e-3,
+                      {0, 0, true});
     });
     const bool reference = scheme == Scheme::monolithic;
     DirectSolver flow(Symmetry::general, reference ? Precision::full : Precision::single);
