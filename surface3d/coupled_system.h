@@ -4,7 +4,8 @@
 // monolithic.h and split.h. Both schemes have the same states of rest, and differ in motion by the order of
 // the method in τ. Both are cut from the same element matrices.
 //
-// Without friction the rigid motions R cost nothing: six more multipliers make (R, V) = 0.
+// Six more multipliers keep the friction of V from having a resultant or a moment; where there is none, they
+// make (R, V) = 0 for the rigid motions R.
 //
 // Under a global area constraint the same element matrices are restricted: to velocities and test
 // fields along the node normals, one speed v for each node, and to a number as pressure.
