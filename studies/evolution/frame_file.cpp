@@ -3,8 +3,12 @@
 #include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/mesh_files/mesh_file.h"
+#include "studies/parameters/input_kind.h"
 
 #include <fmt/format.h>
+
+#include <algorithm>
+#include <string_view>
 
 namespace sbeh::studies {
 
@@ -80,13 +84,107 @@ surface3d::StepperMemory memory_of(const CurvedFile& file, const std::filesystem
           .before = solution_of(file.globals, "solution_before")};
 }
 
+CurvedFile read_curved(const std::filesystem::path& path) {
+  MeshFile file = read_mesh(path);
+  auto* curved = std::get_if<CurvedFile>(&file);
+  if (!curved || curved->mesh.order != 3)
+    throw InputError(
+        fmt::format("{}: is no frame of a run: its triangles are not of order 3", path.string()));
+  return std::move(*curved);
+}
+
+FlowMoment moment_of(const CurvedFile& file, const std::filesystem::path& path) {
+  const meshing::CurvedMesh& mesh = file.mesh;
+  FlowMoment frame{
+      .mesh = std::make_shared<const surface3d::Triangulation>(mesh),
+      .state = {mesh.nodes, part(file.fields, "order", mesh.node_count(), path).transpose()},
+      .target = {}};
+  if (const auto V = file.fields.find("velocity"); V != file.fields.end())
+    frame.fields.V = V->second;
+  frame.record.time = part(file.globals, "TimeValue", 1, path)[0];
+  frame.record.next_step = part(file.globals, "next_step", 1, path)[0];
+  frame.record.rejected = int(part(file.globals, "rejected_steps", 1, path)[0]);
+  set_step(frame.record, part(file.globals, "step", 10, path));
+  const Eigen::VectorXd& target = part(file.globals, "target", 2, path);
+  frame.target = {target[0], target[1]};
+  frame.memory.remeshing_over = part(file.globals, "remeshing_over", 1, path)[0] != 0;
+  frame.memory.stepper = memory_of(file, path);
+  if (file.globals.contains("past_step")) {
+    const Eigen::VectorXd& step = part(file.globals, "past_step", 4, path);
+    const Eigen::Index nodes = mesh.node_count();
+    frame.memory.past = {.state = {part(file.fields, "past", 3 * nodes, path),
+                                   part(file.fields, "past_order", nodes, path).transpose()},
+                         .tau = step[0],
+                         .dissipation = {step[1], step[2], step[3]}};
+  }
+  return frame;
+}
+
+// ---- model and material -------------------------------------------------------------------------
+
+constexpr std::string_view parameter_prefix = "material.";
+
+Eigen::VectorXd as_numbers(double value) { return number(value); }
+Eigen::VectorXd as_numbers(const model::Potential& potential) {
+  const std::vector<double>& c = potential.coefficients();
+  return Eigen::Map<const Eigen::VectorXd>(c.data(), Eigen::Index(c.size()));
+}
+void set(double& value, const Eigen::VectorXd& numbers) { value = numbers[0]; }
+void set(model::Potential& potential, const Eigen::VectorXd& numbers) {
+  potential = model::Potential({numbers.begin(), numbers.end()});
+}
+
+void write_physics(const Physics& physics, Globals& globals) {
+  globals["model"] = number(int(physics.model));
+  for_each_parameter(physics.material, [&](const model::Parameter& parameter, const auto& value) {
+    globals[std::string(parameter_prefix) + parameter.name] = as_numbers(value);
+  });
+}
+
+// Empty when the frame does not say it. Parameters that it lacks, of a version which did not know them, have
+// their defaults.
+std::optional<Physics> physics_in(const Globals& globals, const std::string& file) {
+  const auto model = globals.find("model");
+  if (model == globals.end()) return {};
+  const auto fail = [&](const std::string& what) {
+    throw InputError(fmt::format("{}: its {} is not known to this version of sbeh", file, what));
+  };
+  constexpr auto models = values_of(model::Model{});
+  const double place = model->second[0];
+  if (!(place >= 0 && place < double(models.size()))) fail("model");
+  Physics physics{.model = models.at(std::size_t(place)), .material = {}};
+  std::size_t known = 0;
+  for_each_parameter(physics.material, [&](const model::Parameter& parameter, auto& value) {
+    const auto at = globals.find(std::string(parameter_prefix) + parameter.name);
+    if (at == globals.end() || at->second.size() == 0) return;
+    set(value, at->second);
+    ++known;
+  });
+  const auto parameters = std::ranges::count_if(
+      globals, [](const auto& global) { return global.first.starts_with(parameter_prefix); });
+  if (std::size_t(parameters) != known) fail("material");
+  return physics;
+}
+
+// Of the run in whose folder the frame lies.
+std::optional<Physics> physics_beside(const std::filesystem::path& frame) {
+  const std::filesystem::path folder = std::filesystem::absolute(frame).parent_path();
+  for (const auto& at : {folder.parent_path(), folder}) {
+    const std::filesystem::path description = at / "run.toml";
+    const bool own = at == folder || folder.filename() == "frames";
+    if (own && std::filesystem::exists(description) && kind_of(description) == InputKind::run)
+      return read_physics(description);
+  }
+  return {};
+}
+
 }  // namespace
 
 meshing::CurvedMesh curved_mesh(const FlowMoment& moment) {
   return {.order = 3, .triangles = moment.mesh->triangles, .nodes = moment.state.X};
 }
 
-void write_frame(const std::filesystem::path& path, const FlowMoment& m) {
+void write_frame(const std::filesystem::path& path, const FlowMoment& m, const Physics& physics) {
   const auto curvature = surface3d::curvature_of(*m.mesh, m.state.X);
   if (!curvature) throw std::runtime_error("the surface is degenerate");
   NodeFields at_nodes{{"order", m.state.beta.transpose()},
@@ -100,6 +198,7 @@ void write_frame(const std::filesystem::path& path, const FlowMoment& m) {
                   {"step", of_step(r)},
                   {"target", Eigen::Vector2d(m.target.area, m.target.volume)},
                   {"remeshing_over", number(m.memory.remeshing_over)}};
+  write_physics(physics, globals);
   remember(m.memory.stepper, at_nodes, globals);
   if (const auto& past = m.memory.past) {
     at_nodes["past"] = past->state.X;
@@ -111,33 +210,14 @@ void write_frame(const std::filesystem::path& path, const FlowMoment& m) {
 }
 
 FlowMoment read_frame(const std::filesystem::path& path) {
-  MeshFile file = read_mesh(path);
-  auto* curved = std::get_if<CurvedFile>(&file);
-  if (!curved || curved->mesh.order != 3)
-    throw InputError(
-        fmt::format("{}: is no frame of a run: its triangles are not of order 3", path.string()));
-  const meshing::CurvedMesh& mesh = curved->mesh;
-  FlowMoment frame{
-      .mesh = std::make_shared<const surface3d::Triangulation>(mesh),
-      .state = {mesh.nodes, part(curved->fields, "order", mesh.node_count(), path).transpose()},
-      .target = {}};
-  frame.record.time = part(curved->globals, "TimeValue", 1, path)[0];
-  frame.record.next_step = part(curved->globals, "next_step", 1, path)[0];
-  frame.record.rejected = int(part(curved->globals, "rejected_steps", 1, path)[0]);
-  set_step(frame.record, part(curved->globals, "step", 10, path));
-  const Eigen::VectorXd& target = part(curved->globals, "target", 2, path);
-  frame.target = {target[0], target[1]};
-  frame.memory.remeshing_over = part(curved->globals, "remeshing_over", 1, path)[0] != 0;
-  frame.memory.stepper = memory_of(*curved, path);
-  if (curved->globals.contains("past_step")) {
-    const Eigen::VectorXd& step = part(curved->globals, "past_step", 4, path);
-    const Eigen::Index nodes = mesh.node_count();
-    frame.memory.past = {.state = {part(curved->fields, "past", 3 * nodes, path),
-                                   part(curved->fields, "past_order", nodes, path).transpose()},
-                         .tau = step[0],
-                         .dissipation = {step[1], step[2], step[3]}};
-  }
-  return frame;
+  return moment_of(read_curved(path), path);
+}
+
+std::optional<Physics> physics_of_frame(const std::filesystem::path& path) {
+  const CurvedFile file = read_curved(path);
+  moment_of(file, path);  // or it is no frame
+  const auto physics = physics_in(file.globals, path.string());
+  return physics ? physics : physics_beside(path);
 }
 
 }  // namespace sbeh::studies

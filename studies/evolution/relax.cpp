@@ -62,24 +62,32 @@ State make(const Harmonics& sphere, const RelaxInput& input) {
   return state;
 }
 
-State make(const ScanRow& row, const RelaxInput& input) {
-  State state = state_of(row);
-  if (!model::has_free_order(input.model)) state.beta.setConstant(model::full_order);
-  return state;
-}
+State make(const ScanRow& row, const RelaxInput&) { return state_of(row); }
 
 }  // namespace
 
-State start_of(const RelaxInput& input) {
-  return std::visit([&](const auto& start) { return make(start, input); }, input.start);
+RelaxStart start_of(const RelaxInput& input) {
+  const State brought =
+      std::visit([&](const auto& start) { return make(start, input); }, input.start);
+  RelaxStart start{.state = brought, .remarks = {}};
+  if (!model::has_free_order(input.model)) start.state.beta.setConstant(model::full_order);
+  if (const auto origin = origin_of_any(input.start)) {
+    const auto energies = [&]() -> StartEnergies {
+      return {axisym::diagnose(origin->physics->material, brought).energy.total(),
+              axisym::diagnose(input.material, start.state).energy.total()};
+    };
+    if (const auto remark = remark_on(*origin, input, energies)) start.remarks.push_back(*remark);
+  }
+  return start;
 }
 
 RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& path,
                        std::string_view version) {
-  const State start = start_of(input);
+  const auto [start, remarks] = start_of(input);
   const OutputFolder folder(path);
   refuse_results(folder, {"run.toml", "series.csv", "scan.csv"}, "a run", "is");
-  write_file(folder / "run.toml", describe(input, version));
+  write_file(folder / "run.toml", with_remarks(describe(input, version), remarks));
+  for (const std::string& remark : remarks) tell(fmt::format("sbeh: {}\n", remark));
 
   SeriesWriter series(folder, input.times);
   StateFiles profiles(folder, "profiles", ".csv", input.times.states);

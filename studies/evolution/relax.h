@@ -6,9 +6,14 @@
 
 namespace sbeh::studies {
 
+struct RelaxStart {
+  axisym::State state;
+  std::vector<std::string> remarks;  ///< what is not as it was where the start comes from
+};
+
 /// The state that the input asks to start from. Throws OutputError or std::invalid_argument when it cannot
 /// be made.
-axisym::State start_of(const RelaxInput& input);
+RelaxStart start_of(const RelaxInput& input);
 
 struct RelaxSummary {
   axisym::FlowResult run;

@@ -35,7 +35,7 @@ const std::vector<StartShape<RelaxInput>>& shapes() {
   static const std::vector<StartShape<RelaxInput>> all{
       {"ellipsoid", {"reduced_volume", "axes", "kind", "order"}, read_ellipsoid},
       {"harmonics", {"modes", "order", "order_modes"}, read_harmonics},
-      {"scan", scan_row_keys(), read_scan},
+      {"scan", scan_row_keys(), read_scan, true},
   };
   return all;
 }
@@ -59,18 +59,17 @@ void write_start(TomlText& toml, const RelaxInput& input) {
 
 RelaxInput read_relax(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
-  const auto model = file.choice("model", values_of(model::Model{}));
+  const auto model = named_model(file, "start", shapes());
   const TomlTable start = file.table("start");
   const TomlTable time = file.table("time");
   const TomlTable material = file.table("material");
   const TomlTable numerics = file.table("numerics");
   file.reject_unknown_keys();
   RelaxInput input;
-  input.model = model;
+  input.model = model.value_or(input.model);
   read_start(start, input);
-  if (const auto* row = std::get_if<ScanRow>(&input.start))
-    input.material = input.material.with_L(row->L);
-  input.material = read_material(material, input.model, input.material);
+  static_cast<Physics&>(input) =
+      read_physics(file, model, material, [&] { return origin_of_any(input.start); });
   input.numerics = read_numerics<axisym::Numerics>(numerics);
   input.times = read_times(time, "profiles");
   time.reject_unknown_keys();

@@ -26,12 +26,11 @@ struct Harmonics {
   bool operator==(const Harmonics&) const = default;
 };
 
-/// Top-level key `model`; tables [start] and [time], optional [material] and [numerics].
-struct RelaxInput {
-  model::Model model = model::Model::SBEH;
+/// Top-level key `model`; tables [start] and [time], optional [material] and [numerics]. What the row of a scan
+/// was computed with stands for what the file does not say of model and material.
+struct RelaxInput : Physics {
   std::variant<Ellipsoid, Harmonics, ScanRow> start;
   double initial_order = model::full_order;  ///< β of the ellipsoid, 0 … 1
-  model::Material material;  ///< from a ScanRow: L is that of the row unless [material] gives it
   axisym::Numerics numerics;
   Times times;  ///< states: profiles
 

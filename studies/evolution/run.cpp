@@ -4,7 +4,9 @@
 #include "studies/evolution/event_log.h"
 #include "studies/evolution/evolution_files.h"
 #include "studies/evolution/flow_progress.h"
+#include "studies/evolution/resume.h"
 #include "studies/evolution/run_start.h"
+#include "studies/io/description.h"
 #include "studies/io/interrupt.h"
 
 namespace sbeh::studies {
@@ -55,7 +57,7 @@ RunObservers::RunObservers(const RunInput& input, const OutputFolder& folder, Fl
       series_(folder, input.times, until),
       frames_(folder, "frames", ".vtu", input.times.states, until),
       events_(folder, input.numerics.remesh, until, line_),
-      checkpoint_(folder, input.checkpoint_minutes, line_) {}
+      checkpoint_(folder, input, line_) {}
 
 bool RunObservers::see(const FlowRecord& record, const State& state, const StepView& view,
                        bool exact) {
@@ -64,7 +66,7 @@ bool RunObservers::see(const FlowRecord& record, const State& state, const StepV
   now_ = {view.mesh, state, now_.target, record, view.memory, view.fields};
   if (record.ends) return true;  // what remains is for finish()
   series_.see(record, exact, [&] { return diagnostics(); });
-  const auto write = [&](const fs::path& file) { write_frame(file, now_); };
+  const auto write = [&](const fs::path& file) { write_frame(file, now_, input_); };
   if (frames_.see(record.time, exact, write)) checkpoint_.put_off();
   if (interrupt_signal() == 0) return checkpoint_.see(now_), true;
   checkpoint_.write(now_);
@@ -76,7 +78,7 @@ void RunObservers::finish(const surface3d::FlowResult& run) {
   if (run.stop == surface3d::FlowStop::interrupted) return;
   now_.record = run.last;
   series_.finish(run.last, [&] { return diagnostics(); });
-  frames_.finish(run.last.time, [&](const fs::path& file) { write_frame(file, now_); });
+  frames_.finish(run.last.time, [&](const fs::path& file) { write_frame(file, now_, input_); });
   checkpoint_.remove();
 }
 
@@ -95,18 +97,25 @@ surface3d::FlowResult run_observed(const RunInput& input, const FlowMoment& star
 
 }  // namespace
 
-RunSummary run_surface(const RunInput& input, const fs::path& path, std::string_view version,
-                       bool resume) {
-  std::optional<FlowMoment> begin;  // before the folder: a start that cannot be made leaves none
-  if (!fs::exists(path / "run.toml")) begin = start_of(input);
+RunSummary run_surface(const RunInput& asked, const fs::path& path, std::string_view version,
+                       bool resumed) {
+  std::optional<RunStart> begin;  // before the folder: a start that cannot be made leaves none
+  if (!fs::exists(path / "run.toml")) {
+    if (resumed) require_run(path);
+    begin = start_of(asked);
+  }
   const OutputFolder folder(path);
-  const std::string description = describe(input, version);
-  const std::optional<FlowMoment> resumed = moment_to_resume(input, folder, description, resume);
-  if (!resumed && !begin) begin = start_of(input);
-  write_file(folder / "run.toml", description);
+  require_no_other_results(folder, resumed);
+  const Resumption known = resumed ? resume(asked, folder, version) : Resumption{.input = asked};
+  const RunInput& input = known.input;
+  if (!known.moment && !begin) begin = start_of(input);
+  write_file(folder / "run.toml",
+             with_remarks(describe(input, version), begin ? begin->remarks : known.remarks));
+  if (begin)
+    for (const std::string& remark : begin->remarks) tell(fmt::format("sbeh: {}\n", remark));
 
-  const FlowMoment& start = resumed ? *resumed : *begin;
-  RunObservers observers(input, folder, start, resumed ? start.record.time : -1);
+  const FlowMoment& start = known.moment ? *known.moment : begin->moment;
+  RunObservers observers(input, folder, start, known.moment ? start.record.time : -1);
   try {
     const surface3d::FlowResult run = run_observed(input, start, observers);
     observers.finish(run);

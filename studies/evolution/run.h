@@ -23,8 +23,9 @@ struct RunSummary {
 /// standard error. Every checkpoint_minutes, and at an interruption, the state is written to
 /// checkpoint.vtu, which is gone when the run has ended by itself. With `resume` a run that was
 /// interrupted or killed goes on from the newest of its frames and checkpoint.vtu and leaves the same
-/// bits as one that was not; its start is not needed any more. Without it a folder that holds a run is
-/// refused.
+/// bits as one that was not; its start is not needed any more. One that has reached its end may be
+/// lengthened (resume.h): then too the folder holds what its run.toml, run from the start, leaves.
+/// Without it a folder that holds a run is refused.
 /// Throws InputError and OutputError.
 RunSummary run_surface(const RunInput& input, const std::filesystem::path& path,
                        std::string_view version, bool resume);

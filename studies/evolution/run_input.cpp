@@ -1,9 +1,14 @@
 #include "studies/evolution/run_input.h"
 
 #include "meshing/resolution.h"
+#include "studies/evolution/frame_file.h"
 #include "studies/parameters/material_input.h"
 
+#include <functional>
+
 namespace sbeh::studies {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -33,7 +38,7 @@ void read_frame_file(const TomlTable& surface, RunInput& input) {
 void write_shape(TomlText& toml, const FrameStart& frame) { toml.value("file", frame.file); }
 
 std::vector<std::string> and_triangles(std::vector<std::string> keys) {
-  keys.push_back("triangles");
+  keys.emplace_back("triangles");
   return keys;
 }
 
@@ -42,8 +47,8 @@ const std::vector<StartShape<RunInput>>& shapes() {
       {"ellipsoid", {"reduced_volume", "axes", "kind", "triangles", "order"}, read_ellipsoid},
       {"harmonics", {"modes", "triangles", "order"}, read_harmonics},
       {"mesh", {"file", "order"}, read_mesh_file},
-      {"scan", and_triangles(scan_row_keys()), read_scan},
-      {"frame", {"file"}, read_frame_file},
+      {"scan", and_triangles(scan_row_keys()), read_scan, true},
+      {"frame", {"file"}, read_frame_file, true},
   };
   return all;
 }
@@ -76,23 +81,51 @@ void write_surface(TomlText& toml, const RunInput& input) {
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
 }
 
-}  // namespace
+bool is_gone(const RunInput& input) {
+  return std::visit(
+      [](const auto& start) {
+        if constexpr (requires { is_there(start); })
+          return !is_there(start);
+        else
+          return false;
+      },
+      input.start);
+}
 
-RunInput read_run(const std::filesystem::path& path) {
+using FindOrigin = std::function<std::optional<Origin>(const RunInput&)>;
+
+RunInput read_with(const fs::path& path, const FindOrigin& find_origin) {
   const TomlTable file = TomlFile::parse(path);
-  const auto model = file.choice("model", values_of(model::Model{}));
+  const auto model = named_model(file, "surface", shapes());
   const TomlTable surface = file.table("surface"), time = file.table("time"),
                   material = file.table("material"), numerics = file.table("numerics");
   file.reject_unknown_keys();
   RunInput input;
-  input.model = model;
+  input.model = model.value_or(input.model);
   read_surface(surface, input);
-  if (const auto* row = std::get_if<ScanRow>(&input.start))
-    input.material = input.material.with_L(row->L);
-  input.material = read_material(material, input.model, input.material);
+  static_cast<Physics&>(input) =
+      read_physics(file, model, material, [&] { return find_origin(input); });
   input.numerics = read_numerics<surface3d::Numerics>(numerics);
   read_time(time, input);
   return input;
+}
+
+}  // namespace
+
+bool is_there(const FrameStart& frame) { return fs::exists(frame.file); }
+Origin origin_of(const FrameStart& frame) { return {frame.file, physics_of_frame(frame.file)}; }
+
+RunInput read_run(const fs::path& path) {
+  return read_with(path, [](const RunInput& input) { return origin_of_any(input.start); });
+}
+
+RunInput read_resumed_run(const fs::path& path, const fs::path& folder) {
+  return read_with(path, [&](const RunInput& input) -> std::optional<Origin> {
+    const fs::path description = folder / "run.toml";
+    if (is_gone(input) && fs::exists(description))
+      return Origin{description.string(), read_physics(description)};
+    return origin_of_any(input.start);
+  });
 }
 
 std::string describe(const RunInput& input, std::string_view version) {

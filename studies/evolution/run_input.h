@@ -36,15 +36,17 @@ struct FrameStart {
 
   bool operator==(const FrameStart&) const = default;
 };
+bool is_there(const FrameStart& frame);
+/// Throws InputError when it is no frame.
+Origin origin_of(const FrameStart& frame);
 
-/// Top-level key `model`; tables [surface] and [time], optional [material] and [numerics].
-struct RunInput {
-  model::Model model = model::Model::SBEH;
+/// Top-level key `model`; tables [surface] and [time], optional [material] and [numerics]. What a start that is
+/// a result was computed with stands for what the file does not say of model and material.
+struct RunInput : Physics {
   std::variant<Ellipsoid, HarmonicSphere, MeshFileStart, ScanRow, FrameStart> start;
   int triangles = 320;                          ///< about so many; files bring their own
   double initial_order = model::full_order;     ///< where the start brings none, 0 … 1
   std::vector<meshing::Harmonic> perturbation;  ///< displaces along the normal by Σ a_lm Y_lm
-  model::Material material;  ///< from a ScanRow: L is that of the row unless [material] gives it
   surface3d::Numerics numerics;
   Times times;                     ///< states: frames
   double checkpoint_minutes = 10;  ///< of wall time between checkpoints, > 0
@@ -54,6 +56,8 @@ struct RunInput {
 
 /// Throws InputError.
 RunInput read_run(const std::filesystem::path& path);
+/// The same for a run in a folder that is gone on with: it stands in for a start that is no longer there.
+RunInput read_resumed_run(const std::filesystem::path& path, const std::filesystem::path& folder);
 
 /// The whole input, defaults included, as TOML under a comment with the program's version: reading the text
 /// gives the same input, bit for bit.

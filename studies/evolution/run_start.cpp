@@ -22,12 +22,14 @@ namespace sbeh::studies {
 namespace {
 
 using meshing::CurvedMesh;
+using surface3d::State;
 constexpr double unit_area = 4 * std::numbers::pi;
 
 // A surface and, where the start brings it, its order.
 struct Start {
   CurvedMesh mesh;
-  Eigen::VectorXd beta;  // nodes, or empty
+  Eigen::VectorXd beta = {};  // nodes, or empty
+  std::vector<std::string> remarks = {};
 };
 
 // Throws std::invalid_argument for what no mesh maker has checked.
@@ -49,19 +51,29 @@ CurvedMesh sound(CurvedMesh mesh, const std::string& file) {
 
 Start make(const Ellipsoid& e, const RunInput& input) {
   const meshing::Resolution resolution{.triangles = input.triangles};
-  if (e.reduced_volume) return {meshing::ellipsoid(*e.reduced_volume, e.prolate, resolution), {}};
+  if (e.reduced_volume) return {meshing::ellipsoid(*e.reduced_volume, e.prolate, resolution)};
   const Eigen::Vector3d axes(e.axes.data());
-  return {meshing::ellipsoid(axes / axes.maxCoeff(), resolution), {}};
+  return {meshing::ellipsoid(axes / axes.maxCoeff(), resolution)};
 }
 
 Start make(const HarmonicSphere& sphere, const RunInput& input) {
-  return {meshing::harmonic_sphere(sphere.modes, {.triangles = input.triangles}), {}};
+  return {meshing::harmonic_sphere(sphere.modes, {.triangles = input.triangles})};
+}
+
+// What of a file is not taken along with its surface.
+std::vector<std::string> left_behind(const CurvedFile& file, const std::string& name) {
+  if (!file.fields.contains("order")) return {};
+  return {
+      fmt::format("{}: has an order, which shape = \"mesh\" does not take: that is for surfaces "
+                  "alone; a frame of a run goes on with its order and material by shape = "
+                  "\"frame\"",
+                  name)};
 }
 
 Start make(const MeshFileStart& start, const RunInput&) {
   MeshFile file = read_mesh(start.file);
   if (auto* curved = std::get_if<CurvedFile>(&file); curved && curved->mesh.order == 3)
-    return {sound(std::move(curved->mesh), start.file), {}};
+    return {sound(std::move(curved->mesh), start.file), {}, left_behind(*curved, start.file)};
   const meshing::TriangleMesh triangles = std::holds_alternative<CurvedFile>(file)
                                             ? meshing::corners(std::get<CurvedFile>(file).mesh)
                                             : std::get<meshing::TriangleMesh>(file);
@@ -69,7 +81,7 @@ Start make(const MeshFileStart& start, const RunInput&) {
     throw InputError(fmt::format("{}: {}", start.file, defect->text));
   const meshing::FittedSurface surface(triangles);
   const auto at = [&](int t, const Eigen::Vector3d& x) { return surface.at(t, x); };
-  return {sound(meshing::curved(triangles, 3, at), start.file), {}};
+  return {sound(meshing::curved(triangles, 3, at), start.file)};
 }
 
 Start make(const ScanRow& row, const RunInput& input) {
@@ -83,6 +95,13 @@ Start make(const FrameStart& start, const RunInput&) {
   if (!frame.state.beta.allFinite())
     throw InputError(fmt::format("{}: its order is no finite number everywhere", start.file));
   return {sound(curved_mesh(frame), start.file), frame.state.beta};
+}
+
+// Not a number where the surface is degenerate.
+double energy_of(const surface3d::Triangulation& mesh, const model::Material& material,
+                 const State& state) {
+  const auto curvature = surface3d::curvature_of(mesh, state.X);
+  return curvature ? surface3d::energy(mesh, material, state, *curvature).total() : not_known;
 }
 
 // As surface3d::CoupledSystem has them.
@@ -110,7 +129,7 @@ void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
   }
 }
 
-FlowMoment start_of(const RunInput& input) {
+RunStart start_of(const RunInput& input) {
   Start start;
   try {
     start = std::visit([&](const auto& shape) { return make(shape, input); }, input.start);
@@ -126,13 +145,23 @@ FlowMoment start_of(const RunInput& input) {
   if (std::abs(meshing::area(start.mesh) / unit_area - 1) > 1e-14)
     meshing::scale_to_area(start.mesh, unit_area);
   const bool free_order = model::has_free_order(input.model);
-  if (!free_order || start.beta.size() == 0)
+  if (start.beta.size() == 0)
     start.beta.setConstant(start.mesh.node_count(),
                            free_order ? input.initial_order : model::full_order);
   const auto mesh = std::make_shared<const surface3d::Triangulation>(start.mesh);
-  return {.mesh = mesh,
-          .state = {start.mesh.nodes, start.beta},
-          .target = surface3d::area_and_volume(*mesh, start.mesh.nodes)};
+  const State brought{start.mesh.nodes, start.beta};
+  State state = brought;
+  if (!free_order) state.beta.setConstant(model::full_order);
+  if (const auto origin = origin_of_any(input.start)) {
+    const auto energies = [&]() -> StartEnergies {
+      return {energy_of(*mesh, origin->physics->material, brought),
+              energy_of(*mesh, input.material, state)};
+    };
+    if (const auto remark = remark_on(*origin, input, energies)) start.remarks.push_back(*remark);
+  }
+  return {
+      {.mesh = mesh, .state = state, .target = surface3d::area_and_volume(*mesh, start.mesh.nodes)},
+      start.remarks};
 }
 
 RunCost cost_of(const RunInput& input, int triangles) {

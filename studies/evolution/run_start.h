@@ -4,12 +4,20 @@
 #include "studies/evolution/frame_file.h"
 #include "studies/evolution/run_input.h"
 
+#include <string>
+#include <vector>
+
 namespace sbeh::studies {
+
+struct RunStart {
+  FlowMoment moment;
+  std::vector<std::string> remarks;  ///< what is not as it was where the start comes from
+};
 
 /// Makes the surface that the input asks for: order 3, area 4π, its own area and volume as target. Throws
 /// InputError (a mesh or frame that is not what it should be), OutputError (files that cannot be read) and
 /// std::invalid_argument (a shape that does not exist, a perturbation too large for it).
-FlowMoment start_of(const RunInput& input);
+RunStart start_of(const RunInput& input);
 
 /// Displaces the nodes along the normals by Σ a_lm Y_lm of their directions from the centre. Throws
 /// std::invalid_argument where that is too large for the surface.

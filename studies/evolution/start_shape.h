@@ -4,11 +4,14 @@
 #include "studies/io/spelling.h"
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"
+#include "studies/parameters/material_input.h"
+#include "studies/parameters/physics.h"
 
 #include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 namespace sbeh::studies {
@@ -22,6 +25,7 @@ struct StartShape {
   std::string name;
   std::vector<std::string> keys;  ///< that belong to it, besides `shape`
   void (*read)(const TomlTable& start, Input& input);
+  bool is_result = false;  ///< brings its model and material
 
   bool has(std::string_view key) const {
     return std::find(keys.begin(), keys.end(), key) != keys.end();
@@ -48,6 +52,34 @@ const StartShape<Input>& chosen_shape(const TomlTable& start,
       start.refuse(key, "belongs to shape = " + owners + ", not to " + in_quotes(chosen));
     }
   return own;
+}
+
+/// The model that the file names: at its top, or for the row of a scan in the table of the start, which may
+/// be enough. Empty where a result brings it. Throws InputError.
+template <class Input>
+std::optional<model::Model> named_model(const TomlTable& file, const char* table,
+                                        const std::vector<StartShape<Input>>& shapes) {
+  const bool at_the_top = file.has("model");
+  const TomlTable start = file.table(table);
+  if (!at_the_top && start.has("shape")) {
+    const StartShape<Input>& shape = chosen_shape(start, shapes);
+    if (shape.has("model") && start.has("model")) return start.choice("model", rest_models);
+    if (shape.is_result && !shape.has("model")) return {};
+  }
+  return file.choice("model", values_of(model::Model{}));
+}
+
+/// The result from which an evolution starts; empty where its start is none.
+template <class Start>
+std::optional<Origin> origin_of_any(const Start& start) {
+  return std::visit(
+      [](const auto& shape) -> std::optional<Origin> {
+        if constexpr (requires { origin_of(shape); })
+          return origin_of(shape);
+        else
+          return {};
+      },
+      start);
 }
 
 /// Ellipsoid, scaled to the area 4π: of a reduced volume, or with axes.

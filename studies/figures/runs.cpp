@@ -54,8 +54,8 @@ std::string difference(const RunInput& run, const RunInput& plan, std::optional<
   if (run.perturbation != plan.perturbation) return "its perturbation is not that of the figure";
   if (run.initial_order != plan.initial_order)
     return differ("order", run.initial_order, plan.initial_order);
-  if (const auto of = studies::difference(run.material, plan.material))
-    return differ(of->name.c_str(), of->first, of->second);
+  for (const Difference& of : differences(run.material, plan.material))
+    return differ(of.name.c_str(), of.first, of.second);
   if (triangles && run.triangles != *triangles)
     return differ("number of triangles", run.triangles, *triangles);
   return "";

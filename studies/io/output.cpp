@@ -1,5 +1,7 @@
 #include "studies/io/output.h"
 
+#include "studies/io/description.h"
+
 #include <fcntl.h>
 #include <fmt/format.h>
 #include <sys/file.h>
@@ -120,8 +122,8 @@ void begin_or_continue(const OutputFolder& folder, const std::string& descriptio
   if (!fs::exists(run)) {
     if (fs::exists(folder / table)) refuse(folder, "holds a table without its run.toml");
     write_file(run, description);
-  } else if (read_file(run) != description) {
-    refuse(folder, fmt::format("holds {} with other parameters (see its run.toml)", what));
+  } else if (const auto other = mismatch(read_file(run), description, what); !other.empty()) {
+    refuse(folder, other);
   }
 }
 

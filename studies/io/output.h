@@ -64,7 +64,8 @@ void refuse_results(const OutputFolder& folder, std::initializer_list<const char
                     std::string_view what = "results", std::string_view are = "are");
 
 /// For a study that is completed row by row: writes its description to run.toml, or finds the same there.
-/// Refuses a folder that holds `what` with other parameters, or the table without run.toml.
+/// Refuses a folder that holds `what` with other parameters, which it names, or of another version, or the table
+/// without run.toml.
 void begin_or_continue(const OutputFolder& folder, const std::string& description,
                        std::string_view table, std::string_view what);
 

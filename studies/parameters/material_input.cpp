@@ -7,7 +7,8 @@ namespace sbeh::studies {
 namespace {
 
 const ParameterNames elastic_constants{"L1", "L2", "L3"};
-const ParameterNames drag{"viscosity", "friction_tangential", "friction_normal"};
+
+constexpr const char* potential_shorthand = "landau_de_gennes";
 
 void refuse(const TomlTable& table, const ParameterNames& keys, const std::string& reason) {
   for (const std::string_view key : keys) table.refuse(key, reason);
@@ -59,9 +60,9 @@ model::Material read_rest(const TomlTable& table, model::Material material) {
 }  // namespace
 
 void read_value(const TomlTable& table, const char* powers, model::Potential& potential) {
-  const char* const shorthand = "landau_de_gennes";
-  if (table.has(powers)) table.refuse(shorthand, "must not be given together with potential");
-  for (const char* key : {powers, shorthand}) {
+  if (table.has(powers))
+    table.refuse(potential_shorthand, "must not be given together with potential");
+  for (const char* key : {powers, potential_shorthand}) {
     if (!table.has(key)) continue;
     potential = potential_of(table, key, key == powers);
     if (!bounded_below(potential.coefficients()))
@@ -69,11 +70,34 @@ void read_value(const TomlTable& table, const char* powers, model::Potential& po
   }
 }
 
+bool is_complete(const TomlTable& table, model::Model model) {
+  bool complete = table.has("L"), all = true;
+  for (const std::string_view key : elastic_constants) all = table.has(key) && all;
+  complete = complete || all;
+  const bool friction = table.has("friction");
+  const model::Material any;
+  for_each_parameter(any, [&](const model::Parameter& parameter, const auto&) {
+    const std::string_view key = parameter.name;
+    if (contains(elastic_constants, key)) return;
+    bool said = table.has(key);
+    if (key == "potential") said = table.has(potential_shorthand) || said;
+    if (contains(parameters_of_drag, key))
+      said = said || has_own_drag(model) || (friction && key != "viscosity");
+    complete = complete && said;
+  });
+  return complete;
+}
+
 model::Material read_material(const TomlTable& table, model::Model model, model::Material absent) {
-  if (has_own_drag(model))
+  if (has_own_drag(model)) {
+    const model::Material defaults;
+    absent.viscosity = defaults.viscosity;
+    absent.friction_tangential = defaults.friction_tangential;
+    absent.friction_normal = defaults.friction_normal;
     refuse(table, {"viscosity", "friction", "friction_tangential", "friction_normal"},
            "must not be given for model = " + in_quotes(name(model))
                + ", which has no viscosity and friction 1");
+  }
   read_L(table, absent);
   read_some(table, absent, elastic_constants);
   return read_rest(table, absent);
@@ -86,7 +110,7 @@ model::Material read_material_without_L(const TomlTable& table, std::string_view
 
 void write_material(TomlText& toml, const model::Material& material, model::Model model) {
   toml.table("material");
-  write_parameters(toml, material, has_own_drag(model) ? drag : ParameterNames{});
+  write_parameters(toml, material, has_own_drag(model) ? parameters_of_drag : ParameterNames{});
 }
 
 void write_material_without_L(TomlText& toml, const model::Material& material) {

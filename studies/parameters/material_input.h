@@ -10,10 +10,13 @@ namespace sbeh::studies {
 ///   L = 0.05                              one-constant approximation, instead of L1, L2, L3
 ///   friction = 0.1                        instead of friction_tangential and friction_normal
 ///   landau_de_gennes = { a, b, c }        u(β) = (β²/8)(12a + 4bβ + 9cβ²), instead of potential
-/// What the table does not say is as in `absent`. Refuses viscosity and friction for a model which has
-/// its own. Throws InputError.
+/// What the table does not say is as in `absent`. Viscosity and friction are refused for a model which has
+/// its own; the result has their defaults. Throws InputError.
 model::Material read_material(const TomlTable& table, model::Model model,
                               model::Material absent = {});
+
+/// Whether the table says all that the model does not say itself: `absent` is then not asked for anything.
+bool is_complete(const TomlTable& table, model::Model model);
 
 /// The same for inputs that say L elsewhere: refuses L, L1, L2, L3; the result has their defaults. `where`
 /// is what the refusal says.
@@ -30,6 +33,10 @@ void write_material_without_L(TomlText& toml, const model::Material& material);
 /// The parameters that matter only while something moves: states of rest do not depend on them.
 inline const ParameterNames parameters_of_motion{"viscosity", "immobility", "friction_tangential",
                                                  "friction_normal", "order_viscosity"};
+
+/// Those that a model may say itself: see has_own_drag.
+inline const ParameterNames parameters_of_drag{"viscosity", "friction_tangential",
+                                               "friction_normal"};
 
 /// The models that have states of rest of their own: those of a scan.
 inline constexpr std::array rest_models{model::Model::SBEH, model::Model::SSH};

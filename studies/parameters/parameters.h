@@ -2,6 +2,7 @@
 #pragma once
 
 #include "model/parameter.h"
+#include "studies/io/description.h"
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"
 
@@ -80,22 +81,18 @@ void write_some(TomlText& toml, const Struct& from, const ParameterNames& these)
     });
 }
 
-/// The first parameter in which two structs differ, with its values as they stand in files.
-struct Difference {
-  std::string name, first, second;
-};
-/// Empty where they agree but for `without`.
+/// The parameters in which two structs differ, but for `without`.
 template <class Struct>
-std::optional<Difference> difference(const Struct& a, const Struct& b,
-                                     const ParameterNames& without = {}) {
+std::vector<Difference> differences(const Struct& a, const Struct& b,
+                                    const ParameterNames& without = {}) {
   std::vector<std::string> values;
   for_each_parameter(a, [&](const auto&, const auto& value) { values.push_back(as_toml(value)); });
-  std::optional<Difference> found;
+  std::vector<Difference> found;
   std::size_t k = 0;
   for_each_parameter(b, [&](const model::Parameter& parameter, const auto& value) {
     const std::string &first = values[k++], second = as_toml(value);
-    if (!found && first != second && !contains(without, parameter.name))
-      found = Difference{parameter.name, first, second};
+    if (first != second && !contains(without, parameter.name))
+      found.push_back({parameter.name, first, second});
   });
   return found;
 }

@@ -97,7 +97,7 @@ StabilitySummary run_stability(const StabilityInput& input, const fs::path& path
                                std::string_view version) {
   const Stopwatch watch;
   const OutputFolder folder(path);
-  begin_or_continue(folder, describe(input, version), "stability.csv", "results");
+  begin_or_continue(folder, describe(input, version), "stability.csv", "a study of stability");
   make_folder(folder / "runs");
   GrowingTable<StabilityResult> table(folder / "stability.csv", stability_columns(),
                                       "studies of stability", "its run made again");

@@ -94,7 +94,8 @@ Rest flow_to_rest(const StationaryCase& of, const SurfaceMethod& method,
   (lost ? rest.failure : rest.remark) = stop;
   end.record = run.last;
   end.state = run.state;
-  if (!keep.empty() && surface3d::curvature_of(*mesh, run.state.X)) write_frame(keep, end);
+  if (!keep.empty() && surface3d::curvature_of(*mesh, run.state.X))
+    write_frame(keep, end, {of.model, of.material});
   return rest;
 }
 
@@ -107,9 +108,9 @@ void require_same_case(const fs::path& folder, const RunInput& run, const Statio
   if (model::rest_model(run.model) != of.model)
     fail(fmt::format("its model is {}, that of the comparison {}", sbeh::name(run.model),
                      sbeh::name(of.model)));
-  if (const auto other = difference(run.material, of.material, parameters_of_motion))
-    fail(fmt::format("its {} is {}, that of the comparison {}", other->name, other->first,
-                     other->second));
+  for (const auto& [name, there, here] :
+       differences(run.material, of.material, parameters_of_motion))
+    fail(fmt::format("its {} is {}, that of the comparison {}", name, there, here));
 }
 
 // Whether the run is the evolution that `flow` follows too: from the same ellipsoid, with the same drag.

@@ -68,7 +68,8 @@ TEST_F(Check, of_a_start_that_is_not_there_is_refused) {
   write("in.toml",
         "model = \"SBEH\"\ntime.end = 3\n[start]\nshape = \"scan\"\nfolder = \"nowhere\"\n"
         "reduced_volume = 0.7\nL = 0.05\n");
-  must_refuse({"check", "in.toml"}, "nowhere/points/SBEH_oblate_v0.7_L0.05.csv: is not there");
+  must_refuse({"check", "in.toml"},
+              "nowhere: is no folder of a scan: it lacks run.toml or scan.csv");
 }
 
 TEST_F(Check, of_the_inputs_that_come_with_the_toolkit_finds_them_right) {

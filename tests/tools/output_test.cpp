@@ -43,10 +43,12 @@ TEST_F(Output, into_the_folder_of_another_run_is_refused_and_changes_nothing) {
   must(into("scan", "scan"));
   must(into("relax", "relax", "relax.toml"));
   const Contents scan = contents("scan"), relax = contents("relax");
-  must_refuse(into("scan", "scan", "other.toml"), "scan: holds a scan with other parameters");
+  must_refuse(into("scan", "scan", "other.toml"),
+              "scan: holds a scan with other parameters: scan.L: [0.04, 0.05] there, [0.04, 0.06] "
+              "here; numerics.elements: 16 there, 48 here; choose");
   must_refuse(into("scan", "relax", "relax.toml"), "scan: already holds a run");
   must_refuse(into("relax", "relax", "relax.toml"), "relax: already holds a run");
-  must_refuse(into("relax", "scan"), "relax: holds a scan with other parameters");
+  must_refuse(into("relax", "scan"), "relax: holds other results than a scan (see its run.toml)");
   EXPECT_EQ(contents("scan"), scan);
   EXPECT_EQ(contents("relax"), relax);
 }

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 namespace sbeh::tools::test {
 namespace {
@@ -89,31 +90,102 @@ TEST_F(Relax, from_a_row_of_a_scan_stays_at_rest_with_that_rows_L) {
   for (const double value : series.numbers("energy")) EXPECT_NEAR(value, energy, 1e-8);
 }
 
-TEST_F(Relax, from_a_row_of_a_scan_moves_with_another_L_or_model) {
+TEST_F(Relax, from_a_row_of_a_scan_moves_with_another_L_or_model_and_says_so) {
   write("scan.toml", small_scan);
   must(into("scan", "scan", "scan.toml"));
   write("L.toml", from_the_scan("SBEH", "0.05") + "[material]\nL = 0.06\n");
   write("model.toml", from_the_scan("SSH", "0.05"));
-  for (const std::string name : {"L", "model"}) {
-    must(into(name, "relax", name + ".toml"));
+  const std::map<std::string, std::string> changes{
+      {"L", "material.L1: 0.05 there, 0.06 here"},
+      {"model", "model: \"SBEH\" there, \"SSH\" here"}};
+  for (const auto& [name, change] : changes) {
+    const Ended ended = sbeh(into(name, "relax", name + ".toml"));
+    EXPECT_EQ(ended.exit_code, 0);
+    const std::string remark =
+        "scan, SBEH oblate, V_r = 0.8, L = 0.05: " + change + "; the energy of this start is ";
+    EXPECT_TRUE(ended.err.starts_with("sbeh: " + remark)) << ended.err;
+    EXPECT_NE(read(name + "/run.toml").find("\n# " + remark), std::string::npos);
+    EXPECT_NE(sbeh({"check", name + ".toml"}).out.find("\n# " + remark), std::string::npos);
     const std::vector<double> energy = table(name + "/series.csv").numbers("energy");
     EXPECT_LT(energy.back(), energy.front() - 1e-6) << name;
+    // What it was, and what it is.
+    const std::string told = ended.err.substr(5 + remark.size() + 1);
+    EXPECT_NEAR(std::stod(told), table("scan/scan.csv").number(0, "energy"), 1e-8);
+    EXPECT_NEAR(std::stod(told.substr(told.find("computed with, ") + 15)), energy.front(), 1e-8);
   }
   for (const double order : table("model/series.csv").numbers("order_min"))
     EXPECT_NEAR(order, 2. / 3, 1e-12);
 }
 
-TEST_F(Relax, from_a_row_that_is_not_there_is_refused) {
+// Each of them once was left behind without a word.
+TEST_F(Relax, from_a_row_of_a_scan_goes_on_with_its_material) {
+  const std::vector<std::string> materials{"spontaneous_curvature = -2.7",
+                                           "residual_stiffness = 0.01",
+                                           "order_viscosity = -3",
+                                           "potential = [0, 0, -9, 0, 10]",
+                                           "friction_normal = 0.7",
+                                           "viscosity = 0.25",
+                                           "immobility = 3"};
+  for (const std::string& material : materials) {
+    write("scan.toml",
+          "[scan]\nreduced_volume = [0.9]\nL = [0.05]\nmodels = [\"SSH\"]\n[material]\n" + material
+              + "\n[numerics]\nelements = 32\n");
+    must(into("scan", "scan", "scan.toml"));
+    write("in.toml",
+          "time.end = 0.001\n[start]\nshape = \"scan\"\nfolder = \"scan\"\nmodel = \"SSH\"\n"
+          "reduced_volume = 0.9\nL = 0.05\n");
+    const Ended ended = sbeh(into("out", "relax"));
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    EXPECT_EQ(ended.err, "") << material;
+    EXPECT_NE(read("out/run.toml").find("\n" + material + "\n"), std::string::npos);
+    EXPECT_NEAR(table("out/series.csv").number(0, "energy"),
+                table("scan/scan.csv").number(0, "energy"), 1e-9);
+    std::filesystem::remove_all(path("scan"));
+    std::filesystem::remove_all(path("out"));
+  }
+}
+
+TEST_F(Relax, from_a_row_that_is_not_stationary_or_not_there_is_refused) {
   write("scan.toml", small_scan);
   write("in.toml", from_the_scan("SBEH", "0.07"));
+  must_refuse(into("out", "relax"), "scan: is no folder of a scan: it lacks run.toml or scan.csv");
   must(into("scan", "scan", "scan.toml"));
+  must_refuse(into("out", "relax"), "scan/scan.csv: has no row SBEH oblate, V_r = 0.8, L = 0.07\n");
+  write("in.toml", from_the_scan("SBEH", "0.05"));
+  write("scan/points/SBEH_oblate_v0.8_L0.05.csv", "r,z\n");
   must_refuse(into("out", "relax"),
-              "scan/points/SBEH_oblate_v0.8_L0.07.csv: is not there; the rows of that scan stand "
-              "in scan/scan.csv");
-  write("scan/points/SBEH_oblate_v0.8_L0.07.csv", "r,z\n");
-  must_refuse(into("out", "relax"),
-              "scan/points/SBEH_oblate_v0.8_L0.07.csv: is no profile of this program");
+              "scan/points/SBEH_oblate_v0.8_L0.05.csv: is no profile of this program");
   EXPECT_FALSE(exists(path("out")));
+}
+
+TEST_F(Relax, from_a_row_beyond_the_fold_is_refused_with_the_row_that_can_be_taken) {
+  write("scan.toml",
+        "[scan]\nreduced_volume = [0.6]\nL = [0.05, 0.06, 0.08]\nmodels = [\"SBEH\"]\n"
+        "[numerics]\nelements = 24\n");
+  must(into("scan", "scan", "scan.toml"));
+  std::string row = from_the_scan("SBEH", "0.08");
+  row.replace(row.find("= 0.8"), 5, "= 0.6");
+  write("in.toml", row);
+  const std::string start =
+      "scan/scan.csv: its row SBEH oblate, V_r = 0.6, L = 0.08 is unresolved, not stationary, and "
+      "so no "
+      "start (the smooth oblate branch ends in a fold at ";
+  for (const auto& arguments : {into("out", "relax"), {"check", "in.toml"}})
+    must_refuse(arguments, start);
+  const std::string advice =
+      "that with L = 0.06 is: start from it, and give L = 0.08 in [material] to go on with that\n";
+  const std::string said = sbeh(into("out", "relax")).err;
+  EXPECT_TRUE(said.ends_with(advice)) << said;
+  EXPECT_FALSE(exists(path("out")));
+  const std::string profile = "scan/points/SBEH_oblate_v0.6_L0.08.csv";
+  const Ended mesh = sbeh({"mesh", "revolve", profile, "--triangles", "320", "--report"});
+  EXPECT_TRUE(mesh.err.starts_with("sbeh: " + profile
+                                   + ": the row of this profile is unresolved, "
+                                     "not stationary: the smooth oblate branch ends in a fold at "))
+      << mesh.err;
+  row.replace(row.find("0.08"), 4, "0.06");
+  write("in.toml", row + "[material]\nL = 0.08\n");
+  must({"check", "in.toml"});
 }
 
 TEST_F(Relax, can_be_run_again_from_the_run_toml_it_leaves_with_the_same_bytes) {

@@ -71,6 +71,7 @@ void ResumeRun::kill_while_writing(const std::string& file) const {
 TEST_F(ResumeRun, after_kills_at_many_moments_ends_with_the_same_bits) {
   input(start + many_rows + many_frames + checkpoint_each_step);
   int killed = 0;
+  kill_when(into("out", "run"), [&] { return exists(path("out/run.toml")); });
   for (const int milliseconds : {5, 10, 20, 30, 40, 55, 70, 90, 120, 160, 210, 270, 340, 420}) {
     Program program(here(), resumed("out"));
     std::this_thread::sleep_for(std::chrono::milliseconds(milliseconds));
@@ -182,6 +183,150 @@ TEST_F(ResumeRun, of_a_run_that_has_ended_changes_nothing) {
   }
 }
 
+TEST_F(ResumeRun, needs_no_frame_from_which_it_started) {
+  write("in.toml", start + "output = [0]\nframes = [0]\n[material]\nL = 0.08\n");
+  must(into("first", "run"));
+  input(
+      "[surface]\nshape = \"frame\"\nfile = \"first/frames/0000.vtu\"\n[material]\nviscosity = 2\n"
+      "[numerics]\ntolerance = 0.01\n[time]\nend = 0.08\n"
+      + many_rows + many_frames);
+  kill_when(into("out", "run"), [&] { return lines("out/frames.csv") > 2; });
+  fs::remove_all(path("first"));
+  must_end_as_the_whole();
+}
+
+// ---- longer runs --------------------------------------------------------------------------------
+
+std::string until(double end, const std::string& rest) {
+  std::string text = start;
+  return text.replace(text.find("0.08"), 4, std::to_string(end)) + rest;
+}
+
+TEST_F(ResumeRun, may_go_on_beyond_its_end_to_the_same_bits_as_one_that_was_asked_for_all) {
+  struct Times {
+    std::string first, all;
+  };
+  const std::vector<Times> cases{
+      {"output = [0, 0.01]\nframes = [0, 0.01]\n", "output = [0, 0.01]\nframes = [0, 0.01]\n"},
+      {"output = [0, 0.01]\nframes = [0, 0.01]\n",
+       "output = [0, 0.01, 0.015]\nframes = [0, 0.01, 0.02]\n"},
+      {"output = [0.003, 0.01]\nframes = [0.01]\n",
+       "output = [0.003, 0.01, 0.012, 0.02]\nframes = [0.01, 0.013, 0.017]\n"},
+      {"output = [0, 0.01]\nframes = [0, 0.01]\nevery_step = true\n",
+       "output = [0, 0.01]\nframes = [0, 0.01, 0.02]\nevery_step = true\n"},
+      {"output = [0.01]\nframes = [0.01]\nstop_at_rest = false\n",
+       "output = [0.01, 0.02]\nframes = [0.01]\nstop_at_rest = false\ncheckpoint_minutes = 3\n"},
+  };
+  for (const auto& [first, all] : cases)
+    for (const std::string numerics : {"", "integrator = \"step-doubling\"\n"}) {
+      const auto with = [&](std::string text) {
+        return text.replace(text.find("[time]"), 0, numerics);
+      };
+      write("in.toml", with(until(0.02, all)));
+      must(into("whole", "run"));
+      write("in.toml", with(until(0.01, first)));
+      must(into("out", "run"));
+      write("in.toml", with(until(0.02, all)));
+      const Ended ended = sbeh(resumed("out"));
+      EXPECT_EQ(ended.exit_code, 0);
+      EXPECT_EQ(ended.err, "sbeh: out: its end was t = 0.01, it goes on to 0.02\n");
+      EXPECT_EQ(contents("out"), contents("whole")) << all << numerics;
+      must_end_as_the_whole();  // nothing is left to do
+      for (const char* folder : {"whole", "out"}) fs::remove_all(path(folder));
+    }
+}
+
+TEST_F(ResumeRun, that_goes_on_beyond_its_end_leaves_what_its_run_toml_leaves) {
+  const std::string rows = "output = [0, 0.01]\n";
+  struct Times {
+    std::string first, all, said;
+  };
+  const std::string missed = "sbeh: out: has gone to t = 0.01 without ";
+  const std::vector<Times> cases{
+      // Its end was a time of neither.
+      {"output = [0, 0.003]\nframes = [0]\n", "output = [0, 0.003, 0.02]\nframes = [0, 0.02]\n",
+       ""},
+      {"output = [0, 0.003]\nframes = [0]\n", "output = [0, 0.003]\nframes = [0]\n", ""},
+      {rows + "frames = [0]\n", rows + "frames = [0, 0.015]\n", ""},
+      // Asked for too late, or no more.
+      {rows + "frames = [0, 0.01]\n",
+       "output = [0, 0.005, 0.01]\nframes = [0, 0.002, 0.004, 0.01]\n",
+       missed + "1 of the times that output asks for now, and 2 of frames\n"},
+      {"output = [0, 0.005, 0.01]\nframes = [0, 0.005]\n", "output = [0, 0.02]\nframes = [0.02]\n",
+       ""},
+      {"", "", missed},
+  };
+  for (const auto& [first, all, said] : cases) {
+    write("in.toml", until(0.01, first));
+    must(into("out", "run"));
+    const Contents before = contents("out");
+    write("in.toml", until(0.02, all));
+    const Ended ended = sbeh(resumed("out"));
+    EXPECT_EQ(ended.exit_code, 0);
+    EXPECT_EQ(ended.err.find(missed) != std::string::npos, !said.empty()) << ended.err;
+    EXPECT_NE(ended.err.find(said), std::string::npos) << ended.err;
+    EXPECT_EQ(table("out/series.csv").numbers("time").back(), 0.02);
+    // What was there is there.
+    Contents after = contents("out");
+    EXPECT_TRUE(after["series.csv"].starts_with(before.at("series.csv"))) << all;
+    EXPECT_TRUE(after["frames.csv"].starts_with(before.at("frames.csv"))) << all;
+    must(into("whole", "run", "out/run.toml"));
+    EXPECT_EQ(contents("out"), contents("whole")) << all;
+    must_end_as_the_whole();
+    for (const char* folder : {"whole", "out"}) fs::remove_all(path(folder));
+  }
+}
+
+TEST_F(ResumeRun, that_goes_on_beyond_its_end_may_be_killed_and_goes_on_again) {
+  write("in.toml", until(0.02, "output = [0, 0.01]\nframes = [0, 0.01]\n"));
+  must(into("out", "run"));
+  write("in.toml", start + many_rows + many_frames + checkpoint_each_step);
+  kill_when(resumed("out"), [&] { return lines("out/series.csv") > 20; });
+  must(resumed("out"));
+  must(into("whole", "run", "out/run.toml"));
+  EXPECT_EQ(contents("out"), contents("whole"));
+  EXPECT_EQ(table("out/series.csv").numbers("time").back(), 0.08);
+  must_end_as_the_whole();
+}
+
+TEST_F(ResumeRun, is_not_lengthened_before_its_end) {
+  write("in.toml", start + many_rows + many_frames);
+  kill_when(into("out", "run"), [&] { return lines("out/frames.csv") > 4; });
+  const Contents before = contents("out");
+  for (const std::string& changed :
+       {until(0.1, many_rows + many_frames), start + many_rows + "frames = [0.08]\n"}) {
+    write("in.toml", changed);
+    const Ended ended = sbeh(resumed("out"));
+    EXPECT_EQ(ended.exit_code, 2);
+    EXPECT_NE(
+        ended.err.find("holds a run with other times (end, output or frames in [time]) that is at "
+                       "t = 0.0"),
+        std::string::npos)
+        << ended.err;
+    EXPECT_TRUE(
+        ended.err.ends_with("and not at its end, 0.08; let it get there (sbeh run out/run.toml -o "
+                            "out --resume), then lengthen it\n"))
+        << ended.err;
+    EXPECT_EQ(contents("out"), before);
+  }
+  must({"run", "out/run.toml", "-o", "out", "--resume", "--no-pictures"});
+}
+
+TEST_F(ResumeRun, that_came_to_rest_is_not_lengthened) {
+  const std::string sphere =
+      "model = \"SSH\"\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 1\ntriangles = 20\n"
+      "[numerics]\nrest_speed = 1\n[time]\noutput = [0]\nframes = [0]\n";
+  write("in.toml", sphere + "end = 100\n");
+  must(into("out", "run"));
+  const Contents before = contents("out");
+  write("in.toml", sphere + "end = 200\n");
+  const Ended ended = sbeh(resumed("out"));
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_TRUE(ended.err.starts_with("sbeh: out: at rest at t = ")) << ended.err;
+  EXPECT_TRUE(ended.err.ends_with(", before its end: later times change nothing\n")) << ended.err;
+  EXPECT_EQ(contents("out"), before);
+}
+
 // ---- full disks ---------------------------------------------------------------------------------
 
 // A file that the next write of `file` goes to, in place of its own: there is never room in it.
@@ -240,7 +385,8 @@ TEST_F(ResumeRun, starts_a_run_that_had_no_room_at_all) {
   const Ended ended = run(full, into("out", "run"));
   EXPECT_EQ(ended.exit_code, 2) << ended.signal;
   EXPECT_NE(ended.err, "");  // as much of it as the limit lets through
-  must_end_as_the_whole();
+  must(into("out", "run"));
+  EXPECT_EQ(contents("out"), contents("whole"));
 }
 
 }  // namespace

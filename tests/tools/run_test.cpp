@@ -1,6 +1,7 @@
 // 3D runs as their user sees them: files, interruption, kill -9, resumption, wrong input.
 #include "tests/tools/workplace.h"
 
+#include <array>
 #include <cmath>
 #include <csignal>
 #include <fstream>
@@ -156,21 +157,146 @@ TEST_F(Run3d, goes_back_to_the_frame_before_a_damaged_one) {
 }
 
 TEST_F(Run3d, is_not_overwritten_and_not_resumed_with_other_parameters) {
-  write("in.toml", ellipsoid + "[time]\nend = 0.001\nframes = [0]\noutput = [0.001]\n");
+  const std::string short_times = "[time]\nend = 0.001\nframes = [0]\noutput = [0.001]\n";
+  write("in.toml", ellipsoid + short_times);
   must(into("out", "run"));
   const Contents before = contents("out");
   must_refuse(into("out", "run"), "out: already holds a run (see its run.toml)");
-  write("in.toml", ellipsoid + "[time]\nend = 0.002\nframes = [0]\noutput = [0.001]\n");
-  must_refuse(resumed("out"), "out: holds a run with other parameters");
-  std::string text = read("out/run.toml");
+  const std::string other = "out: holds a run with other parameters: ";
+  std::string prolate = ellipsoid;
+  prolate.replace(prolate.find("0.8"), 3, "0.9");
+  const std::string ssh = "model = \"SSH\"" + ellipsoid.substr(ellipsoid.find('\n'));
+  const std::vector<std::pair<std::string, std::string>> changes{
+      {ellipsoid + short_times + "[material]\nL = 0.08\n",
+       "material.L1: 0.05 there, 0.08 here; choose"},
+      {ellipsoid + short_times + "[material]\nL = 0.08\nfriction_normal = 1\n",
+       "material.L1: 0.05 there, 0.08 here; material.friction_normal: 0.1 there, 1 here; choose"},
+      {ellipsoid + short_times + "[numerics]\ntolerance = 3e-5\n", "numerics.tolerance: "},
+      {ellipsoid + short_times + "every_step = true\n", "time.every_step: false there, true here"},
+      {ellipsoid + short_times + "stop_at_rest = false\n",
+       "time.stop_at_rest: true there, false here"},
+      {prolate + short_times, "surface.reduced_volume: 0.8 there, 0.9 here; choose"},
+      {ellipsoid + "order = 0.5\n" + short_times,
+       "surface.order: 0.6666666666666666 there, 0.5 here"},
+      {ssh + short_times, "model: \"SBEH\" there, \"SSH\" here; surface.order: "},
+      {ellipsoid + "perturbation = [[2, 2, 0.01]]\n" + short_times,
+       "surface.perturbation: nothing there, [[2, 2, 0.01]] here"},
+      {ellipsoid + "[time]\nend = 0.0005\nframes = [0]\noutput = [0]\n",
+       "time.end: 0.001 there, 0.0005 here; a run may be lengthened, but not be shortened\n"},
+  };
+  for (const auto& [text, named] : changes) {
+    write("in.toml", text);
+    must_refuse(resumed("out"), other + named);
+  }
+  const std::string text = read("out/run.toml");
   write("out/run.toml", "# sbeh 9.9: " + text);
-  write("in.toml", ellipsoid + "[time]\nend = 0.001\nframes = [0]\noutput = [0.001]\n");
+  write("in.toml", ellipsoid + short_times);
   must_refuse(resumed("out"), "out: holds a run of another version of sbeh");
   write("out/run.toml", text);
   EXPECT_EQ(contents("out"), before);
   fs::remove(path("out/run.toml"));
   for (const auto& arguments : {into("out", "run"), resumed("out")})
     must_refuse(arguments, "out: already holds a run, but without its run.toml");
+  write("relax.toml",
+        "model = \"SSH\"\ntime.end = 0.001\n[start]\nshape = \"ellipsoid\"\n"
+        "reduced_volume = 0.8\n");
+  must(into("relax", "relax", "relax.toml"));
+  must_refuse(resumed("relax"), "relax: holds other results than a run (see its run.toml)");
+}
+
+TEST_F(Run3d, that_is_not_there_is_not_resumed) {
+  write("in.toml", ellipsoid + times);
+  const std::string nothing = ": there is nothing to resume; without --resume a run begins there\n";
+  must_refuse(resumed("new"), "new" + nothing);
+  EXPECT_FALSE(exists(path("new")));
+  fs::create_directory(path("empty"));
+  must_refuse(resumed("empty"), "empty" + nothing);
+  EXPECT_EQ(contents("empty"), Contents{});
+}
+
+TEST_F(Run3d, from_a_frame_goes_on_with_its_model_and_material_wherever_it_lies) {
+  const std::string soon = "[time]\nend = 0.0001\nframes = [0, 0.0001]\noutput = [0, 0.0001]\n";
+  const std::string material =
+      "[material]\nL = 0.08\npotential = [0, 0, -9, 0, 10]\nviscosity = 0.25\nimmobility = 3\n"
+      "friction = 0.5\norder_viscosity = -3\nresidual_stiffness = 0.01\nspontaneous_curvature = "
+      "-2.7\n";
+  write("in.toml", ellipsoid + soon + material);
+  must(into("first", "run"));
+  fs::copy_file(path("first/frames/0001.vtu"), path("copy.vtu"));
+  fs::remove_all(path("first/run.toml"));
+  write("frame.toml", "[surface]\nshape = \"frame\"\nfile = \"copy.vtu\"\n" + soon);
+  const Ended ended = sbeh(into("second", "run", "frame.toml"));
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_EQ(ended.err.find("copy.vtu"), std::string::npos) << ended.err;
+  EXPECT_NEAR(table("second/series.csv").number(0, "energy"),
+              table("first/series.csv").number(1, "energy"), 1e-11);
+  write("again.toml", ellipsoid + soon + material);
+  must(into("third", "run", "again.toml"));
+  const auto material_of = [&](const std::string& description) {
+    const std::string text = read(description);
+    const std::size_t at = text.find("\n[material]");
+    return text.substr(at, text.find("\n[numerics]") - at);
+  };
+  EXPECT_EQ(material_of("second/run.toml"), material_of("third/run.toml"));
+}
+
+TEST_F(Run3d, from_a_frame_says_what_is_changed_and_what_that_does_to_the_energy) {
+  const std::string soon = "[time]\nend = 0.0001\nframes = [0, 0.0001]\noutput = [0, 0.0001]\n";
+  write("in.toml", ellipsoid + soon + "[material]\nL = 0.08\nspontaneous_curvature = -2.7\n");
+  must(into("first", "run"));
+  const double before = table("first/series.csv").number(1, "energy");
+  const std::string start =
+      "[surface]\nshape = \"frame\"\nfile = \"first/frames/0001.vtu\"\n" + soon;
+  const std::vector<std::array<std::string, 3>> cases{
+      {"", "[material]\nL = 0.05\n", "material.L1: 0.08 there, 0.05 here"},
+      {"", "[material]\nspontaneous_curvature = 0\n",
+       "material.spontaneous_curvature: -2.7 there, 0 here"},
+      {"", "[material]\nresidual_stiffness = 0.1\n",
+       "material.residual_stiffness: 0 there, 0.1 here"},
+      {"", "[material]\nviscosity = 2\n", "material.viscosity: 1 there, 2 here"},
+      {"", "[material]\nfriction = 1\n",
+       "material.friction_tangential: 0.1 there, 1 here; material.friction_normal: 0.1 there, 1 "
+       "here"},
+      {"model = \"SSH\"\n", "", "model: \"SBEH\" there, \"SSH\" here"},
+      {"model = \"Helfrich-local\"\n", "", "model: \"SBEH\" there, \"Helfrich-local\" here"},
+      {"model = \"SSH\"\n", "[material]\nL = 0.05\n",
+       "model: \"SBEH\" there, \"SSH\" here; material.L1: 0.08 there, 0.05 here"},
+  };
+  for (const auto& [model, material, change] : cases) {
+    write("in.toml", model + start + material);
+    fs::remove_all(path("out"));
+    const Ended ended = sbeh(into("out", "run"));
+    EXPECT_EQ(ended.exit_code, 0);
+    const std::string remark =
+        "first/frames/0001.vtu: " + change + "; the energy of this start is ";
+    ASSERT_TRUE(ended.err.starts_with("sbeh: " + remark)) << ended.err;
+    const std::string told = ended.err.substr(6 + remark.size());
+    EXPECT_NEAR(std::stod(told), before, 1e-8) << change;
+    EXPECT_NEAR(std::stod(told.substr(told.find("computed with, ") + 15)),
+                table("out/series.csv").number(0, "energy"), 1e-8)
+        << change;
+    EXPECT_NE(read("out/run.toml").find("\n# " + remark), std::string::npos);
+    EXPECT_NE(sbeh({"check", "in.toml"}).out.find("\n# " + remark), std::string::npos);
+    must(into("again", "run", "out/run.toml"));  // says it again
+    EXPECT_EQ(contents("again"), contents("out"));
+    must({"run", "out/run.toml", "-o", "out", "--no-pictures", "--resume"});
+    EXPECT_EQ(contents("again"), contents("out"));
+    fs::remove_all(path("again"));
+  }
+}
+
+TEST_F(Run3d, that_takes_the_surface_of_a_frame_alone_says_what_it_leaves_behind) {
+  const std::string soon = "[time]\nend = 0.0001\nframes = [0]\noutput = [0]\n";
+  write("in.toml", ellipsoid + soon);
+  must(into("first", "run"));
+  write("in.toml",
+        "model = \"SBEH\"\n[surface]\nshape = \"mesh\"\nfile = \"first/frames/0000.vtu\"\n" + soon);
+  const Ended ended = sbeh(into("out", "run"));
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_TRUE(
+      ended.err.starts_with("sbeh: first/frames/0000.vtu: has an order, which shape = \"mesh\" "
+                            "does not take"))
+      << ended.err;
 }
 
 TEST_F(Run3d, starts_from_a_frame_a_mesh_and_a_row_of_a_scan) {
@@ -226,7 +352,7 @@ TEST_F(Run3d, refuses_what_is_wrong_with_file_line_and_reason) {
       {head + "shape = \"ellipsoid\"\nreduced_volume = 0.8\nperturbation = [[2, 0, -3]]\n" + time,
        "in.toml: [surface] perturbation: is too large: the curved triangles "},
       {head + "shape = \"scan\"\nfolder = \"none\"\nreduced_volume = 0.8\nL = 0.05\n" + time,
-       "none/points/SSH_oblate_v0.8_L0.05.csv: is not there"},
+       "none: is no folder of a scan: it lacks run.toml or scan.csv"},
       {head + "shape = \"frame\"\nfile = \"plain.vtu\"\n" + time,
        "plain.vtu: is no frame of a run: it lacks the field order"},
       {head + "shape = \"mesh\"\nfile = \"none.obj\"\n" + time, "none.obj"},

@@ -102,10 +102,12 @@ TEST_F(Stability, refuses_a_folder_that_holds_something_else) {
   write("in.toml", brief);
   must(into("out", "stability"));
   write("in.toml", brief + "grading = 0.2\n");
-  must_refuse(into("out", "stability"), "out: holds results with other parameters");
+  must_refuse(into("out", "stability"),
+              "out: holds a study of stability with other parameters: numerics.grading: ");
   write("scan.toml", "[scan]\nreduced_volume = 0.8\nL = 0.05\nmodels = [\"SSH\"]\n");
   must(into("scan", "scan", "scan.toml"));
-  must_refuse(into("scan", "stability"), "scan: holds results with other parameters");
+  must_refuse(into("scan", "stability"),
+              "scan: holds other results than a study of stability (see its run.toml)");
   std::ofstream(path("out/stability.csv"), std::ios::app) << "SBEH,0.9,oops\n";
   write("in.toml", brief);
   must_refuse(into("out", "stability"), "out/stability.csv:6: is damaged; delete that line");

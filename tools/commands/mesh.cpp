@@ -2,6 +2,7 @@
 #include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/mesh/make_mesh.h"
+#include "studies/scan/scan_row.h"
 #include "tools/commands/commands.h"
 
 #include <array>
@@ -96,6 +97,8 @@ int make_and_write(const MeshWords& w) {
   }
   const studies::MadeMesh made = studies::make_mesh(request_of(w));
   for (const std::string& note : made.notes) complain(note);
+  if (*w.revolve)
+    if (const auto remark = studies::remark_on_profile(w.input)) complain(*remark);
   if (!w.output.empty()) {
     if (!w.overwrite) refuse_to_overwrite(w.output);
     studies::write_mesh(w.output, made.mesh, made.fields);

@@ -37,13 +37,14 @@ Command add_relax(CLI::App& program) {
 
 void check_relax(const std::string& file) {
   const studies::RelaxInput input = studies::read_relax(file);
-  const axisym::Diagnostics d = axisym::diagnose(input.material, studies::start_of(input));
+  const studies::RelaxStart start = studies::start_of(input);
+  const axisym::Diagnostics d = axisym::diagnose(input.material, start.state);
   fmt::print(
       "{}: an evolution of {} to t = {}, from reduced volume {:.6g}, energy {:.6g}; "
       "{} lines of history{}, {} profiles\n\n{}",
       file, sbeh::name(input.model), input.times.end, d.reduced_volume, d.energy.total(),
       input.times.rows.size(), beside_times(input.times.every_step), input.times.states.size(),
-      studies::describe(input, SBEH_VERSION));
+      studies::with_remarks(studies::describe(input, SBEH_VERSION), start.remarks));
 }
 
 }  // namespace sbeh::tools

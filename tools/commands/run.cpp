@@ -28,8 +28,9 @@ void complain_of_end(const studies::RunSummary& s, const fs::path& folder) {
 }
 
 int run(const Study& study, bool resume) {
-  const studies::RunInput input = studies::read_run(study.input);
   const fs::path folder = study.results();
+  const studies::RunInput input =
+      resume ? studies::read_resumed_run(study.input, folder) : studies::read_run(study.input);
   const studies::RunSummary s = studies::run_surface(input, folder, SBEH_VERSION, resume);
   const model::FlowRecord& last = s.run.last;
   fmt::print("{} at t = {:.6g} after {} steps ({} rejected): energy {:.10g}\n",
@@ -53,15 +54,15 @@ int run(const Study& study, bool resume) {
 
 Command add_run(CLI::App& program) {
   const auto resume = std::make_shared<bool>(false);
-  const Command command = add_study(program, "run", "one 3D evolution",
-                                    [resume](const Study& study) { return run(study, *resume); });
+  Command command = add_study(program, "run", "one 3D evolution",
+                              [resume](const Study& study) { return run(study, *resume); });
   command.app->add_flag("--resume", *resume, "go on with a run that was interrupted or killed");
   return command;
 }
 
 void check_run(const std::string& file) {
   const studies::RunInput input = studies::read_run(file);
-  const studies::FlowMoment start = studies::start_of(input);
+  const auto [start, remarks] = studies::start_of(input);
   const int triangles = start.mesh->count();
   const studies::RunCost cost = studies::cost_of(input, triangles);
   fmt::print(
@@ -72,7 +73,7 @@ void check_run(const std::string& file) {
       surface3d::reduced_volume(start.target.area, start.target.volume), triangles, cost.unknowns,
       cost.seconds_per_step, cost.megabytes, input.times.rows.size(),
       beside_times(input.times.every_step), input.times.states.size(), cost.frame_megabytes,
-      studies::describe(input, SBEH_VERSION));
+      studies::with_remarks(studies::describe(input, SBEH_VERSION), remarks));
 }
 
 }  // namespace sbeh::tools

@@ -53,6 +53,30 @@ void expect_in_a_scan(const ScanRow& row, const std::vector<ScanInput>& scans) {
   })) << "no scan above has the row from which it begins";
 }
 
+// Leaves what an evolution reads of the scan from whose folder it begins, the last one of the document; where
+// that is not read, nothing.
+class ScanFolder {
+ public:
+  ScanFolder(const std::string& evolution, const std::vector<ScanInput>& scans) {
+    const std::string key = "\nfolder = \"";
+    const std::size_t at = evolution.find(key);
+    if (at == std::string::npos || scans.empty()) return;
+    const std::size_t from = at + key.size();
+    const fs::path folder = top_.path() / evolution.substr(from, evolution.find('"', from) - from);
+    fs::create_directories(folder);
+    write_file(folder / "run.toml", describe(scans.back(), "0"));
+    write_file(folder / "scan.csv", "model,status\n");
+    fs::current_path(top_.path());
+  }
+  ~ScanFolder() { fs::current_path(root_); }
+  ScanFolder(const ScanFolder&) = delete;
+  ScanFolder& operator=(const ScanFolder&) = delete;
+
+ private:
+  sbeh::test::TemporaryFolder top_;
+  fs::path root_ = fs::current_path();
+};
+
 template <class Input>
 void check_evolution(const Input& input, const std::vector<ScanInput>& scans) {
   if (const auto* row = std::get_if<ScanRow>(&input.start))
@@ -88,6 +112,7 @@ TEST(Documents, have_inputs_that_are_accepted) {
     for (const Block& block : blocks(document, "```toml")) {
       SCOPED_TRACE(block.where);
       ++inputs;
+      const ScanFolder folder(block.text, scans);
       EXPECT_NO_THROW(check_input(written(block.text), scans));
     }
   }

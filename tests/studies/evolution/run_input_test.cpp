@@ -1,18 +1,60 @@
 // Inputs of 3D runs: what is read, and what is refused with which words.
 #include "studies/evolution/run_input.h"
 
+#include "meshing/measures.h"
+#include "meshing/shapes.h"
+#include "studies/evolution/frame_file.h"
+#include "studies/io/output.h"
 #include "tests/studies/parameters/input_file.h"
 
 namespace sbeh::studies {
 namespace {
 
 using namespace test;
+namespace fs = std::filesystem;
 using model::Model;
 
 const std::string small_run =
     "model = \"SBEH\"\ntime.end = 10\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.8\n";
 
 RunInput run_of(const std::string& text) { return read_run(written(text)); }
+
+// Nothing in it is a default.
+const Physics odd_physics{.model = Model::SBEH,
+                          .material = {.L1 = 0.08,
+                                       .L2 = -0.01,
+                                       .L3 = 0.02,
+                                       .potential = model::Potential({0.5, 0, -1, 0, 1}),
+                                       .viscosity = 0.25,
+                                       .immobility = 3,
+                                       .friction_tangential = 0.5,
+                                       .friction_normal = 0.75,
+                                       .order_viscosity = -3,
+                                       .residual_stiffness = 0.01,
+                                       .spontaneous_curvature = -2.7}};
+
+// A frame of a sphere that was computed with that.
+fs::path written_frame(const Physics& physics) {
+  const meshing::CurvedMesh sphere = meshing::sphere({.triangles = 20});
+  const fs::path file = path_of("frame.vtu");
+  write_frame(
+      file,
+      {.mesh = std::make_shared<const surface3d::Triangulation>(sphere),
+       .state = {sphere.nodes, surface3d::Field::Constant(sphere.node_count(), model::full_order)},
+       .target = {meshing::area(sphere), meshing::volume(sphere)}},
+      physics);
+  return file;
+}
+
+// Renames what tells model and material, so that the frame is as version 0.1.0 wrote them.
+fs::path forget_physics(const fs::path& frame) {
+  std::string text = read_file(frame);
+  for (const std::string name : {"\"model\"", "\"material."})
+    for (std::size_t at = 0; (at = text.find(name, at)) != std::string::npos; ++at)
+      text[at + 1] = 'x';
+  write_file(frame, text);
+  return frame;
+}
 
 TEST(RunInput, has_the_documented_defaults) {
   const RunInput input = run_of(small_run);
@@ -36,7 +78,7 @@ TEST(RunInput, has_the_documented_defaults) {
 
 TEST(RunInput, reads_back_from_its_description_as_the_same_run) {
   const std::string sbeh = "model = 'SBEH'\n", ssh = "model = 'SSH'\n",
-                    time = "[time]\nend = 0.3\n";
+                    time = "[time]\nend = 0.3\n", frame = written_frame(odd_physics).string();
   const std::vector<std::string> texts{
       small_run,
       ssh + "[surface]\nshape = 'ellipsoid'\nreduced_volume = 0.65\nkind = 'prolate'\ntriangles = 1280\n"
@@ -46,10 +88,11 @@ TEST(RunInput, reads_back_from_its_description_as_the_same_run) {
       "model = 'Helfrich-global'\n[surface]\nshape = 'harmonics'\nmodes = [[5, 3, 0.5]]\n" + time
           + "[numerics]\nscheme = 'monolithic'\nfactorisation = 'every-step'\ntolerance = 1e-3\n",
       sbeh + "[surface]\nshape = 'mesh'\nfile = '\"a\\b\" \xc3\xa4.obj'\norder = 0.25\n" + time,
-      sbeh + "[surface]\nshape = 'frame'\nfile = 'f.vtu'\n" + time
+      sbeh + "[surface]\nshape = 'frame'\nfile = '" + frame + "'\n" + time
           + "[material]\nL1 = 0.1\nL2 = -0.05\nL3 = 0.07\nresidual_stiffness = 0.01\n",
-      ssh + "[surface]\nshape = 'scan'\nfolder = 'out'\nreduced_volume = 0.7\nL = 0.03\n"
-          + "triangles = 5120\n" + time + "every_step = true\n",
+      "[surface]\nshape = 'frame'\nfile = '" + frame + "'\n" + time,
+      ssh + "[surface]\nshape = 'scan'\nfolder = '" + scan_folder("") + "'\nreduced_volume = 0.7\n"
+          + "L = 0.03\ntriangles = 5120\n" + time + "every_step = true\n",
   };
   for (const std::string& text : texts) {
     const RunInput input = run_of(text);
@@ -59,12 +102,54 @@ TEST(RunInput, reads_back_from_its_description_as_the_same_run) {
   }
 }
 
-TEST(RunInput, from_a_scan_has_the_rows_L_unless_the_material_says_otherwise) {
+TEST(RunInput, from_a_scan_has_the_material_of_the_scan_with_the_rows_L) {
   const std::string start =
-      "model = \"SSH\"\ntime.end = 1\n[surface]\nshape = \"scan\"\nfolder = \"out\"\n"
-      "reduced_volume = 0.7\nL = 0.03\n";
+      "model = \"SSH\"\ntime.end = 1\n[surface]\nshape = \"scan\"\nfolder = \""
+      + scan_folder("[material]\nspontaneous_curvature = -2.7\n")
+      + "\"\nreduced_volume = 0.7\nL = 0.03\n";
   EXPECT_EQ(run_of(start).material.L1, 0.03);
+  EXPECT_EQ(run_of(start).material.spontaneous_curvature, -2.7);
   EXPECT_EQ(run_of(start + "[material]\nL = 0.04").material.L1, 0.04);
+  EXPECT_EQ(run_of(start + "[material]\nL = 0.04").material.spontaneous_curvature, -2.7);
+}
+
+TEST(RunInput, from_a_frame_has_its_model_and_material_but_for_what_is_said) {
+  const std::string start = "time.end = 1\n[surface]\nshape = \"frame\"\nfile = \""
+                          + written_frame(odd_physics).string() + "\"\n";
+  const RunInput same = run_of(start);
+  EXPECT_EQ(static_cast<const Physics&>(same), odd_physics);
+  Physics changed = odd_physics;
+  changed.model = Model::SSH;
+  changed.material.spontaneous_curvature = 0;
+  const RunInput input =
+      run_of("model = \"SSH\"\n" + start + "[material]\nspontaneous_curvature = 0\n");
+  EXPECT_EQ(static_cast<const Physics&>(input), changed);
+}
+
+TEST(RunInput, from_a_frame_of_unknown_material_needs_model_and_elastic_constants) {
+  const fs::path folder = path_of("lonely");  // no run.toml beside it
+  fs::create_directories(folder);
+  fs::copy_file(written_frame({}), folder / "old.vtu", fs::copy_options::overwrite_existing);
+  const std::string file = forget_physics(folder / "old.vtu").string();
+  const std::string start = "time.end = 1\n[surface]\nshape = \"frame\"\nfile = \"" + file + "\"\n";
+  const std::string unknown = "missing; " + file + " does not say with which ";
+  expect_messages(
+      read_run, "",
+      {{start, ": model: " + unknown + "model it was computed"},
+       {"model = 'SSH'\n" + start,
+        ": [material] L: " + unknown
+            + "material it was computed: give L, and all else that is not "
+              "the default"},
+       {"model = 'SSH'\n" + start + "[material]\nviscosity = 2\n",
+        ":6: [material] L: " + unknown
+            + "material it was computed: give L, and all else that is not the default"}});
+  const RunInput input = run_of("model = \"SSH\"\n" + start + "[material]\nL = 0.08\n");
+  EXPECT_EQ(input.material, model::Material{}.with_L(0.08));
+  // Its run may still stand beside it.
+  RunInput run;
+  static_cast<Physics&>(run) = odd_physics;
+  std::ofstream(folder / "run.toml") << describe(run, "0.1.0");
+  EXPECT_EQ(static_cast<const Physics&>(run_of(start)), odd_physics);
 }
 
 TEST(RunInput, with_a_wrong_surface_is_refused_with_line_key_and_value) {

@@ -63,15 +63,22 @@ TEST(Description, of_an_evolution_reads_back_as_the_same_evolution) {
   const std::string harmonics = "[start]\nshape = 'harmonics'\n";
   const std::string row = "[start]\nshape = 'scan'\nreduced_volume = 0.7\nL = 0.03\n";
   const std::string sbeh = "model = 'SBEH'\n", ssh = "model = 'SSH'\n";
+  const std::string scan = scan_folder("[material]\nresidual_stiffness = 0.25\n");
+  // All of the material: the scan is not asked.
+  const std::string all_else =
+      "potential = [0, 1, 2]\nfriction = 3\nviscosity = 4\nimmobility = 5\norder_viscosity = 6\n"
+      "residual_stiffness = 7\nspontaneous_curvature = 8\n";
   const std::vector<std::string> texts{
       small_relax,
       ssh + ellipsoid + "reduced_volume = 0.7\nkind = 'prolate'\n" + end,
       "model = 'Helfrich-global'\n" + ellipsoid + "reduced_volume = 0.8\n" + end,
-      "model = 'Helfrich-local'\n" + row + "folder = 'a'\n[time]\nend = 2\n",
+      "model = 'Helfrich-local'\n" + row + "folder = '" + scan + "'\n[time]\nend = 2\n",
       sbeh + ellipsoid + "axes = [1, 0.1]\norder = 0.1\n" + end,
       sbeh + harmonics + "modes = [[32, 0.1], [1, -1e-9]]\norder = 0.65\n" + end,
       sbeh + harmonics + "order_modes = [[4, 1e-3]]\n" + end,
-      sbeh + row + "folder = '\"a\\b\" \xc3\xa4'\nmodel = 'SSH'\n[time]\nend = 2\n",
+      sbeh + row + "folder = '" + scan + "'\nmodel = 'SSH'\n[time]\nend = 2\n",
+      row + "folder = '" + scan + "'\nmodel = 'SSH'\n[time]\nend = 2\n",
+      sbeh + row + "folder = '\"a\\b\" \xc3\xa4'\n" + end + all_else,
   };
   for (const std::string& text : texts) {
     const RelaxInput input = relax_of(text);

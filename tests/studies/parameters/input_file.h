@@ -25,6 +25,15 @@ inline std::filesystem::path written(const std::string& text) {
   return path;
 }
 
+/// A folder with what an input reads of a scan: its run.toml with this end, and no row.
+inline std::string scan_folder(const std::string& end) {
+  const std::filesystem::path folder = path_of("scan");
+  std::filesystem::create_directories(folder);
+  std::ofstream(folder / "run.toml") << "[scan]\nreduced_volume = 0.7\nL = 0.03\n" << end;
+  std::ofstream(folder / "scan.csv") << "model,status\n";
+  return folder.string();
+}
+
 /// What the reader says of the file, without the file's name: ":7: [scan] …" or ": …".
 template <class Reader>
 std::string message_for(Reader&& read, const std::filesystem::path& path) {

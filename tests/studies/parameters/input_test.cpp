@@ -165,20 +165,36 @@ TEST(RelaxInput, takes_harmonics_of_shape_and_order) {
   EXPECT_EQ(harmonics.order_modes, (std::vector<axisym::Mode>{{2, 0.001}}));
 }
 
-TEST(RelaxInput, from_a_scan_has_the_rows_L_unless_the_material_says_otherwise) {
-  const std::string start =
-      "model = \"SSH\"\n[start]\nshape = \"scan\"\nfolder = \"out\"\nreduced_volume = 0.7\n"
-      "L = 0.03\n[time]\nend = 2\n";
+TEST(RelaxInput, from_a_scan_has_the_material_of_the_scan_with_the_rows_L) {
+  const std::string folder = scan_folder("[material]\nspontaneous_curvature = -2.7\n");
+  const std::string head = "[start]\nshape = \"scan\"\nfolder = \"" + folder
+                         + "\"\nreduced_volume = 0.7\nL = 0.03\n",
+                    time = "[time]\nend = 2\n", start = "model = \"SSH\"\n" + head + time;
   const RelaxInput input = relax_of(start);
   const auto& row = std::get<ScanRow>(input.start);
-  EXPECT_EQ(row.folder, "out");
+  EXPECT_EQ(row.folder, folder);
   EXPECT_EQ(row.model, Model::SSH);
   EXPECT_EQ(row.branch, axisym::Branch::oblate);
   EXPECT_EQ(row.reduced_volume, 0.7);
   EXPECT_EQ(row.L, 0.03);
   EXPECT_EQ(input.material.L1, 0.03);
-  EXPECT_EQ(relax_of(start + "[material]\nL = 0.04").material.L1, 0.04);
-  EXPECT_EQ(relax_of(start + "[material]\nL1 = 0.04").material.L1, 0.04);
+  EXPECT_EQ(input.material.spontaneous_curvature, -2.7);
+  for (const std::string L : {"L = 0.04", "L1 = 0.04"}) {
+    const RelaxInput changed = relax_of(start + "[material]\n" + L);
+    EXPECT_EQ(changed.material.L1, 0.04);
+    EXPECT_EQ(changed.material.spontaneous_curvature, -2.7);
+  }
+  EXPECT_EQ(relax_of(start + "[material]\nspontaneous_curvature = 0").material,
+            model::Material{}.with_L(0.03));
+  // The row's model is enough; another one above it is a change.
+  const RelaxInput of_row = relax_of(head + "model = \"SSH\"\n" + time);
+  EXPECT_EQ(of_row.model, Model::SSH);
+  EXPECT_EQ(of_row.material, input.material);
+  EXPECT_EQ(relax_of("model = \"SBEH\"\n" + head + "model = \"SSH\"\n" + time).model, Model::SBEH);
+  expect_messages(read_relax, head + time,
+                  {{"",
+                    ": model: missing at the top of the file; must be one of 'SBEH', 'SSH', "
+                    "'Helfrich-local', 'Helfrich-global'"}});
 }
 
 TEST(RelaxInput, with_a_wrong_start_is_refused_with_line_key_and_value) {
@@ -258,9 +274,11 @@ TEST(RelaxInput, of_a_Helfrich_flow_has_no_order_no_viscosity_and_its_own_fricti
   expect_messages(read_relax, start, given);
   // A scan has no states of this flow, but SSH's.
   const RelaxInput row = relax_of(
-      "model = \"Helfrich-local\"\ntime.end = 1\n[start]\nshape = \"scan\"\nfolder = \"out\"\n"
-      "reduced_volume = 0.7\nL = 0.03\n");
+      "model = \"Helfrich-local\"\ntime.end = 1\n[start]\nshape = \"scan\"\nfolder = \""
+      + scan_folder("[material]\nviscosity = 7\n") + "\"\nreduced_volume = 0.7\nL = 0.03\n");
   EXPECT_EQ(std::get<ScanRow>(row.start).model, Model::SSH);
+  EXPECT_EQ(row.material,
+            model::Material{}.with_L(0.03));  // the scan's viscosity is not this flow's
 }
 
 TEST(RelaxInput, with_a_wrong_time_or_model_is_refused_with_line_key_and_value) {
