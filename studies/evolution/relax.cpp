@@ -85,7 +85,7 @@ RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& pat
                        std::string_view version) {
   const auto [start, remarks] = start_of(input);
   const OutputFolder folder(path);
-  refuse_results(folder, {"run.toml", "series.csv", "scan.csv"}, "a run", "is");
+  refuse_results(folder, {"run.toml", "series.csv", "scan.csv"});
   write_file(folder / "run.toml", with_remarks(describe(input, version), remarks));
   for (const std::string& remark : remarks) tell(fmt::format("sbeh: {}\n", remark));
 

@@ -59,12 +59,13 @@ void write_start(TomlText& toml, const RelaxInput& input) {
 
 RelaxInput read_relax(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
-  const auto model = named_model(file, "start", shapes());
+  file.has("model");  // a known key, wherever it may be left out
   const TomlTable start = file.table("start");
   const TomlTable time = file.table("time");
   const TomlTable material = file.table("material");
   const TomlTable numerics = file.table("numerics");
   file.reject_unknown_keys();
+  const auto model = named_model(file, start, shapes());
   RelaxInput input;
   input.model = model.value_or(input.model);
   read_start(start, input);

@@ -3,6 +3,7 @@
 #include "studies/evolution/checkpoint.h"
 #include "studies/evolution/evolution_files.h"
 #include "studies/io/description.h"
+#include "studies/parameters/input_kind.h"
 
 #include <fmt/format.h>
 
@@ -158,6 +159,8 @@ void require_no_other_results(const OutputFolder& folder, bool resume) {
   if (fs::exists(folder / "scan.csv")) refuse(folder, "already holds a scan");
   if (fs::exists(folder / "series.csv") && !described)
     refuse(folder, "already holds a run, but without its run.toml");
+  if (described && kind_of(folder / "run.toml") != InputKind::run)
+    refuse(folder, "already holds other results than a run (see its run.toml)");
   if (described && !resume)
     throw OutputError(
         fmt::format("{}: already holds a run (see its run.toml), which is not overwritten; go on "

@@ -96,10 +96,11 @@ using FindOrigin = std::function<std::optional<Origin>(const RunInput&)>;
 
 RunInput read_with(const fs::path& path, const FindOrigin& find_origin) {
   const TomlTable file = TomlFile::parse(path);
-  const auto model = named_model(file, "surface", shapes());
+  file.has("model");  // a known key, wherever it may be left out
   const TomlTable surface = file.table("surface"), time = file.table("time"),
                   material = file.table("material"), numerics = file.table("numerics");
   file.reject_unknown_keys();
+  const auto model = named_model(file, surface, shapes());
   RunInput input;
   input.model = model.value_or(input.model);
   read_surface(surface, input);

@@ -57,11 +57,9 @@ const StartShape<Input>& chosen_shape(const TomlTable& start,
 /// The model that the file names: at its top, or for the row of a scan in the table of the start, which may
 /// be enough. Empty where a result brings it. Throws InputError.
 template <class Input>
-std::optional<model::Model> named_model(const TomlTable& file, const char* table,
+std::optional<model::Model> named_model(const TomlTable& file, const TomlTable& start,
                                         const std::vector<StartShape<Input>>& shapes) {
-  const bool at_the_top = file.has("model");
-  const TomlTable start = file.table(table);
-  if (!at_the_top && start.has("shape")) {
+  if (!file.has("model") && start.has("shape")) {
     const StartShape<Input>& shape = chosen_shape(start, shapes);
     if (shape.has("model") && start.has("model")) return start.choice("model", rest_models);
     if (shape.is_result && !shape.has("model")) return {};

@@ -106,14 +106,13 @@ void refuse(const OutputFolder& folder, std::string_view holds) {
       fmt::format("{}: {}; choose another folder with -o", folder.path().string(), holds));
 }
 
-void refuse_results(const OutputFolder& folder, std::initializer_list<const char*> files,
-                    std::string_view what, std::string_view are) {
+void refuse_results(const OutputFolder& folder, std::initializer_list<const char*> files) {
   for (const char* file : files)
     if (fs::exists(folder / file))
       throw OutputError(
-          fmt::format("{}: already holds {} (see its {}), which {} not overwritten; choose another "
-                      "folder with -o or move it away",
-                      folder.path().string(), what, file, are));
+          fmt::format("{}: already holds results (see its {}), which are not overwritten; choose "
+                      "another folder with -o or move it away",
+                      folder.path().string(), file));
 }
 
 void begin_or_continue(const OutputFolder& folder, const std::string& description,

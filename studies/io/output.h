@@ -58,10 +58,8 @@ class AppendFile {
 /// Throws OutputError, "<folder>: <what it holds>; choose another folder with -o".
 [[noreturn]] void refuse(const OutputFolder& folder, std::string_view holds);
 
-/// Refuses a folder in which one of these files tells of earlier results: "results" that "are" there, or
-/// "a run" that "is".
-void refuse_results(const OutputFolder& folder, std::initializer_list<const char*> files,
-                    std::string_view what = "results", std::string_view are = "are");
+/// Refuses a folder in which one of these files tells of earlier results.
+void refuse_results(const OutputFolder& folder, std::initializer_list<const char*> files);
 
 /// For a study that is completed row by row: writes its description to run.toml, or finds the same there.
 /// Refuses a folder that holds `what` with other parameters, which it names, or of another version, or the table

@@ -46,8 +46,8 @@ TEST_F(Output, into_the_folder_of_another_run_is_refused_and_changes_nothing) {
   must_refuse(into("scan", "scan", "other.toml"),
               "scan: holds a scan with other parameters: scan.L: [0.04, 0.05] there, [0.04, 0.06] "
               "here; numerics.elements: 16 there, 48 here; choose");
-  must_refuse(into("scan", "relax", "relax.toml"), "scan: already holds a run");
-  must_refuse(into("relax", "relax", "relax.toml"), "relax: already holds a run");
+  must_refuse(into("scan", "relax", "relax.toml"), "scan: already holds results");
+  must_refuse(into("relax", "relax", "relax.toml"), "relax: already holds results");
   must_refuse(into("relax", "scan"), "relax: holds other results than a scan (see its run.toml)");
   EXPECT_EQ(contents("scan"), scan);
   EXPECT_EQ(contents("relax"), relax);
@@ -62,7 +62,7 @@ TEST_F(Output, into_a_folder_that_lost_its_run_toml_is_refused_and_changes_nothi
   fs::remove(path("relax/run.toml"));
   const Contents before = contents("");
   must_refuse(into("scan", "scan"), "scan: holds a table without its run.toml");
-  must_refuse(into("relax", "relax", "relax.toml"), "relax: already holds a run");
+  must_refuse(into("relax", "relax", "relax.toml"), "relax: already holds results");
   EXPECT_EQ(contents(""), before);
 }
 
@@ -146,7 +146,7 @@ TEST_F(Output, of_an_evolution_on_a_full_disk_keeps_what_is_written) {
   EXPECT_TRUE(read("whole/series.csv").starts_with(series));
   EXPECT_GT(lines("out/series.csv"), 20);
   const Contents before = contents("out");
-  must_refuse(into("out", "relax"), "out: already holds a run");
+  must_refuse(into("out", "relax"), "out: already holds results");
   EXPECT_EQ(contents("out"), before);
 }
 

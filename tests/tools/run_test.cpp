@@ -201,7 +201,10 @@ TEST_F(Run3d, is_not_overwritten_and_not_resumed_with_other_parameters) {
         "model = \"SSH\"\ntime.end = 0.001\n[start]\nshape = \"ellipsoid\"\n"
         "reduced_volume = 0.8\n");
   must(into("relax", "relax", "relax.toml"));
-  must_refuse(resumed("relax"), "relax: holds other results than a run (see its run.toml)");
+  for (const auto& arguments : {into("relax", "run"), resumed("relax")})
+    must_refuse(arguments, "relax: already holds other results than a run (see its run.toml)");
+  write("in.toml", "[surface]\nshape = \"frame\"\nfile = \"out/frames/0000.vtu\"\n" + short_times);
+  must_refuse(into("new", "relax"), "in.toml:1: [surface]: unknown table. Known: model, start, ");
 }
 
 TEST_F(Run3d, that_is_not_there_is_not_resumed) {

@@ -60,9 +60,7 @@ const std::string relax = "model = 'SBEH'\ntime.end = 0.1\n[start]\nshape = ";
 const std::string axes_differ = ": must not differ by more than a factor of 1000";
 
 const std::vector<Case> wrong_evolutions{
-    {scan,
-     ": model: missing at the top of the file; must be one of 'SBEH', 'SSH', "
-     "'Helfrich-local', 'Helfrich-global'"},
+    {scan, ":1: [scan]: unknown table. Known: model, start, time, material, numerics"},
     {relax + "'sphere'",
      ":4: [start] shape = 'sphere': must be one of 'ellipsoid', 'harmonics', 'scan'"},
     {relax + "'ellipsoid'\nreduced_volume = 2",
