@@ -10,20 +10,22 @@
 #include "model/names.h"
 
 #include <array>
+#include <optional>
 #include <span>
 #include <vector>
 
 namespace sbeh::axisym {
 
 enum class RimKind {
-  fold,         ///< where the smooth oblate ends as L grows
-  saddle,       ///< the barrier between smooth and sharp, from the fold back to smaller L
-  second_fold,  ///< where the states with a sharp rim end as L falls
-  sharp,        ///< a minimum with a sharp rim
-  equal_energy  ///< the sharp state at the L at which the smooth one has its energy
+  fold,           ///< where the smooth oblate ends as L grows
+  saddle,         ///< the barrier between smooth and sharp, from the fold back to smaller L
+  second_fold,    ///< where the states with a sharp rim end as L falls
+  sharp,          ///< a minimum with a sharp rim
+  equal_energy,   ///< the sharp state at the L at which the smooth one has its energy
+  nested_spheres  ///< no state but what stomatocytes tend to, see nested_spheres.h
 };
 constexpr auto names(RimKind) {
-  return std::array{"fold", "saddle", "second_fold", "sharp", "equal_energy"};
+  return std::array{"fold", "saddle", "second_fold", "sharp", "equal_energy", "nested_spheres"};
 }
 
 /// A stationary state with its rim; lengths in radii of the sphere of equal area.
@@ -39,8 +41,8 @@ struct RimRecord {
   /// 2/3; above 0.35 the state is not resolved.
   double resolution;
   double pressure;  ///< P = ∂U/∂V at fixed area
-  /// Axisymmetric ones in which U falls, a kink staying one; at a fold: on its stable side.
-  int negative_directions;
+  /// Axisymmetric ones in which U falls, a kink staying one; at a fold: on its stable side. None of a limit.
+  std::optional<int> negative_directions;
   State state;  ///< the whole curve, see profile_of of rim/path.h
 };
 
