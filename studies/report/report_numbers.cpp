@@ -112,7 +112,7 @@ KeyNumbers of_scan(const fs::path& folder) {
   for (const FoldRow& fold : first_rows(fold_columns(), folder / "folds.csv"))
     facts.push_back(
         {fmt::format("fold of the {} at V_r = {:.6g}", name(fold.branch), fold.reduced_volume),
-         "L = " + text_of(fold.L)});
+         "L = " + text_of(fold.L) + (fold.kind ? fmt::format(" ({})", name(*fold.kind)) : "")});
   return {fmt::format("Stationary shapes: {} over {} points", words_of(points, model_of<Row>),
                       points.size()),
           facts};

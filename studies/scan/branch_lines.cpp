@@ -1,11 +1,14 @@
 #include "studies/scan/branch_lines.h"
 
+#include "axisym/rim/nested_spheres.h"
+#include "axisym/stationary/stationary.h"
 #include "studies/io/interrupt.h"
 #include "studies/states/profile_file.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sbeh::studies {
@@ -34,20 +37,23 @@ std::vector<Row> collect(std::size_t count, Find&& find) {
 // The fold that the scan has run into, or else the one ahead of its largest L.
 std::vector<FoldRow> fold_of(const ScanInput& input, axisym::Branch branch, double v,
                              const PointLookup& point) {
-  const auto fold_at = [&](double L, const axisym::Diagnostics& d) {
-    return std::vector<FoldRow>{{branch, v, L, d.energy.total(), d.order_min, d.H_abs_max}};
+  const auto fold_at = [&](double L, const axisym::Diagnostics& d, const auto& state) {
+    return std::vector<FoldRow>{{branch, v, L, d.energy.total(), d.order_min, d.H_abs_max,
+                                 axisym::fold_kind(input.material, L, state)}};
   };
   for (const double L : input.L) {
     const auto reached = point({v, L, Model::SBEH, branch});
-    if (reached && reached->row.fold_L)
-      return fold_at(*reached->row.fold_L, *reached->row.diagnostics);
+    if (reached && reached->row.fold_side == "at" && reached->row.fold_L)
+      return fold_at(
+          *reached->row.fold_L, *reached->row.diagnostics,
+          axisym::guess_from(input.material.with_L(*reached->row.fold_L), *reached->state));
   }
   const double L = input.L.back();
   const auto last = point({v, L, Model::SBEH, branch});
   const auto fold =
       is_stationary(last) ? fold_above(case_of(input, last->row.key), *last->state) : std::nullopt;
   if (!fold) return {};
-  return fold_at(fold->at.L, axisym::diagnose(input.material.with_L(fold->at.L), *fold));
+  return fold_at(fold->at.L, axisym::diagnose(input.material.with_L(fold->at.L), *fold), *fold);
 }
 
 // Newton on the difference of two branches' energies, from states at the same reduced volume.
@@ -121,13 +127,18 @@ std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const Po
 
 std::vector<RimRecord> find_beyond_fold(const ScanInput& input, const std::vector<FoldRow>& folds) {
   constexpr double reach = 2;  // sharp rims are lower than smooth ones from half the fold's L on
-  return collect<RimRecord>(folds.size(), [&](std::size_t k) {
+  std::vector<RimRecord> rows = collect<RimRecord>(folds.size(), [&](std::size_t k) {
     const FoldRow& fold = folds[k];
     const bool is_near = fold.branch == axisym::Branch::oblate && fold.L <= reach * input.L.back()
                       && fold.reduced_volume > 0.51;
     return is_near ? axisym::beyond_fold(input.material, fold.reduced_volume, input.L)
                    : std::vector<RimRecord>{};
   });
+  if (std::ranges::find(input.branches, axisym::Branch::stomatocyte) != input.branches.end())
+    for (const double v : input.reduced_volume)
+      for (const double L : input.L)
+        if (v < 1) rows.push_back(axisym::nested_spheres(input.material, v, L));
+  return rows;
 }
 
 std::string stem(const RimRecord& row) {
@@ -145,30 +156,6 @@ std::string profile_text(const axisym::State& state) {
   return table_text(Columns<ProfileRow>(all.begin(), all.end() - 1), rows);
 }
 
-std::vector<LowestRow> find_lowest(const ScanInput& input, const ScanTable& table,
-                                   const std::vector<RimRecord>& beyond) {
-  std::vector<LowestRow> rows;
-  for (const Model model : input.models)
-    for (const double L : input.L)
-      for (const double v : input.reduced_volume) {
-        std::optional<LowestRow> lowest;
-        const auto offer = [&](const std::string& branch, double energy) {
-          if (!lowest || energy < lowest->energy) lowest = LowestRow{model, L, v, branch, energy};
-        };
-        for (const axisym::Branch branch : input.branches) {
-          const PointResult* point = table.find({v, L, model, branch});
-          if (point && point->status == PointStatus::stationary)
-            offer(name(branch), point->diagnostics->energy.total());
-        }
-        for (const RimRecord& state : beyond)
-          if (model == Model::SBEH && state.kind == axisym::RimKind::sharp && state.L == L
-              && state.reduced_volume == v && state.resolution <= axisym::largest_resolution)
-            offer("sharp_oblate", state.energy);
-        if (lowest) rows.push_back(*lowest);
-      }
-  return rows;
-}
-
 const Columns<FoldRow>& fold_columns() {
   static const Columns<FoldRow> columns{
       column("reduced_volume", &FoldRow::reduced_volume),
@@ -177,6 +164,7 @@ const Columns<FoldRow>& fold_columns() {
       column("order_min", &FoldRow::order_min),
       column("H_abs_max", &FoldRow::H_abs_max),
       column("branch", &FoldRow::branch),
+      column("kind", &FoldRow::kind),
   };
   return columns;
 }
@@ -188,17 +176,6 @@ const Columns<EqualEnergyRow>& equal_energy_columns() {
       column("L", &EqualEnergyRow::L),
       column("reduced_volume", &EqualEnergyRow::reduced_volume),
       column("energy", &EqualEnergyRow::energy),
-  };
-  return columns;
-}
-
-const Columns<LowestRow>& lowest_columns() {
-  static const Columns<LowestRow> columns{
-      column("model", &LowestRow::model),
-      column("L", &LowestRow::L),
-      column("reduced_volume", &LowestRow::reduced_volume),
-      column("branch", &LowestRow::branch),
-      column("energy", &LowestRow::energy),
   };
   return columns;
 }

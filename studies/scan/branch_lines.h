@@ -3,6 +3,7 @@
 #pragma once
 
 #include "axisym/rim/beyond_fold.h"
+#include "axisym/stationary/fold_kind.h"
 #include "studies/scan/branch_points.h"
 
 #include <functional>
@@ -18,6 +19,8 @@ using PointLookup = std::function<std::optional<PointOutcome>(const PointKey&)>;
 struct FoldRow {
   axisym::Branch branch;
   double reduced_volume, L, energy, order_min, H_abs_max;
+  std::optional<axisym::FoldKind>
+      kind{};  ///< where the order is lost; none in tables of other versions
 };
 
 /// The folds of SBEH in which the branches end as L grows, below L = 2, one per reduced volume and
@@ -35,14 +38,6 @@ struct EqualEnergyRow {
 /// slope ∂U/∂V = P. In parallel.
 std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const PointLookup& point);
 
-/// The branch of lowest energy at a point.
-struct LowestRow {
-  model::Model model;
-  double L, reduced_volume;
-  std::string branch;  ///< "sharp_oblate": an oblate with a sharp rim, see beyond_fold
-  double energy;
-};
-
 /// The states of axisym/rim/beyond_fold.h at every reduced volume above 0.51 whose oblates fold below twice
 /// the scan's largest L, for its values of L. In parallel; incomplete when interrupted.
 std::vector<axisym::RimRecord> find_beyond_fold(const ScanInput& input,
@@ -52,16 +47,10 @@ std::string stem(const axisym::RimRecord& row);
 /// The columns of a profile (profile_file.h) but the last: at a kink the curvature is infinite.
 std::string profile_text(const axisym::State& state);
 
-/// At every L and reduced volume the lowest of the stationary states of each model, and of SBEH's sharp rims
-/// among `beyond`; none where no branch has one. States that pass through themselves do not count.
-std::vector<LowestRow> find_lowest(const ScanInput& input, const ScanTable& table,
-                                   const std::vector<axisym::RimRecord>& beyond);
-
-/// Of folds.csv, equal_energy.csv, lowest.csv, and beyond_fold.csv, whose `status` is unresolved where the
+/// Of folds.csv, equal_energy.csv, and beyond_fold.csv, whose `status` is unresolved where the
 /// resolution is above largest_resolution (axisym/flow.h).
 const Columns<FoldRow>& fold_columns();
 const Columns<EqualEnergyRow>& equal_energy_columns();
-const Columns<LowestRow>& lowest_columns();
 const Columns<axisym::RimRecord>& rim_columns();
 
 }  // namespace sbeh::studies

@@ -2,6 +2,7 @@
 
 #include "axisym/shape_class.h"
 #include "axisym/start_shapes.h"
+#include "axisym/stationary/fold_kind.h"
 #include "axisym/stationary/stability.h"
 #include "axisym/stationary/stationary.h"
 #include "model/order_step.h"
@@ -61,9 +62,20 @@ int before_fold(int at_fold, int at_start) {
   return at_fold == 0 || (at_fold - at_start) % 2 == 0 ? at_fold : at_fold - 1;
 }
 
+// As a clause; empty where the order is fixed.
+std::string what_gives_way(const StationaryCase& of, const BranchState& fold) {
+  const auto kind =
+      of.model == Model::SBEH ? axisym::fold_kind(of.material, fold.at.L, fold) : std::nullopt;
+  if (!kind) return "";
+  return *kind == axisym::FoldKind::whole
+           ? ", where the order of the whole surface is lost"
+           : fmt::format(", where the order is lost at the {}", name(*kind));
+}
+
 // What the branch's end in a fold means for the point.
-void describe_fold(const StationaryCase& of, const PlanePoint& at, int negative_at_start,
+void describe_fold(const StationaryCase& of, const BranchState& fold, int negative_at_start,
                    PointResult& row) {
+  const PlanePoint& at = fold.at;
   row.status = PointStatus::unresolved;
   row.fold_side = "at";
   if (of.model == Model::SBEH) row.fold_L = at.L;
@@ -71,8 +83,7 @@ void describe_fold(const StationaryCase& of, const PlanePoint& at, int negative_
   row.stop_reason = fmt::format(
       "the smooth {} branch ends in a fold at V_r = {:.6g}, L = {:.6g}{}; the values are those at "
       "the fold",
-      name(of.branch), at.reduced_volume, at.L,
-      of.model == Model::SBEH && of.branch == Branch::oblate ? "; beyond it the rim is sharp" : "");
+      name(of.branch), at.reduced_volume, at.L, what_gives_way(of, fold));
 }
 
 PointOutcome outcome_of(const StationaryCase& of, const BranchState& start,
@@ -89,7 +100,7 @@ PointOutcome outcome_of(const StationaryCase& of, const BranchState& start,
       axisym::negative_directions(there.material, of.model, result.state);
   point.row.fold_side = "before";
   if (result.arrival == axisym::Arrival::fold && point.row.status != PointStatus::failed)
-    describe_fold(of, at,
+    describe_fold(of, result.state,
                   axisym::negative_directions(of.material.with_L(start.at.L), of.model, start),
                   point.row);
   return point;

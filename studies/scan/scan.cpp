@@ -6,6 +6,7 @@
 #include "studies/io/stopwatch.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/branch_points.h"
+#include "studies/scan/lowest.h"
 #include "studies/states/profile_file.h"
 #include "studies/states/series_file.h"
 
@@ -201,8 +202,23 @@ void scan_by_flow(Scan& scan) {
   });
 }
 
+// The L of the fold ahead, in the rows of a branch before it.
+void fill_fold_L(ScanTable& table, const std::vector<FoldRow>& folds) {
+  std::vector<PointResult> filled;
+  for (const auto& [key, row] : table.rows())
+    if (key.model == Model::SBEH && row.fold_side == "before")
+      for (const FoldRow& fold : folds)
+        if (fold.branch == key.branch && fold.reduced_volume == key.reduced_volume
+            && row.fold_L != fold.L) {
+          filled.push_back(row);
+          filled.back().fold_L = fold.L;
+        }
+  for (const PointResult& row : filled) table.append(row);
+}
+
 // The lines of the diagram and the lowest branches, from the finished points; not when interrupted.
-void write_lines(Scan& scan) {
+// Gives the number of points at which the lowest state is not found.
+int write_lines(Scan& scan) {
   const ScanInput& input = scan.input;
   const PointLookup point = [&](const PointKey& key) { return scan.finished(key); };
   const auto write = [&](std::string_view name, const auto& columns, const auto& rows) {
@@ -212,6 +228,7 @@ void write_lines(Scan& scan) {
   if (input.has(Model::SBEH)) {
     const std::vector<FoldRow> folds = find_folds(input, point);
     write("folds.csv", fold_columns(), folds);
+    if (!interrupt_signal()) fill_fold_L(scan.table, folds);
     if (input.beyond_fold) {
       beyond = find_beyond_fold(input, folds);
       write("beyond_fold.csv", rim_columns(), beyond);
@@ -222,8 +239,10 @@ void write_lines(Scan& scan) {
   }
   if (input.branches.size() > 1)
     write("equal_energy.csv", equal_energy_columns(), find_equal_energies(input, point));
-  if (input.branches.size() > 1 || input.beyond_fold)
-    write("lowest.csv", lowest_columns(), find_lowest(input, scan.table, beyond));
+  if (input.branches.size() < 2 && !input.beyond_fold) return 0;
+  const std::vector<LowestRow> lowest = find_lowest(input, scan.table, beyond);
+  write("lowest.csv", lowest_columns(), lowest);
+  return int(std::ranges::count(lowest, not_found, &LowestRow::branch));
 }
 
 }  // namespace
@@ -237,7 +256,7 @@ ScanSummary run_scan(const ScanInput& input, const fs::path& path, std::string_v
   else
     for (const Branch branch : input.branches) scan_by_newton(scan, branch);
   scan.progress.finish();
-  if (input.method == Method::newton) write_lines(scan);
+  if (input.method == Method::newton) summary.lowest_not_found = write_lines(scan);
   scan.table.sort();
 
   for (const auto& [key, row] : scan.table.rows()) {

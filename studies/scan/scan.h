@@ -10,7 +10,8 @@ namespace sbeh::studies {
 
 struct ScanSummary {
   int points = 0, stationary = 0, unresolved = 0, failed = 0;
-  int computed = 0;  ///< in this call; the rest was there
+  int computed = 0;          ///< in this call; the rest was there
+  int lowest_not_found = 0;  ///< rows of lowest.csv
   bool interrupted = false;
   double seconds = 0;
 };

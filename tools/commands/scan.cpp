@@ -16,6 +16,9 @@ int scan(const Study& study) {
   fmt::print("{} points in {}: {} stationary, {} unresolved, {} failed; {} computed in {:.2f} s\n",
              s.points, (folder / "scan.csv").string(), s.stationary, s.unresolved, s.failed,
              s.computed, s.seconds);
+  if (s.lowest_not_found > 0)
+    fmt::print("{}: at {} points a lower state must exist than those found\n",
+               (folder / "lowest.csv").string(), s.lowest_not_found);
   return finish(study, studies::ResultsKind::scan, s.interrupted);
 }
 

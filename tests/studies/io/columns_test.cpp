@@ -4,6 +4,7 @@
 #include "studies/figures/figures.h"
 #include "studies/io/growing_table.h"
 #include "studies/scan/branch_lines.h"
+#include "studies/scan/lowest.h"
 #include "studies/seifert/seifert.h"
 #include "studies/stability/stability.h"
 #include "studies/states/profile_file.h"
@@ -128,9 +129,9 @@ TEST(Tables, have_these_columns) {
          "energy_thermotropic,order_min,order_max,order_mean,order_std,order_variance,H_pole,H_rim,"
          "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,"
          "stop_reason,class,negative_directions,self_contact,fold_side,fold_L");
-  expect(fold_columns(), "reduced_volume,L,energy,order_min,H_abs_max,branch");
+  expect(fold_columns(), "reduced_volume,L,energy,order_min,H_abs_max,branch,kind");
   expect(equal_energy_columns(), "first,second,L,reduced_volume,energy");
-  expect(lowest_columns(), "model,L,reduced_volume,branch,energy");
+  expect(lowest_columns(), "model,L,reduced_volume,branch,energy,bound,bound_of");
   expect(rim_columns(),
          "reduced_volume,L,kind,energy,order_rim,H_rim,H_abs_max,resolution,status,jump,pressure,"
          "negative_directions");

@@ -3,9 +3,11 @@
 #include "studies/scan/branch_lines.h"
 
 #include "axisym/shooting/seifert_shooting.h"
+#include "studies/scan/lowest.h"
 #include "studies/scan/scan.h"
 #include "tests/temporary_folder.h"
 
+#include <fmt/ranges.h>
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -50,6 +52,69 @@ TEST(FoldLine, of_the_oblates_is_found_to_four_digits_and_does_not_move_under_re
   EXPECT_NEAR(fine[0].L, 0.070637, 1e-6);  // one percent above the paper's largest L
 }
 
+// The header and the lines without wall_seconds.
+std::vector<std::string> without_times(const fs::path& file) {
+  const CsvTable table = read_csv(file);
+  const auto time = *table.find("wall_seconds");
+  std::vector<std::string> lines;
+  for (auto fields : table.rows) {
+    fields.erase(fields.begin() + std::ptrdiff_t(time));
+    lines.push_back(fmt::format("{}", fmt::join(fields, ",")));
+  }
+  return lines;
+}
+
+TEST(FoldLine, gives_its_L_to_the_rows_before_it_and_the_same_to_a_resumed_scan) {
+  ScanInput input;
+  input.reduced_volume = {0.55, 0.6, 0.86, 1};
+  input.L = {1e-4, 0.03, 0.1, 0.2};
+  input.branches = {axisym::Branch::oblate, axisym::Branch::prolate, axisym::Branch::stomatocyte};
+  const sbeh::test::TemporaryFolder folder;
+  const fs::path scan = folder.path() / "scan", table = scan / "scan.csv";
+  run_scan(input, scan, "test");
+  const auto folds = read_rows(fold_columns(), scan / "folds.csv");
+  int before = 0, at = 0;
+  for (const PointResult& row : read_rows(scan_columns(), table)) {
+    const auto fold = std::ranges::find_if(folds, [&](const FoldRow& f) {
+      return f.branch == row.key.branch && f.reduced_volume == row.key.reduced_volume;
+    });
+    SCOPED_TRACE(stem(row.key));
+    if (row.key.model == model::Model::SSH || row.fold_side.empty() || fold == folds.end()) {
+      EXPECT_FALSE(row.fold_L);
+      continue;
+    }
+    EXPECT_EQ(row.fold_L, fold->L);
+    (row.fold_side == "before" ? before : at) += 1;
+    EXPECT_EQ(row.fold_side, row.key.L < fold->L ? "before" : "at");
+  }
+  EXPECT_GE(before, 12);
+  EXPECT_GE(at, 8);
+
+  const std::string whole = read_file(table), lines = read_file(scan / "folds.csv");
+  run_scan(input, scan, "test");
+  EXPECT_EQ(read_file(table), whole);
+  const auto rows = without_times(table);
+  for (const double share : {0.2, 0.7, 0.95}) {  // killed within a line
+    write_file(table, whole.substr(0, std::size_t(share * double(whole.size()))));
+    run_scan(input, scan, "test");
+    EXPECT_EQ(without_times(table), rows) << share;
+    EXPECT_EQ(read_file(scan / "folds.csv"), lines) << share;
+  }
+}
+
+TEST(FoldLine, is_of_another_kind_where_the_whole_surface_melts_or_a_pole) {
+  ScanInput input;
+  input.reduced_volume = {0.8, 0.84, 0.86, 0.9};
+  input.L = {0.05};
+  input.models = {model::Model::SBEH};
+  input.branches = {axisym::Branch::oblate, axisym::Branch::prolate};
+  std::vector<std::string> kinds;
+  for (const FoldRow& fold : lines_of(input, 48).folds)
+    kinds.emplace_back(fold.kind ? name(*fold.kind) : "none");
+  EXPECT_EQ(kinds, (std::vector<std::string>{"rim", "rim", "whole", "whole", "pole", "pole", "pole",
+                                             "pole"}));
+}
+
 TEST(EqualEnergies, of_oblate_and_prolate_start_at_the_classical_point_and_are_exact) {
   ScanInput input;
   input.reduced_volume = {0.6, 0.65, 0.7, 0.75};
@@ -68,37 +133,6 @@ TEST(EqualEnergies, of_oblate_and_prolate_start_at_the_classical_point_and_are_e
   // As L → 0 the order is full and the shapes are the classical ones; the distance is linear in L.
   const double classical = axisym::shoot_special_points().prolate_oblate.reduced_volume;
   EXPECT_NEAR(fine[0].reduced_volume, classical, 1e-6);
-}
-
-// Row by row: the table's lowest branch against the rows of scan.csv.
-TEST(LowestBranch, is_that_of_least_energy_among_the_stationary_ones) {
-  ScanInput input;
-  input.reduced_volume = {0.45, 0.6, 0.7};
-  input.L = {0.02, 0.06};
-  input.models = {model::Model::SBEH, model::Model::SSH};
-  input.branches = {axisym::Branch::oblate, axisym::Branch::prolate};
-  input.numerics.elements = 32;
-  const sbeh::test::TemporaryFolder folder;
-  run_scan(input, folder.path() / "scan", "test");
-  const auto lowest = read_rows(lowest_columns(), folder.path() / "scan/lowest.csv");
-  const ScanTable table = scan_table(OutputFolder(folder.path() / "scan"));
-  EXPECT_EQ(lowest.size(), 12u);
-  for (const auto& [model, L, v, lowest_branch, energy] : lowest)
-    for (const axisym::Branch branch : input.branches) {
-      const PointResult* point = table.find({v, L, model, branch});
-      ASSERT_TRUE(point);
-      if (name(branch) == lowest_branch) {
-        EXPECT_EQ(point->status, PointStatus::stationary);
-        EXPECT_EQ(point->diagnostics->energy.total(), energy);
-      } else if (point->status == PointStatus::stationary) {
-        EXPECT_GT(point->diagnostics->energy.total(), energy);
-      }
-    }
-  // The oblate at 0.45 passes through itself: it is marked, and the prolate is offered in spite of its energy.
-  const PointResult* crossed = table.find({0.45, 0.02, model::Model::SSH, axisym::Branch::oblate});
-  ASSERT_TRUE(crossed);
-  EXPECT_TRUE(crossed->self_contact);
-  EXPECT_NE(crossed->status, PointStatus::stationary);
 }
 
 TEST(BeyondFold, is_tabled_where_the_fold_is_near_the_scan_and_offers_its_sharp_rims) {

@@ -52,6 +52,33 @@ TEST(Evolution, that_comes_to_rest_at_another_class_is_refused_with_it) {
   expect_refused(*point, Branch::oblate);
 }
 
+TEST(StateAtAFold, is_told_with_what_loses_its_order_there) {
+  struct Fold {
+    double v, H0, L;
+    const char* where;
+  };
+  for (const Fold& f : {Fold{0.6, 0, 0.1, "at the rim"},
+                        {0.8, 0, 0.15, "at the rim"},
+                        {0.9, 0, 0.9, "of the whole surface"},
+                        {0.75, -2.4, 0.1, "at the pole"},
+                        {0.7, -2.4, 0.1, "at the pole"}}) {
+    SCOPED_TRACE(testing::Message() << f.v << ", H0 = " << f.H0);
+    const auto of = [&](double L, Model model) {
+      auto of = case_of(f.v, L, model, Branch::oblate, 48);
+      of.material.spontaneous_curvature = f.H0;
+      return of;
+    };
+    const axisym::StationaryCase classical = of(0.05, Model::SSH);
+    const auto entry = entry_of(classical);
+    ASSERT_TRUE(entry);
+    const PointOutcome ssh = follow_to(classical, *entry);
+    ASSERT_TRUE(ssh.state);
+    const PointOutcome fold = order_from(of(f.L, Model::SBEH), *ssh.state);
+    EXPECT_EQ(fold.row.fold_side, "at");
+    EXPECT_NE(fold.row.stop_reason.find(f.where), std::string::npos) << fold.row.stop_reason;
+  }
+}
+
 TEST(StateAtAFold, is_told_with_the_L_and_the_stability_of_the_side_before_it) {
   for (const Branch branch : {Branch::oblate, Branch::stomatocyte})
     for (const double v : {0.55, 0.58, 0.61, 0.64}) {

@@ -1,4 +1,5 @@
 // What a picture of a scan takes from its table.
+#include "studies/scan/lowest.h"
 #include "tests/temporary_folder.h"
 #include "tools/picture/options.h"
 #include "tools/picture/scan/quantity.h"
@@ -72,6 +73,55 @@ TEST_F(ScanGridTest, gives_quantities_with_marks_and_regions) {
   EXPECT_EQ(gap.regions, (std::vector<std::vector<int>>{{0, -1}, {-1, -1}}));
   EXPECT_TRUE(gap.has(Mark::failed));
   EXPECT_EQ(gap.range(), (Range{1, 1}));  // the unresolved one is far away
+}
+
+// Order that is free can only lower the energy.
+TEST_F(ScanGridTest, has_no_gap_where_SSH_is_below_all_of_SBEH) {
+  struct Gap {
+    double ssh, sbeh;
+    Mark mark;
+  };
+  const std::vector<Gap> gaps{{5, 4, Mark::none},
+                              {5, 5, Mark::none},
+                              {4, 5, Mark::not_found},
+                              {-11.414, -11.363, Mark::not_found},
+                              {-12, -11.3, Mark::not_found},
+                              {-11.3, -12, Mark::none},
+                              {5, 5 + 1e-9, Mark::none}};  // as far as rows may be off
+  std::vector<PointResult> rows;
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    const double L = 0.01 * double(k + 1);
+    rows.push_back(point(0.6, L, Model::SSH, Branch::stomatocyte, gaps[k].ssh));
+    rows.push_back(point(0.6, L, Model::SBEH, Branch::oblate, gaps[k].sbeh));
+  }
+  const Quantity gap = energy_gap(grid_of(rows));
+  for (std::size_t k = 0; k < gaps.size(); ++k) {
+    EXPECT_EQ(gap.marks[0][k], gaps[k].mark) << k;
+    EXPECT_EQ(std::isnan(gap.values[0][k]), gaps[k].mark == Mark::not_found) << k;
+    EXPECT_EQ(gap.regions[0][k] == -1, gaps[k].mark == Mark::not_found) << k;
+  }
+}
+
+TEST_F(ScanGridTest, has_a_map_whose_cells_are_marked_where_the_lowest_is_not_found) {
+  const ScanGrid grid = grid_of({point(0.6, 0.01, Model::SBEH, Branch::oblate, 5),
+                                 point(0.6, 0.02, Model::SBEH, Branch::oblate, 5),
+                                 point(0.6, 0.03, Model::SBEH, Branch::oblate, 5),
+                                 point(0.6, 0.02, Model::SBEH, Branch::prolate, 6)});
+  using studies::LowestRow;
+  studies::write_file(
+      folder_.path() / "lowest.csv",
+      studies::table_text(studies::lowest_columns(),
+                          std::vector<LowestRow>{{Model::SBEH, 0.01, 0.6, "oblate", 5},
+                                                 {Model::SBEH, 0.02, 0.6, studies::not_found,
+                                                  studies::not_known, 4, "SSH oblate"},
+                                                 {Model::SBEH, 0.03, 0.6, "nested_spheres", 3}}));
+  const auto map = lowest_branches(grid, folder_.path(), Model::SBEH);
+  ASSERT_TRUE(map);
+  EXPECT_EQ(map->names, (std::vector<std::string>{"oblate", "prolate", "nested_spheres"}));
+  EXPECT_EQ(map->quantity.marks[0], (std::vector<Mark>{Mark::none, Mark::not_found, Mark::none}));
+  EXPECT_EQ(map->quantity.values[0][0], 0);
+  EXPECT_TRUE(std::isnan(map->quantity.values[0][1]));
+  EXPECT_EQ(map->quantity.values[0][2], 2);
 }
 
 TEST(EvenlySpread, has_the_first_and_the_last) {

@@ -123,7 +123,9 @@ void Chart::markers(const Points& points, Marker marker, Colour colour, double s
   vtkNew<Plot> plot;
   plot->SetInputData(table_of(points), 0, 1);
   plot->SetColor(colour.red, colour.green, colour.blue, 255);
-  plot->SetMarkerStyle(marker == Marker::cross ? vtkPlotPoints::CROSS : vtkPlotPoints::SQUARE);
+  plot->SetMarkerStyle(marker == Marker::cross     ? vtkPlotPoints::CROSS
+                       : marker == Marker::diamond ? vtkPlotPoints::DIAMOND
+                                                   : vtkPlotPoints::SQUARE);
   plot->SetMarkerSize(float(size));
   chart_->AddPlot(plot);
   if (marker == Marker::hollow) markers(points, Marker::full, white, size - 4.0);

@@ -10,7 +10,7 @@ class vtkChartXY;
 
 namespace sbeh::picture {
 
-enum class Marker { full, hollow, cross };
+enum class Marker { full, hollow, cross, diamond };
 
 /// The room that labels and title take below the lower axis.
 double below_axis(double text_size);

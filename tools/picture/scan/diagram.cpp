@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <limits>
 #include <optional>
 
 namespace sbeh::picture {
@@ -33,6 +34,17 @@ struct Contents {
   std::vector<LegendEntry> legend{};
 };
 
+// Where the lowest state is not found, the values of the lowest that was are none of it.
+void mark_not_found(Quantity& quantity, const Quantity& lowest) {
+  for (std::size_t i = 0; i < lowest.marks.size(); ++i)
+    for (std::size_t j = 0; j < lowest.marks[i].size(); ++j)
+      if (lowest.marks[i][j] == Mark::not_found) {
+        quantity.values[i][j] = std::numeric_limits<double>::quiet_NaN();
+        quantity.marks[i][j] = Mark::not_found;
+        quantity.regions[i][j] = -1;
+      }
+}
+
 // Whether any of its points is among the scan's.
 bool is_within(const DiagramLine& line, const ScanGrid& scan) {
   const auto between = [](double value, const std::vector<double>& values) {
@@ -46,11 +58,13 @@ bool is_within(const DiagramLine& line, const ScanGrid& scan) {
 Contents contents_of(const ScanGrid& scan, const Options& options) {
   Contents c{.quantities = quantities_of(scan),
              .as_table = scan.reduced_volumes().size() * scan.lengths().size() <= most_table_cells};
-  for (const Quantity& quantity : c.quantities)
-    c.colours.emplace_back(Palette::viridis, quantity.range());
   const bool ordered = scan.has(Model::SBEH);
   if (options.branch.empty())
     c.branches = lowest_branches(scan, options.directory, ordered ? Model::SBEH : Model::SSH);
+  for (Quantity& quantity : c.quantities) {
+    if (c.branches) mark_not_found(quantity, c.branches->quantity);
+    c.colours.emplace_back(Palette::viridis, quantity.range());
+  }
   // A table's cells are full of numbers: there only the map of branches has lines.
   if (ordered && (c.branches || !c.as_table))
     c.lines = diagram_lines(options.directory, options.branch);
@@ -60,7 +74,9 @@ Contents contents_of(const ScanGrid& scan, const Options& options) {
   };
   if (c.branches) add(branch_legend(c.branches->names));
   add(legend_of(c.lines));
-  add(mark_legend(c.quantities, c.as_table));
+  std::vector<Quantity> panels = c.quantities;
+  if (c.branches) panels.push_back(c.branches->quantity);
+  add(mark_legend(panels, c.as_table));
   return c;
 }
 

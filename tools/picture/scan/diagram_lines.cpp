@@ -29,22 +29,28 @@ std::vector<Row> rows_if_there(const studies::Columns<Row>& columns, const fs::p
   return fs::exists(file) ? studies::read_rows(columns, file) : std::vector<Row>{};
 }
 
+// Where the order melts on the whole surface, say, is no continuation of where a rim loses it.
+bool goes_on(const studies::FoldRow& before, const studies::FoldRow& fold) {
+  return before.branch == fold.branch && before.kind == fold.kind && fold.L <= farthest * before.L
+      && before.L <= farthest * fold.L;
+}
+
 void add_folds(const std::vector<studies::FoldRow>& folds, const std::string& branch,
                std::vector<DiagramLine>& lines) {
-  std::map<axisym::Branch, std::vector<Points>> by_branch;
+  const studies::FoldRow* before = nullptr;
   for (const studies::FoldRow& fold : folds) {
-    auto& pieces = by_branch[fold.branch];
-    // Another fold, such as where the order melts at large L, is no continuation.
-    const double before = pieces.empty() ? 0.0 : pieces.back().back()[1];
-    if (fold.L > farthest * before || before > farthest * fold.L) pieces.emplace_back();
-    pieces.back().push_back({fold.reduced_volume, fold.L});
+    if (!branch.empty() && branch != name(fold.branch)) continue;
+    if (!before || !goes_on(*before, fold)) {
+      const std::string kind = fold.kind ? fmt::format(" ({})", name(*fold.kind)) : "";
+      lines.push_back({fmt::format("fold, {}{}", name(fold.branch), kind),
+                       {.colour = fold_colour(fold.branch),
+                        .width = line_width,
+                        .dashed = fold.kind == axisym::FoldKind::whole},
+                       {}});
+    }
+    before = &fold;
+    lines.back().points.push_back({fold.reduced_volume, fold.L});
   }
-  for (const auto& [own, pieces] : by_branch)
-    if (branch.empty() || branch == name(own))
-      for (const Points& points : pieces)
-        lines.push_back({std::string("fold, ") + name(own),
-                         {.colour = fold_colour(own), .width = line_width},
-                         points});
 }
 
 // At one L two branches may meet more than once: the k-th meetings make the k-th line.

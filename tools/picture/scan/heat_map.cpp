@@ -39,6 +39,14 @@ void add_cross(Points& ends, const Rect& r) {
       {{x - half, y - half}, {x + half, y + half}, {x - half, y + half}, {x + half, y - half}});
 }
 
+// A diamond, closed by four segments.
+void add_diamond(Points& ends, const Rect& r) {
+  const double half = 0.32 * std::min(r.width, r.height);
+  const double x = r.centre_x(), y = r.centre_y();
+  const Points corners{{x - half, y}, {x, y + half}, {x + half, y}, {x, y - half}};
+  for (std::size_t k = 0; k < 4; ++k) ends.insert(ends.end(), {corners[k], corners[(k + 1) % 4]});
+}
+
 struct Cell {
   Rect rect;
   Colour colour;
@@ -47,16 +55,17 @@ struct Cell {
 };
 
 void draw_cells(Canvas& canvas, const std::vector<Cell>& cells) {
-  Points on_dark, on_light, crosses;
+  Points on_dark, on_light, signs;
   for (const Cell& cell : cells) {
     canvas.fill(cell.rect, cell.colour);
-    if (cell.mark == Mark::failed) add_cross(crosses, cell.rect);
+    if (cell.mark == Mark::failed) add_cross(signs, cell.rect);
+    if (cell.mark == Mark::not_found) add_diamond(signs, cell.rect);
     if (cell.mark != Mark::unresolved) continue;
     add_hatch(ink_on(cell.colour).red == 0 ? on_light : on_dark, cell.rect);
   }
   canvas.segments(on_dark, {.colour = white, .width = 1.0});
   canvas.segments(on_light, {.colour = black, .width = 1.0});
-  canvas.segments(crosses, {.colour = dark_grey, .width = 1.0});
+  canvas.segments(signs, {.colour = dark_grey, .width = 1.0});
 }
 
 // As many decimals as show three digits of the largest value and two of the differences.
@@ -127,9 +136,14 @@ std::vector<Cell> cells_of(const Rect& inside, const Quantity& quantity, const H
 
 // Light, so that lines stand out.
 Colour branch_colour(std::size_t index) {
-  static constexpr std::array<Colour, 4> colours{
-      {{158, 202, 225}, {253, 190, 133}, {161, 217, 155}, {222, 190, 230}}};
+  static constexpr std::array<Colour, 5> colours{
+      {{158, 202, 225}, {253, 190, 133}, {161, 217, 155}, {222, 190, 230}, {250, 225, 150}}};
   return colours[index % colours.size()];
+}
+
+std::string text_of(const std::string& branch) {
+  if (branch == "sharp_oblate") return "oblate, sharp rim";
+  return branch == "nested_spheres" ? "sphere in a sphere" : branch;
 }
 
 }  // namespace
@@ -166,7 +180,7 @@ std::vector<LegendEntry> branch_legend(const std::vector<std::string>& branches)
   std::vector<LegendEntry> entries;
   for (std::size_t i = 0; i < branches.size(); ++i)
     entries.push_back({[i](Canvas& canvas, const Rect& r) { canvas.fill(r, branch_colour(i)); },
-                       branches[i] == "sharp_oblate" ? "oblate, sharp rim" : branches[i]});
+                       text_of(branches[i])});
   return entries;
 }
 
@@ -183,6 +197,8 @@ std::vector<LegendEntry> mark_legend(const std::vector<Quantity>& quantities, bo
   if (any(Mark::unresolved))
     entries.push_back({box(Mark::unresolved, {190, 200, 205}), "unresolved"});
   if (any(Mark::failed)) entries.push_back({box(Mark::failed, light_grey), "failed"});
+  if (any(Mark::not_found))
+    entries.push_back({box(Mark::not_found, light_grey), "a lower state exists, not found"});
   if (any(Mark::absent)) {
     const auto frame = [](Canvas& canvas, const Rect& r) {
       canvas.line(r.outline(), {.colour = light_grey, .width = 1.5});

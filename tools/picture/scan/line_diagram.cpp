@@ -73,11 +73,13 @@ Axis value_axis(const Panel& panel, double length, double spacing) {
 
 void draw_series(Chart& chart, const Series& series, const std::vector<double>& x, const Axis& y,
                  double marker) {
-  Points line, good, unresolved, failed;
+  Points line, good, unresolved, failed, not_found;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double value = series.value(i);
     if (!std::isfinite(value)) {
-      if (series.mark(i) == Mark::failed) failed.push_back({x[i], y.low + 0.03 * (y.high - y.low)});
+      const std::array<double, 2> below{x[i], y.low + 0.03 * (y.high - y.low)};
+      if (series.mark(i) == Mark::failed) failed.push_back(below);
+      if (series.mark(i) == Mark::not_found) not_found.push_back(below);
       chart.curve(std::exchange(line, {}), series.style);
       continue;
     }
@@ -89,6 +91,7 @@ void draw_series(Chart& chart, const Series& series, const std::vector<double>& 
   chart.markers(good, Marker::full, series.style.colour, marker);
   chart.markers(unresolved, Marker::hollow, series.style.colour, marker);
   chart.markers(failed, Marker::cross, series.style.colour, marker);
+  chart.markers(not_found, Marker::diamond, series.style.colour, marker);
 }
 
 std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
@@ -105,6 +108,8 @@ std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
   if (marked(Mark::unresolved))
     entries.push_back(marker_entry(Marker::hollow, dark_grey, "unresolved"));
   if (marked(Mark::failed)) entries.push_back(marker_entry(Marker::cross, dark_grey, "failed"));
+  if (marked(Mark::not_found))
+    entries.push_back(marker_entry(Marker::diamond, dark_grey, "a lower state exists, not found"));
   return entries;
 }
 

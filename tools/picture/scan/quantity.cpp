@@ -1,6 +1,6 @@
 #include "tools/picture/scan/quantity.h"
 
-#include "studies/scan/branch_lines.h"
+#include "studies/scan/lowest.h"
 
 #include <algorithm>
 #include <cmath>
@@ -43,7 +43,7 @@ Quantity tabulate(const ScanGrid& scan, std::string title, const Value& value) {
     for (std::size_t length = 0; length < scan.lengths().size(); ++length) {
       auto [number, mark, region] = value(volume, length);
       if (mark == Mark::none && !std::isfinite(number)) mark = Mark::failed;
-      values.push_back(mark == Mark::failed || mark == Mark::absent ? none : number);
+      values.push_back(mark == Mark::none || mark == Mark::unresolved ? number : none);
       marks.push_back(mark);
       regions.push_back(mark == Mark::none ? region : -1);
     }
@@ -94,18 +94,23 @@ std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
   const std::filesystem::path file = directory / "lowest.csv";
   if (!std::filesystem::exists(file)) return {};
   BranchMap map{{}, scan.branches()};
+  constexpr int not_found = -1;
   std::map<std::pair<double, double>, int> lowest;
   for (const studies::LowestRow& row : studies::read_rows(studies::lowest_columns(), file)) {
     if (row.model != model) continue;
+    int& index = lowest[{row.reduced_volume, row.L}] = not_found;
+    if (row.branch == studies::not_found) continue;
     const auto place = std::ranges::find(map.names, row.branch);
-    lowest[{row.reduced_volume, row.L}] = int(place - map.names.begin());
+    index = int(place - map.names.begin());
     if (place == map.names.end()) map.names.push_back(row.branch);
   }
   if (map.names.size() < 2) return {};
   map.quantity = tabulate(
       scan, with_name("lowest branch", model), [&](std::size_t volume, std::size_t length) {
         const auto found = lowest.find({scan.reduced_volumes()[volume], scan.lengths()[length]});
-        if (found != lowest.end()) return Entry{double(found->second), Mark::none, found->second};
+        if (found != lowest.end())
+          return Entry{double(found->second),
+                       found->second == not_found ? Mark::not_found : Mark::none, found->second};
         return Entry{none, mark_of(scan.find(model, volume, length)), -1};
       });
   return map;
@@ -115,7 +120,9 @@ Quantity energy_gap(const ScanGrid& scan) {
   return tabulate(scan, "energy gap U(SSH) − U(SBEH)", [&](std::size_t volume, std::size_t length) {
     const PointResult* ssh = scan.find(Model::SSH, volume, length);
     const PointResult* sbeh = scan.find(Model::SBEH, volume, length);
-    const Mark mark = std::max(mark_of(ssh), mark_of(sbeh));
+    Mark mark = std::max(mark_of(ssh), mark_of(sbeh));
+    if (mark == Mark::none && studies::is_below(energy_of(*ssh), energy_of(*sbeh)))
+      mark = Mark::not_found;
     const int region =
         branch_index(scan, sbeh) * int(scan.branches().size()) + branch_index(scan, ssh);
     return Entry{ssh && sbeh ? energy_of(*ssh) - energy_of(*sbeh) : none, mark, region};

@@ -11,8 +11,8 @@
 
 namespace sbeh::picture {
 
-/// How a point counts; a failed or absent one has no value.
-enum class Mark { none, unresolved, failed, absent };
+/// How a point counts. Only the first two have a value; not_found: a lower state must exist, see studies/scan/lowest.h.
+enum class Mark { none, unresolved, failed, absent, not_found };
 
 struct Quantity {
   std::string title{};
@@ -36,7 +36,8 @@ struct BranchMap {
 std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
                                          const std::filesystem::path& directory, Model model);
 
-Quantity energy_gap(const ScanGrid& scan);  ///< U(SSH) − U(SBEH)
+/// U(SSH) − U(SBEH). Order that is free can only lower the energy: where it is negative the state of SBEH is not_found.
+Quantity energy_gap(const ScanGrid& scan);
 Quantity energy(const ScanGrid& scan, Model model);
 Quantity smallest_order(const ScanGrid& scan);  ///< of SBEH
 Quantity largest_curvature(const ScanGrid& scan, Model model);
