@@ -52,17 +52,22 @@ FoldKind nearest(const Nodes& X, Eigen::Index node) {
 
 std::optional<FoldKind> fold_kind(const model::Material& material, double L,
                                   const StationaryState& state) {
-  constexpr double most = 0.6;  // melting: 0.74 and more; the rest: up to 0.48
+  const Eigen::Index nodes = state.beta.size();
   const double v = volume(state.X) / (4 * std::numbers::pi / 3);
   const Line along_L{material, model::Model::SBEH, {v, L}, {v, 2 * L}};
-  // Where the branch turns back, its direction is that in which the energy is flat.
-  const auto here = with_tangent(along_L, {state, 0});
+  // Where the branch turns back, its direction is that in which the energy is flat. At a fold only its share of a given
+  // direction can be prescribed, here of an order that is lost everywhere.
+  const Increment lost{Field::Zero(nodes), Field::Zero(nodes), Field::Zero(nodes),
+                       Field::Constant(nodes, -1)};
+  const auto here = with_tangent(along_L, {state, 0}, &lost);
   if (!here) return {};
   const Field& softest = here->tangent.beta;
-  if (participation(state.X, softest) > most) return FoldKind::whole;
   Eigen::Index node = 0;
   softest.cwiseAbs().maxCoeff(&node);
-  return nearest(state.X, node);
+  const bool is_ordered_there =
+      2 * state.beta[node] > state.beta.minCoeff() + state.beta.maxCoeff();
+  return is_ordered_there && participation(state.X, softest) > 0.5 ? FoldKind::whole
+                                                                   : nearest(state.X, node);
 }
 
 }  // namespace sbeh::axisym

@@ -9,8 +9,9 @@
 
 namespace sbeh::axisym {
 
-/// Where the order is lost in the direction in which the energy is flat: at the ring that is farthest from the axis, at a pole, at
-/// a ring between that is nearer to the axis than those beside it, or on more of the surface than not.
+/// Where the order changes most in the direction in which the energy is flat: at the ring that is farthest from the axis, at a
+/// pole, or at a ring between that is nearer to the axis than those beside it; or, if that is where it is rather large and more
+/// than half of the surface takes part, on the whole of it.
 enum class FoldKind { rim, pole, neck, whole };
 constexpr auto names(FoldKind) { return std::array{"rim", "pole", "neck", "whole"}; }
 

@@ -64,9 +64,9 @@ TEST(StateAtAFold, is_told_with_what_loses_its_order_there) {
                         {0.7, -2.4, 0.1, "at the pole"}}) {
     SCOPED_TRACE(testing::Message() << f.v << ", H0 = " << f.H0);
     const auto of = [&](double L, Model model) {
-      auto of = case_of(f.v, L, model, Branch::oblate, 48);
-      of.material.spontaneous_curvature = f.H0;
-      return of;
+      auto at = case_of(f.v, L, model, Branch::oblate, 48);
+      at.material.spontaneous_curvature = f.H0;
+      return at;
     };
     const axisym::StationaryCase classical = of(0.05, Model::SSH);
     const auto entry = entry_of(classical);

@@ -33,7 +33,9 @@ std::vector<LowestRow> lowest_of(const std::vector<PointResult>& rows, Model mod
                                  double residual_stiffness = 0) {
   const sbeh::test::TemporaryFolder folder;
   ScanTable table = scan_table(OutputFolder(folder.path()));
-  StateGrid grid{.reduced_volume = {0.55}, .models = {model}};
+  StateGrid grid;
+  grid.reduced_volume = {0.55};
+  grid.models = {model};
   grid.branches = {Branch::oblate, Branch::prolate, Branch::stomatocyte};
   grid.material.residual_stiffness = residual_stiffness;
   for (const PointResult& row : rows) {
