@@ -148,7 +148,7 @@ TEST(BeyondFold, is_tabled_where_the_fold_is_near_the_scan_and_offers_its_sharp_
        read_rows(rim_columns(), folder.path() / "scan/beyond_fold.csv")) {
     EXPECT_EQ(row.reduced_volume, 0.6);  // at 0.8 the fold is at L = 0.137
     EXPECT_LE(row.resolution, axisym::largest_resolution);
-    kinds.push_back(sbeh::name(row.kind));
+    kinds.emplace_back(sbeh::name(row.kind));
     EXPECT_TRUE(fs::exists(folder.path() / "scan/beyond_fold" / (stem(row) + ".csv")));
   }
   EXPECT_EQ(kinds, (std::vector<std::string>{"fold", "saddle", "saddle", "saddle", "sharp", "sharp",

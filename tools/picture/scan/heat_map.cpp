@@ -91,13 +91,13 @@ void draw_contours(Canvas& canvas, const Rect& inside, const Quantity& quantity,
                    const ColourMap& colours, const HeatMapGrid& grid) {
   const auto values = values_in(quantity, region);
   for (const double level : colours.scale().ticks) {
-    for (Points line : contour_lines(grid.x.centres, grid.y.centres, values, level)) {
-      for (auto& [x, y] : line) {
-        x = to_pixels(x, grid.x.axis, inside.x, inside.width);
-        y = to_pixels(y, grid.y.axis, inside.y, inside.height);
-      }
-      if (length_of(line) < shortest_contour * inside.width) continue;
-      canvas.line(line, {.colour = ink_on(colours(level)), .width = 1.8});
+    for (const Points& line : contour_lines(grid.x.centres, grid.y.centres, values, level)) {
+      Points pixels;
+      for (const auto& [x, y] : line)
+        pixels.push_back({to_pixels(x, grid.x.axis, inside.x, inside.width),
+                          to_pixels(y, grid.y.axis, inside.y, inside.height)});
+      if (length_of(pixels) < shortest_contour * inside.width) continue;
+      canvas.line(pixels, {.colour = ink_on(colours(level)), .width = 1.8});
     }
   }
 }
