@@ -2,6 +2,7 @@
 
 #include "axisym/stationary/arclength.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 #include <vector>

@@ -1,6 +1,7 @@
 // kill -9 in the middle of a scan, and what may lie about afterwards: resumed to the same results.
 #include "tests/tools/workplace.h"
 
+#include <algorithm>
 #include <csignal>
 #include <fstream>
 #include <random>
