@@ -1,6 +1,8 @@
 #include "axisym/flow.h"
 
 #include "axisym/curvature.h"
+#include "axisym/shape_class.h"
+#include "model/relaxation.h"
 #include "model/time/flow.h"
 #include "model/time/step_doubling.h"
 
@@ -29,8 +31,9 @@ class Solver : public TimeStepper {
   }
   bool renew(State&) const { return false; }
   std::optional<model::FlowStop> obstacle(const State& state) const {
-    if (diagnose(material_, state).resolution <= largest_resolution) return {};
-    return FlowStop::unresolved;
+    if (crosses_itself(state.X)) return FlowStop::self_contact;
+    if (diagnose(material_, state).resolution > largest_resolution) return FlowStop::unresolved;
+    return {};
   }
 
  private:
@@ -46,7 +49,8 @@ FlowResult run_flow(const model::Material& material, model::Model model, const S
                     const FlowObserver& observe) {
   Solver solver(material, model, element_count(start.X));
   model::StepDoubling<Solver> integrator(solver, target, numerics.extrapolate);
-  return model::Flow(solver, integrator, numerics).run(start, {}, schedule, observe);
+  const double at_rest = model::speed_at_rest(numerics.rest_speed, material, model);
+  return model::Flow(solver, integrator, numerics, at_rest).run(start, {}, schedule, observe);
 }
 
 }  // namespace sbeh::axisym

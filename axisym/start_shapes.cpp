@@ -2,6 +2,8 @@
 
 #include "axisym/curvature.h"
 #include "axisym/redistribute.h"
+#include "axisym/shape_class.h"
+#include "model/numerics/area_volume.h"
 #include "model/numerics/root.h"
 #include "model/numerics/spheroid.h"
 
@@ -11,6 +13,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <vector>
 
 namespace sbeh::axisym {
 
@@ -82,6 +85,64 @@ Nodes harmonic_sphere(std::span<const Mode> modes, int elements, double grading)
         return Eigen::Vector2d(radius * std::sin(theta), radius * std::cos(theta));
       },
       elements, grading);
+}
+
+Nodes harmonic_sphere(std::span<const Mode> modes, double v, int elements, double grading) {
+  if (!(v > 0 && v < 1))
+    throw std::invalid_argument(
+        fmt::format("harmonic sphere: reduced volume {}: must be > 0 and < 1", v));
+  const auto with_factor = [&](double factor) {
+    std::vector<Mode> scaled(modes.begin(), modes.end());
+    for (Mode& mode : scaled) mode.amplitude *= factor;
+    return harmonic_sphere(scaled, elements, grading);
+  };
+  const auto excess = [&](double factor) {
+    const Nodes X = with_factor(factor);
+    return reduced_volume(area(X), volume(X)) - v;
+  };
+  double low = 0, high = 1e-6, reached = excess(low);
+  try {
+    for (double next = excess(high); next > 0; next = excess(high))
+      low = high, high *= 1.2, reached = next;
+  } catch (const std::invalid_argument&) {
+    throw std::invalid_argument(fmt::format(
+        "harmonic sphere: reduced volume {}: r reaches 0 before, at {:.4g}", v, v + reached));
+  }
+  if (!(reached > 0))
+    throw std::invalid_argument(
+        fmt::format("harmonic sphere: reduced volume {}: {} elements hold one of {} at most", v,
+                    elements, v + reached));
+  return with_factor(model::root_between(excess, low, high).middle());
+}
+
+Nodes perturbed(const Nodes& X, std::span<const Mode> modes) {
+  const double A = area(X), V = volume(X);
+  double middle = 0;
+  for_each_point(X, assembly_points(), [&](int, const ShapeValues&, const CurvePoint& p) {
+    middle += p.dS * p.x[1] / A;
+  });
+  // The normals and the curvature of X bring back area and volume: those of the perturbed curve are rough.
+  const Nodes n = node_normals(X);
+  const Field H = mean_curvature(X);
+  const auto moved = [&](const Eigen::Vector2d& by) {
+    Nodes Y = X;
+    for (Eigen::Index i = 0; i < X.cols(); ++i) {
+      const double theta = std::atan2(X(0, i), X(1, i) - middle);
+      Y.col(i) += (zonal_sum(modes, theta) + by[0] + by[1] * H[i]) * n.col(i);
+    }
+    return Y;
+  };
+  const auto miss = [&](const Eigen::Vector2d& by) -> Eigen::Vector2d {
+    const Nodes Y = moved(by);
+    return {area(Y) / A - 1, volume(Y) / V - 1};
+  };
+  const auto by = model::solve_area_volume(miss, is_sphere(A, V));
+  if (!by)
+    throw std::invalid_argument(
+        fmt::format("no shape near has the reduced volume {:.6g}", reduced_volume(A, V)));
+  const Nodes Y = moved(*by);
+  if (crosses_itself(Y)) throw std::invalid_argument("the surface would pass through itself");
+  return Y;
 }
 
 }  // namespace sbeh::axisym

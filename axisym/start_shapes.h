@@ -32,6 +32,16 @@ Nodes spheroid(double reduced_volume, bool prolate, int elements, double grading
 /// r(θ) = 1 + Σ u_l Y_l(θ), scaled. Throws std::invalid_argument where r <= 0 or for l < 0.
 Nodes harmonic_sphere(std::span<const Mode> modes, int elements, double grading);
 
+/// The same with all amplitudes multiplied by one factor > 0, so that the curve of elements itself has this
+/// reduced volume. Throws std::invalid_argument unless 0 < V_r < 1, and where r would reach 0 first.
+Nodes harmonic_sphere(std::span<const Mode> modes, double reduced_volume, int elements,
+                      double grading);
+
+/// The curve displaced along its normals by Σ a_l Y_l of the directions from its middle; area and volume are brought back to what they were, but for a sphere, which shares its volume
+/// with no other shape: there the area alone. Throws std::invalid_argument where that is too large for
+/// the curve.
+Nodes perturbed(const Nodes& X, std::span<const Mode> modes);
+
 /// Σ b_l Y_l at the polar angle θ.
 double zonal_sum(std::span<const Mode> modes, double theta);
 

@@ -4,6 +4,8 @@
 #include "axisym/weak_form.h"
 #include "model/order_step.h"
 
+#include <cmath>
+
 namespace sbeh::axisym {
 
 bool TimeStepper::solve_order(const State& old, const Field& H, const Nodes& slip, double tau,
@@ -84,6 +86,7 @@ FlowStep TimeStepper::step(const State& old, const std::optional<Target>& target
   result.fault = model::FlowFault::none;
   result.lambda = fields_.lambda;
   result.speed_max = fields_.V.colwise().norm().maxCoeff();
+  result.order_speed = std::sqrt(result.dissipation.order / (material_.order_drag() * area(old.X)));
   return result;
 }
 

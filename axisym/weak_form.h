@@ -5,6 +5,7 @@
 #pragma once
 
 #include "axisym/curve.h"
+#include "model/mesh_motion.h"
 #include "model/terms.h"
 
 #include <array>
@@ -113,11 +114,12 @@ Tested<T> coupled_step_point(const model::Material& m, const OldPoint& old,
 
   test.q = model::divergence(grad_V) - step.area_rate;  // (P1)
   test.G = dot(u.Y, x.nu) - step.tau * V_n;             // (Y1)
-  for (int k = 0; k < 2; ++k) {                         // (H1)
-    test.Z[k] = u.H * x.nu[k];
-    test.dZ[k] = (u.dY[k] + x.dx[k]) / (x.stretch * x.stretch);
+  const double theta = model::mesh_share(step.tau);
+  for (int k = 0; k < 2; ++k) {  // (H1)
+    test.Z[k] = (u.H - (1 - theta) * old.H) * x.nu[k];
+    test.dZ[k] = (u.dY[k] + theta * x.dx[k]) / (x.stretch * x.stretch);
   }
-  test.Z[0] += (u.Y[0] + x.x[0]) / (x.x[0] * x.x[0]);
+  test.Z[0] += (u.Y[0] + theta * x.x[0]) / (x.x[0] * x.x[0]);
   return test;
 }
 

@@ -1,6 +1,8 @@
 // The energy of a surface and the rates at which it is dissipated, split as they are reported.
 #pragma once
 
+#include <cmath>
+
 namespace sbeh::model {
 
 /// Integrals of the energy density over the surface, dimensionless. Unlike EnergyDensity's the bending part
@@ -10,6 +12,9 @@ struct Energy {
   double bending = 0;       ///< ∫ (κ/2)(H − H₀)² + κ_G K   (E2) + (E3)
   double thermotropic = 0;  ///< ∫ u(β)                     (E4)
   double total() const { return distortion + bending + thermotropic; }
+  double magnitude() const {
+    return std::abs(distortion) + std::abs(bending) + std::abs(thermotropic);
+  }
 };
 
 /// Rates of dissipation: dU/dt = −(friction + order + viscous).

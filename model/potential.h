@@ -32,6 +32,14 @@ class Potential {
     return secant(beta) * beta + slope_at_zero();
   }
 
+  /// u''(β)
+  double curvature(double beta) const {
+    double sum = 0;
+    for (std::size_t k = coefficients_.size(); k-- > 2;)
+      sum = sum * beta + double(k * (k - 1)) * coefficients_[k];
+    return sum;
+  }
+
   /// (u'(β) − u'(0))/β, the factor of βⁿ in the semi-implicit order step.
   /// For the quartic (3/2)(2a + bβ + 3cβ²).
   template <class T>

@@ -1,5 +1,6 @@
 #include "surface3d/flow.h"
 
+#include "model/relaxation.h"
 #include "model/time/flow.h"
 #include "surface3d/mesh/self_contact.h"
 
@@ -127,8 +128,9 @@ FlowResult run_flow(const model::Material& material, model::Model model, const F
       if (record.time_step == 0) solver.look_at(state);
       return observe(record, state, solver.view(two_step.past()), exact);
     };
+  const double at_rest = model::speed_at_rest(numerics.rest_speed, material, model);
   const auto run = [&](auto& integrator) {
-    return model::Flow(solver, integrator, numerics)
+    return model::Flow(solver, integrator, numerics, at_rest)
         .run(start.state, start.record, schedule, observer);
   };
   if (numerics.integrator == Integrator::two_step) return run(two_step);

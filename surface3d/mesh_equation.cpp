@@ -1,5 +1,7 @@
 #include "surface3d/mesh_equation.h"
 
+#include "model/mesh_motion.h"
+
 namespace sbeh::surface3d {
 
 void MeshEquation::set_zero() {
@@ -29,7 +31,7 @@ ElementNodes MeshEquation::mesh_force(const ElementField& H, const ElementNodes&
 }
 
 ElementNodes MeshEquation::mesh_drive(const MovingTriangle& t) const {
-  const double theta = t.tau / (t.tau + mesh_relaxation_time);
+  const double theta = model::mesh_share(t.tau);
   ElementNodes force = -theta * t.from * stiffness;  // (H1)
   for (int k = 0; k < 3; ++k)
     force.row(k) += (1 - theta) * (normal_mass[std::size_t(k)] * t.H_from).transpose();  // (H1)

@@ -4,7 +4,7 @@
 //   ( H ν, Z ) + ( ∇_C Y, ∇_C Z ) = −θ ( ∇_C x̂, ∇_C Z ) + (1 − θ) ( Ĥ ν, Z )      (H1)
 //
 // x̂ are the positions from which the displacement Y counts (the old ones but for two-step methods), Ĥ is
-// their curvature on the old surface (`from`, `H_from`), and θ = τ/(τ + mesh_relaxation_time): the mesh does not jump to its
+// their curvature on the old surface (`from`, `H_from`), and θ is that of model/mesh_motion.h: the mesh does not jump to its
 // own equilibrium within one step, but moves there at a finite rate. Along the normals this is nothing new;
 // Y/τ has a limit for τ → 0, and errors in time are those of a smooth motion.
 //
@@ -16,10 +16,6 @@
 #include <array>
 
 namespace sbeh::surface3d {
-
-/// Not much below the time steps: where the mesh settles within one step, two-step methods, which
-/// extrapolate it, do not.
-inline constexpr double mesh_relaxation_time = 0.02;
 
 /// What the mesh equations read of a triangle besides its forms.
 struct MovingTriangle {

@@ -5,6 +5,7 @@
 #include "surface3d/parallel.h"
 
 #include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace sbeh::surface3d {
@@ -122,12 +123,15 @@ FlowStep TimeStepper::solve(const State& at, const State& from, const Constraint
   if (has_free_order(model_))
     next.beta = order_step(*mesh_, material_, at, from.beta, *curvature, slip, tau);
   if (next.beta.size() == 0) return {};
-  return {.fault = model::FlowFault::none,
-          .state = next,
-          .dissipation =
-              dissipation_of(*mesh_, material_, at, fields_.V, slip, next.beta, from.beta, tau),
-          .lambda = fields_.lambda,
-          .speed_max = fields_.V.colwise().norm().maxCoeff()};
+  const Dissipation dissipation =
+      dissipation_of(*mesh_, material_, at, fields_.V, slip, next.beta, from.beta, tau);
+  return {
+      .fault = model::FlowFault::none,
+      .state = next,
+      .dissipation = dissipation,
+      .lambda = fields_.lambda,
+      .speed_max = fields_.V.colwise().norm().maxCoeff(),
+      .order_speed = std::sqrt(dissipation.order / (material_.order_drag() * area(*mesh_, at.X)))};
 }
 
 }  // namespace sbeh::surface3d

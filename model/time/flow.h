@@ -36,8 +36,12 @@ template <FlowSolver Solver, FlowIntegrator<typename Solver::State> Integrator>
 class Flow {
  public:
   using State = typename Solver::State;
-  Flow(Solver& solver, Integrator& integrator, const TimeControl& control)
-      : solver_(solver), integrator_(integrator), control_(control) {}
+  /// `speed_at_rest`: below it nothing moves, see model/relaxation.h.
+  Flow(Solver& solver, Integrator& integrator, const TimeControl& control, double speed_at_rest)
+      : solver_(solver),
+        integrator_(integrator),
+        control_(control),
+        speed_at_rest_(speed_at_rest) {}
 
   /// From a time on; `from.energy` may be left out at the start.
   FlowResult<State> run(const State& start, const FlowRecord& from, const FlowSchedule& schedule,
@@ -80,18 +84,29 @@ class Flow {
  private:
   FlowRecord record_of(const FlowStep<State>& step, double tau, const State& old,
                        const FlowRecord& before, const Energy& after) {
-    const Distance moved = solver_.distance(old, step.state);
     const double spent = tau * step.dissipation.total();
     return {.time = before.time + tau,
             .time_step = tau,
             .energy = after,
             .dissipation = step.dissipation,
             .energy_balance = spent > 0 ? (before.energy.total() - after.total()) / spent : 1,
-            .normal_speed = moved.normal / tau,
-            .order_speed = moved.order / tau,
+            .normal_speed = solver_.distance(old, step.state).normal / tau,
+            .order_speed = step.order_speed,
             .speed_max = step.speed_max,
             .lambda = step.lambda,
-            .rejected = before.rejected};
+            .rejected = before.rejected,
+            .rises = risen(before.rises, before, after, tau)};
+  }
+
+  // New meshes have no part in it: `before` is on the mesh of the step.
+  static EnergyRises risen(EnergyRises rises, const FlowRecord& before, const Energy& after,
+                           double tau) {
+    const double rise = after.total() - before.energy.total();
+    if (rise <= energy_noise(before.energy)) return rises;
+    if (rises.sum == 0) rises.from = before.time;
+    rises.sum += rise;
+    rises.to = before.time + tau;
+    return rises;
   }
 
   void renew_mesh(FlowResult<State>& run, StepControl& steps) {
@@ -104,7 +119,7 @@ class Flow {
   std::optional<FlowStop> end_of(const FlowResult<State>& run, const FlowSchedule& schedule) {
     if (const auto obstacle = solver_.obstacle(run.state)) return obstacle;
     if (schedule.stop_at_rest
-        && std::max(run.last.normal_speed, run.last.order_speed) < control_.rest_speed)
+        && std::max(run.last.normal_speed, run.last.order_speed) < speed_at_rest_)
       return FlowStop::at_rest;
     if (run.last.time >= schedule.end_time) return FlowStop::end_time;
     return {};
@@ -113,6 +128,7 @@ class Flow {
   Solver& solver_;
   Integrator& integrator_;
   TimeControl control_;
+  double speed_at_rest_;
 };
 
 }  // namespace sbeh::model

@@ -1,5 +1,7 @@
 #include "model/time/flow_record.h"
 
+#include <cmath>
+
 namespace sbeh::model {
 
 std::string describe(FlowFault fault) {
@@ -11,17 +13,17 @@ std::string describe(FlowFault fault) {
              "cannot move within its area and volume, or the mesh is too coarse or degenerate";
     case FlowFault::degenerate:
       return "a step turns a triangle over or leaves the surface degenerate, however small: the "
-             "mesh is too coarse for the shape; more triangles may help";
+             "mesh is too coarse for the shape; a finer mesh may help";
     case FlowFault::area_volume:
       return "area and volume could not be restored after a step: the mesh is too coarse for the "
-             "shape; more triangles may help";
+             "shape; a finer mesh may help";
     case FlowFault::error:
       return "the error of a step stays above the tolerance, however small: the shape or the order "
-             "has become sharper than the mesh resolves; more triangles or a larger tolerance may "
+             "has become sharper than the mesh resolves; a finer mesh or a larger tolerance may "
              "help";
     case FlowFault::energy_rises:
       return "the energy rises in every step, however small: the mesh does not resolve the shape "
-             "or the order; more triangles may help";
+             "or the order; a finer mesh may help";
   }
   return "";
 }
@@ -42,6 +44,13 @@ std::string describe(FlowStop stop) {
       return "interrupted";
   }
   return "";
+}
+
+bool rises_too_far(const FlowRecord& last) {
+  constexpr double tolerance = 1e-5;
+  const Energy& energy =
+      last.energy;  // the thermotropic part is a constant where the order is full
+  return last.rises.sum > tolerance * (std::abs(energy.distortion) + std::abs(energy.bending));
 }
 
 }  // namespace sbeh::model

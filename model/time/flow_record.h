@@ -30,7 +30,8 @@ struct FlowStep {
   State state = {};
   Dissipation dissipation = {};
   double lambda = 0, speed_max = 0;
-  double error = 0;  ///< of a first-order step: largest normal distance or change of order
+  double order_speed = 0;  ///< root mean square of β̇, the rate of the material
+  double error = 0;        ///< of a first-order step: largest normal distance or change of order
   bool ok() const { return fault == FlowFault::none; }
 };
 
@@ -44,6 +45,12 @@ enum class FlowStop { end_time, at_rest, unresolved, self_contact, step_too_smal
 /// Words for tables and messages.
 std::string describe(FlowStop stop);
 
+/// What steps have added to the energy, which ought to fall: more than rounding, and not by a new mesh.
+struct EnergyRises {
+  double sum = 0;
+  double from = 0, to = 0;  ///< times, of the first and of the last
+};
+
 /// One accepted step as observers see it.
 struct FlowRecord {
   double time = 0;       ///< at its end
@@ -52,13 +59,17 @@ struct FlowRecord {
   Dissipation dissipation;            ///< mean rates over the step
   double energy_balance = 1;          ///< (U_old − U_new)/(τ · dissipation): 1 + O(τ)
   double normal_speed = 0;            ///< largest normal displacement per time
-  double order_speed = 0;             ///< largest change of order per time
+  double order_speed = 0;             ///< root mean square of β̇, the rate of the material
   double speed_max = 0;               ///< largest speed of the material, |V|
   double lambda = 0;                  ///< volume multiplier
   double next_step = 0;               ///< τ of the next try; 0 before a run has begun
   int rejected = 0;                   ///< steps rejected so far
+  EnergyRises rises = {};             ///< so far
   std::optional<FlowStop> ends = {};  ///< why the run ends with this step, if it does
 };
+
+/// Whether the rises exceed in sum 1e-5 of the elastic energy, to which 320 triangles give that of a shape.
+bool rises_too_far(const FlowRecord& last);
 
 /// Sees every accepted step; `exact` tells that the time is one of the output times. Returning false
 /// interrupts the run.

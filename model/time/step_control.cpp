@@ -29,7 +29,6 @@ namespace {
 
 // A rise of the energy is the time step's fault when it is more than rounding and when the step's
 // error is not negligible; otherwise it is the mesh's, whose motion moves the discrete energy.
-constexpr double energy_noise = 1e-10;     // relative
 constexpr double negligible_error = 1e-2;  // of the tolerance
 
 // The factor by which τ may change so that the error, of second order in τ, is the tolerance.
@@ -49,8 +48,7 @@ Trial StepControl::trial(double remaining) const {
 
 FlowFault StepControl::judge(double error, const Energy& before, const Energy& after) const {
   if (!(error <= control_.tolerance)) return FlowFault::error;
-  const double noise = energy_noise * (1 + std::abs(before.total()));
-  const bool rises = !(after.total() <= before.total() + noise);
+  const bool rises = !(after.total() <= before.total() + energy_noise(before));
   return rises && error > negligible_error * control_.tolerance ? FlowFault::energy_rises
                                                                 : FlowFault::none;
 }

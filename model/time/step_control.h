@@ -41,7 +41,9 @@ void for_each_parameter(T& control, auto&& visit) {
           "a step and two half steps combined to second order in τ; false: the two half steps, "
           "first order"},
         control.extrapolate);
-  visit(P{"rest_speed", between(1e-14, 1), "a run is stationary when no point is faster than this"},
+  visit(P{"rest_speed", between(1e-14, 1),
+          "no point is faster at rest, of the default material; of others in proportion, see "
+          "model/equations.md"},
         control.rest_speed);
 }
 
@@ -72,6 +74,9 @@ class Stops {
   std::size_t next_ = 0;
   bool begin_at_one_;
 };
+
+/// Changes of the energy below it are rounding.
+inline double energy_noise(const Energy& energy) { return 1e-10 * energy.magnitude(); }
 
 /// A step to be tried.
 struct Trial {

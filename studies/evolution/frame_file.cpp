@@ -104,6 +104,10 @@ FlowMoment moment_of(const CurvedFile& file, const std::filesystem::path& path) 
   frame.record.time = part(file.globals, "TimeValue", 1, path)[0];
   frame.record.next_step = part(file.globals, "next_step", 1, path)[0];
   frame.record.rejected = int(part(file.globals, "rejected_steps", 1, path)[0]);
+  if (file.globals.contains("energy_rises")) {  // frames of 0.1.0 lack it
+    const Eigen::VectorXd& rises = part(file.globals, "energy_rises", 3, path);
+    frame.record.rises = {rises[0], rises[1], rises[2]};
+  }
   set_step(frame.record, part(file.globals, "step", 10, path));
   const Eigen::VectorXd& target = part(file.globals, "target", 2, path);
   frame.target = {target[0], target[1]};
@@ -196,6 +200,7 @@ void write_frame(const std::filesystem::path& path, const FlowMoment& m, const P
                   {"next_step", number(r.next_step)},
                   {"rejected_steps", number(r.rejected)},
                   {"step", of_step(r)},
+                  {"energy_rises", Eigen::Vector3d(r.rises.sum, r.rises.from, r.rises.to)},
                   {"target", Eigen::Vector2d(m.target.area, m.target.volume)},
                   {"remeshing_over", number(m.memory.remeshing_over)}};
   write_physics(physics, globals);

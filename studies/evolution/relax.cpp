@@ -1,5 +1,6 @@
 #include "studies/evolution/relax.h"
 
+#include "axisym/shape_class.h"
 #include "axisym/start_shapes.h"
 #include "model/order_step.h"
 #include "studies/evolution/evolution_files.h"
@@ -33,6 +34,8 @@ State make(const Ellipsoid& shape, const RelaxInput& input) {
 
 axisym::Nodes harmonic_sphere(const Harmonics& sphere, const axisym::Numerics& n) {
   try {
+    if (sphere.reduced_volume)
+      return axisym::harmonic_sphere(sphere.shape, *sphere.reduced_volume, n.elements, n.grading);
     return axisym::harmonic_sphere(sphere.shape, n.elements, n.grading);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("[start] modes: {}", error.what()));
@@ -64,11 +67,25 @@ State make(const Harmonics& sphere, const RelaxInput& input) {
 
 State make(const ScanRow& row, const RelaxInput&) { return state_of(row); }
 
+// What the input asks for, perturbed.
+State made(const RelaxInput& input) {
+  State state = std::visit([&](const auto& start) { return make(start, input); }, input.start);
+  if (axisym::crosses_itself(state.X))
+    throw std::invalid_argument("[start] the surface passes through itself");
+  if (input.perturbation.empty()) return state;
+  try {
+    state.X = axisym::perturbed(state.X, input.perturbation);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("[start] perturbation: is too large: {}", error.what()));
+  }
+  return state;
+}
+
 }  // namespace
 
 RelaxStart start_of(const RelaxInput& input) {
-  const State brought =
-      std::visit([&](const auto& start) { return make(start, input); }, input.start);
+  const State brought = made(input);
   RelaxStart start{.state = brought, .remarks = {}};
   if (!model::has_free_order(input.model)) start.state.beta.setConstant(model::full_order);
   if (const auto origin = origin_of_any(input.start)) {

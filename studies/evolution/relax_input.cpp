@@ -16,6 +16,11 @@ void read_harmonics(const TomlTable& start, RelaxInput& input) {
   const bool has_order_modes = start.has("order_modes");
   if (start.has("modes") || !has_order_modes)
     harmonics.shape = start.modes("modes", 1, largest_degree);
+  if (start.has("reduced_volume")) {
+    if (harmonics.shape.empty())
+      start.fail("reduced_volume", "needs modes, whose amplitudes it multiplies by one factor");
+    harmonics.reduced_volume = start.number("reduced_volume", reduced_volumes);
+  }
   if (start.has("order")) harmonics.order = start.number("order", orders);
   if (has_order_modes) harmonics.order_modes = start.modes("order_modes", 1, largest_degree);
   input.start = harmonics;
@@ -23,6 +28,7 @@ void read_harmonics(const TomlTable& start, RelaxInput& input) {
 
 void write_shape(TomlText& toml, const Harmonics& harmonics) {
   if (!harmonics.shape.empty()) toml.value("modes", harmonics.shape);
+  if (harmonics.reduced_volume) toml.value("reduced_volume", *harmonics.reduced_volume);
   if (harmonics.order) toml.value("order", *harmonics.order);
   if (!harmonics.order_modes.empty()) toml.value("order_modes", harmonics.order_modes);
 }
@@ -34,7 +40,7 @@ void read_scan(const TomlTable& start, RelaxInput& input) {
 const std::vector<StartShape<RelaxInput>>& shapes() {
   static const std::vector<StartShape<RelaxInput>> all{
       {"ellipsoid", {"reduced_volume", "axes", "kind", "order"}, read_ellipsoid},
-      {"harmonics", {"modes", "order", "order_modes"}, read_harmonics},
+      {"harmonics", {"modes", "reduced_volume", "order", "order_modes"}, read_harmonics},
       {"scan", scan_row_keys(), read_scan, true},
   };
   return all;
@@ -44,6 +50,8 @@ void read_start(const TomlTable& start, RelaxInput& input) {
   const auto& shape = chosen_shape(start, shapes());
   refuse_order(start, input.model, {"order", "order_modes"});
   shape.read(start, input);
+  if (start.has("perturbation"))
+    input.perturbation = start.modes("perturbation", 1, largest_degree);
   start.reject_unknown_keys();
 }
 
@@ -53,6 +61,7 @@ void write_start(TomlText& toml, const RelaxInput& input) {
   std::visit([&](const auto& start) { write_shape(toml, start); }, input.start);
   if (std::holds_alternative<Ellipsoid>(input.start) && has_free_order(input.model))
     toml.value("order", input.initial_order);
+  if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
 }
 
 }  // namespace

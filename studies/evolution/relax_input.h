@@ -20,6 +20,7 @@ namespace sbeh::studies {
 /// Sphere with modes of rotationally symmetric harmonics, degrees 1 … 32, none twice.
 struct Harmonics {
   std::vector<axisym::Mode> shape;        ///< (l, u_l)
+  std::optional<double> reduced_volume;   ///< all u_l times one factor
   std::optional<double> order;            ///< β₀ in 0 … 1; without it the rest state
   std::vector<axisym::Mode> order_modes;  ///< (l, b_l)
 
@@ -31,6 +32,7 @@ struct Harmonics {
 struct RelaxInput : Physics {
   std::variant<Ellipsoid, Harmonics, ScanRow> start;
   double initial_order = model::full_order;  ///< β of the ellipsoid, 0 … 1
+  std::vector<axisym::Mode> perturbation;    ///< displaces along the normal by Σ a_l Y_l
   axisym::Numerics numerics;
   Times times;  ///< states: profiles
 

@@ -17,10 +17,14 @@ void read_ellipsoid(const TomlTable& surface, RunInput& input) {
 }
 
 void read_harmonics(const TomlTable& surface, RunInput& input) {
-  input.start = HarmonicSphere{surface.harmonics("modes", largest_degree)};
+  HarmonicSphere sphere{surface.harmonics("modes", largest_degree), {}};
+  if (surface.has("reduced_volume"))
+    sphere.reduced_volume = surface.number("reduced_volume", reduced_volumes);
+  input.start = sphere;
 }
 void write_shape(TomlText& toml, const HarmonicSphere& sphere) {
   toml.value("modes", sphere.modes);
+  if (sphere.reduced_volume) toml.value("reduced_volume", *sphere.reduced_volume);
 }
 
 void read_mesh_file(const TomlTable& surface, RunInput& input) {
@@ -45,7 +49,7 @@ std::vector<std::string> and_triangles(std::vector<std::string> keys) {
 const std::vector<StartShape<RunInput>>& shapes() {
   static const std::vector<StartShape<RunInput>> all{
       {"ellipsoid", {"reduced_volume", "axes", "kind", "triangles", "order"}, read_ellipsoid},
-      {"harmonics", {"modes", "triangles", "order"}, read_harmonics},
+      {"harmonics", {"modes", "reduced_volume", "triangles", "order"}, read_harmonics},
       {"mesh", {"file", "order"}, read_mesh_file},
       {"scan", and_triangles(scan_row_keys()), read_scan, true},
       {"frame", {"file"}, read_frame_file, true},

@@ -9,6 +9,7 @@
 #include "surface3d/options.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -19,6 +20,7 @@ namespace sbeh::studies {
 /// r = 1 + Σ a_lm Y_lm, real orthonormal, then scaled to the area 4π.
 struct HarmonicSphere {
   std::vector<meshing::Harmonic> modes;  ///< degrees 0 … 32, none twice
+  std::optional<double> reduced_volume;  ///< all a_lm times one factor
 
   bool operator==(const HarmonicSphere&) const = default;
 };

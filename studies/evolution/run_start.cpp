@@ -57,7 +57,10 @@ Start make(const Ellipsoid& e, const RunInput& input) {
 }
 
 Start make(const HarmonicSphere& sphere, const RunInput& input) {
-  return {meshing::harmonic_sphere(sphere.modes, {.triangles = input.triangles})};
+  const meshing::Resolution resolution{.triangles = input.triangles};
+  if (sphere.reduced_volume)
+    return {meshing::harmonic_sphere(sphere.modes, *sphere.reduced_volume, resolution)};
+  return {meshing::harmonic_sphere(sphere.modes, resolution)};
 }
 
 // What of a file is not taken along with its surface.

@@ -2,6 +2,8 @@
 #include "model/numerics/quadrature.h"
 #include "tests/axisym/cases.h"
 
+#include <Eigen/Cholesky>
+
 #include <stdexcept>
 
 namespace sbeh::axisym {
@@ -97,10 +99,94 @@ TEST(HarmonicSphere, follows_its_modes_up_to_the_scale_of_area_4_pi) {
   EXPECT_LT(miss, 1e-13);  // every joint lies on it
 }
 
+const std::vector<std::vector<Mode>> mode_lists{
+    {{2, 0.04}},         {{2, -0.04}},
+    {{3, 0.01}},         {{2, 0.04}, {3, 0.02}},
+    {{2, 3.}, {5, -1.}}, {{4, 1e-4}, {6, 2e-4}, {7, -1e-4}}};
+
+TEST(HarmonicSphere, has_the_reduced_volume_asked_for_at_the_ratios_of_its_modes) {
+  for (const auto& modes : mode_lists)
+    for (const double v : {0.9, 0.999}) {
+      const Nodes X = harmonic_sphere(modes, v, 48, 0.5);
+      EXPECT_NEAR(area(X) / (4 * pi), 1, 1e-12);
+      EXPECT_NEAR(reduced_volume(area(X), volume(X)) / v, 1, 1e-12);
+      // r = scale (1 + factor Σ): scale and factor by least squares at the joints.
+      const Eigen::Index joints = X.cols() / 3 + 1;
+      Eigen::MatrixX2d forms(joints, 2);
+      Eigen::VectorXd r(joints);
+      for (Eigen::Index i = 0; i < joints; ++i) {
+        r[i] = X.col(3 * i).norm();
+        forms.row(i) << 1, zonal_sum(modes, std::atan2(X(0, 3 * i), X(1, 3 * i)));
+      }
+      const Eigen::Vector2d fit = (forms.transpose() * forms).ldlt().solve(forms.transpose() * r);
+      EXPECT_LT((forms * fit - r).cwiseAbs().maxCoeff(), 1e-12);
+      EXPECT_GT(fit[1] / fit[0], 0);
+    }
+}
+
+TEST(HarmonicSphere, refuses_a_reduced_volume_that_its_modes_do_not_have) {
+  for (const double v : {0., 1., 1.2, -0.1, std::nan("")})
+    EXPECT_THROW(harmonic_sphere(mode_lists[0], v, 24, 0.5), std::invalid_argument) << v;
+  for (const auto& modes : mode_lists)
+    EXPECT_THROW(harmonic_sphere(modes, 0.05, 24, 0.5), std::invalid_argument);
+}
+
 TEST(HarmonicSphere, refuses_negative_degrees_and_negative_radii) {
   const std::array<Mode, 1> negative{{{-1, 0.1}}}, large{{{2, 4.}}};
   EXPECT_THROW(harmonic_sphere(negative, 16, 0.5), std::invalid_argument);
   EXPECT_THROW(harmonic_sphere(large, 16, 0.5), std::invalid_argument);
+}
+
+// ---- perturbations ------------------------------------------------------------------------------
+
+// The largest distance along the normals between the perturbed curve and one displaced by the sum alone.
+double beyond_first_order(const Nodes& X, const std::vector<Mode>& modes) {
+  const Nodes Y = perturbed(X, modes), n = node_normals(X);
+  const double middle = (X(1, 0) + X(1, X.cols() - 1)) / 2;  // of symmetric curves
+  double largest = 0;
+  for (Eigen::Index i = 0; i < X.cols(); ++i) {
+    const double asked = zonal_sum(modes, std::atan2(X(0, i), X(1, i) - middle));
+    largest = std::max(largest, std::abs((Y - X).col(i).dot(n.col(i)) - asked));
+  }
+  return largest;
+}
+
+TEST(Perturbed, is_displaced_along_the_normals_at_the_same_area_and_volume) {
+  for (const bool prolate : {false, true})
+    for (const double v : {0.4, 0.7, 0.95})
+      for (const int l : {1, 2, 3, 6}) {
+        const Nodes X = spheroid(v, prolate, 48, 0.5);
+        const Nodes Y = perturbed(X, std::vector<Mode>{{l, 0.003}});
+        EXPECT_NEAR(area(Y) / area(X), 1, correction);
+        EXPECT_NEAR(volume(Y) / volume(X), 1, correction);
+        EXPECT_GT((Y - X).cwiseAbs().maxCoeff(), 0.001);
+      }
+}
+
+TEST(Perturbed, errs_by_the_square_of_the_amplitude_where_the_modes_keep_area_and_volume) {
+  // Odd modes of a curve that is symmetric at the equator.
+  for (const int l : {3, 5}) {
+    const Nodes X = spheroid(0.7, false, 48, 0.5);
+    const double large = beyond_first_order(X, {{l, 0.01}}),
+                 small = beyond_first_order(X, {{l, 0.001}});
+    EXPECT_NEAR(std::log10(large / small), 2, 0.1) << l;
+  }
+}
+
+TEST(Perturbed, a_sphere_has_the_volume_that_the_modes_leave_it) {
+  const Nodes X = spheroid(1, false, 48, 0.5);
+  for (const double a : {0.02, 0.04}) {
+    const Nodes Y = perturbed(X, std::vector<Mode>{{2, a}});
+    EXPECT_NEAR(area(Y) / area(X), 1, correction);
+    // A = 4πR² (1 + (l − 1)(l + 2) a²/8π + O(a³)) at the volume of the sphere of radius R.
+    EXPECT_NEAR((1 - reduced_volume(area(Y), volume(Y))) / (a * a), 1.5 * 4 / (8 * pi), a);
+  }
+}
+
+TEST(Perturbed, refuses_what_is_too_large_for_the_curve) {
+  for (const double v : {0.3, 0.6})
+    for (const auto& modes : std::vector<std::vector<Mode>>{{{1, 3.}}, {{2, -2.}}, {{4, 2.}}})
+      EXPECT_THROW(perturbed(spheroid(v, false, 48, 0.5), modes), std::invalid_argument) << v;
 }
 
 // ---- redistribution -----------------------------------------------------------------------------

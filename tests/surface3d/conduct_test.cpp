@@ -113,6 +113,31 @@ TEST(Flow, stops_when_the_step_it_may_take_is_too_large_for_the_tolerance) {
   EXPECT_TRUE(run.state.X == s.state.X);
 }
 
+TEST(Flow, is_not_at_rest_because_its_membrane_is_slow) {
+  const auto with = [](auto change) {
+    Material m;
+    change(m);
+    return m;
+  };
+  const std::vector<Material> slow{
+      paper_material(4e-20),
+      with([](Material& m) { m.viscosity = 1e8; }),
+      with([](Material& m) { m.friction_normal = m.friction_tangential = 1e9; }),
+      with([](Material& m) {
+        m = m.with_L(5e-11);
+        m.potential = model::Potential::landau_de_gennes(0, -27e-9, 13.5e-9);
+      }),
+  };
+  const Surface s = ordered_spheroid(0.8, 80);
+  for (const Model model : {Model::SBEH, Model::SSH})
+    for (const Material& material : slow) {
+      const FlowResult run =
+          run_flow(material, model, s.moment(), {}, {.end_time = 0.01, .output_times = {}});
+      EXPECT_EQ(run.stop, FlowStop::end_time)
+          << name(model) << " L = " << material.L1 << ", viscosity " << material.viscosity;
+    }
+}
+
 TEST(CorrectAreaVolume, reaches_what_is_asked_or_leaves_the_surface_alone) {
   Surface s = ordered_spheroid(0.8, 80);
   const Target t = s.target();

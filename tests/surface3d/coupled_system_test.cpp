@@ -2,6 +2,7 @@
 // do in them.
 #include "surface3d/coupled_system.h"
 
+#include "model/mesh_motion.h"
 #include "surface3d/order_step.h"
 #include "tests/model/general_material.h"
 #include "tests/surface3d/cases.h"
@@ -121,7 +122,7 @@ Dense dense_system(const Surface& s, const Material& material, int multipliers) 
   }
   d.rhs[d.border()] = pulled.volume_rate;
   // The mesh settles at a finite rate: of the residual of (H1) on the old surface the share θ only.
-  const double theta = tau / (tau + mesh_relaxation_time);
+  const double theta = model::mesh_share(tau);
   const auto H1 = d.matrix.block(d.Y(), d.H(), 3 * d.nodes, d.nodes);
   auto rhs = d.rhs.segment(d.Y(), 3 * d.nodes);
   rhs = (theta * rhs + (1 - theta) * (H1 * curvature_of_origin(s))).eval();

@@ -188,6 +188,120 @@ TEST_F(Relax, from_a_row_beyond_the_fold_is_refused_with_the_row_that_can_be_tak
   must({"check", "in.toml"});
 }
 
+TEST_F(Relax, ends_where_the_surface_passes_through_itself_and_says_so) {
+  const auto oblate = [](const std::string& model, const std::string& v) {
+    return "model = \"" + model + "\"\n[start]\nshape = \"ellipsoid\"\nreduced_volume = " + v
+         + "\n[numerics]\nelements = 24\ntolerance = 1e-4\nlargest_step = 1\n"
+           "[time]\nend = 100\noutput = [0, 1, 100]\nprofiles = [0, 100]\n";
+  };
+  for (const std::string model : {"SSH", "SBEH", "Helfrich-local"})
+    for (const std::string v : {"0.45", "0.42", "0.4"}) {
+      const std::string out = model + v;
+      write("in.toml", oblate(model, v));
+      const Ended ended = sbeh(into(out, "relax"));
+      EXPECT_EQ(ended.exit_code, 1) << out;
+      EXPECT_TRUE(ended.out.starts_with("the surface touches itself at t = ")) << ended.out;
+      EXPECT_TRUE(ended.err.starts_with("sbeh: the surface passes through itself")) << ended.err;
+      const Table last = table(out + "/profiles/0001.csv");
+      EXPECT_LT(last.numbers("z").front() - last.numbers("z").back(), 0) << out;
+      EXPECT_GT(last.numbers("z").front() - last.numbers("z").back(), -0.03) << out;
+    }
+  write("in.toml", oblate("SSH", "0.55"));
+  must(into("apart", "relax"));
+}
+
+TEST_F(Relax, from_rows_stays_at_rest_whatever_the_tolerance_the_steps_and_the_output_times) {
+  write("scan.toml",
+        "[scan]\nreduced_volume = [0.6, 0.8]\nL = [0.05]\nbranches = [\"oblate\", \"prolate\"]\n");
+  write("necks.toml",
+        "[scan]\nreduced_volume = [0.5, 0.6]\nL = [0.05]\nmodels = [\"SSH\"]\n"
+        "branches = [\"stomatocyte\"]\n[numerics]\nelements = 96\n");
+  must(into("scan", "scan", "scan.toml"));
+  must(into("necks", "scan", "necks.toml"));
+  const std::vector<std::string> ways{"[numerics]\ntolerance = 1e-8\n",
+                                      "[numerics]\nfirst_step = 0.05\n",
+                                      "[numerics]\nfirst_step = 1e-12\nsmallest_step = 1e-15\n",
+                                      "[time]\noutput = [0, 1e-9, 1e-6, 1e-3]\n"};
+  for (const std::string folder : {"scan", "necks"}) {
+    const Table scan = table(folder + "/scan.csv");
+    for (std::size_t row = 0; row < scan.rows.size(); ++row) {
+      const std::string& way = ways[row % ways.size()];
+      const auto of = [&](const char* column) { return scan.text(row, column); };
+      ASSERT_EQ(of("status"), "stationary");
+      const std::string out = folder + std::to_string(row);
+      write("in.toml", "model = \"" + of("model") + "\"\n[start]\nshape = \"scan\"\nfolder = \""
+                           + folder + "\"\nbranch = \"" + of("branch")
+                           + "\"\nreduced_volume = " + of("reduced_volume") + "\nL = 0.05\n" + way
+                           + (way.starts_with("[time]") ? "" : "[time]\n") + "end = 10\n");
+      const Ended ended = sbeh(into(out, "relax"));
+      EXPECT_EQ(ended.exit_code, 0) << out << ended.err;
+      EXPECT_TRUE(ended.out.starts_with("at rest at t = 0.")) << out << ended.out;
+      for (const double energy : table(out + "/series.csv").numbers("energy"))
+        EXPECT_NEAR(energy, scan.number(row, "energy"), 1e-7) << out;
+    }
+  }
+}
+
+TEST_F(Relax, that_is_perturbed_comes_back_to_the_row_it_began_from) {
+  write("scan.toml",
+        "[scan]\nreduced_volume = [0.65, 0.8]\nL = [0.05]\nbranches = [\"oblate\", \"prolate\"]\n"
+        "[numerics]\nelements = 24\n");
+  must(into("scan", "scan", "scan.toml"));
+  for (const std::string model : {"SBEH", "SSH"})
+    for (const std::string branch : {"oblate", "prolate"})
+      for (const std::string v : {"0.65", "0.8"})
+        for (const std::string modes : {"[[2, 0.02]]", "[[3, -0.02], [4, 0.01]]"}) {
+          const std::string out = model + branch + v + modes;
+          write("in.toml",
+                "model = \"" + model
+                    + "\"\n[start]\nshape = \"scan\"\nfolder = \"scan\"\nbranch = \"" + branch
+                    + "\"\nreduced_volume = " + v + "\nL = 0.05\nperturbation = " + modes
+                    + "\n[numerics]\ntolerance = 1e-4\nlargest_step = 1\n[time]\nend = 300\n");
+          const Ended ended = sbeh(into(out, "relax"));
+          EXPECT_EQ(ended.exit_code, 0) << ended.err;
+          EXPECT_TRUE(ended.out.starts_with("at rest")) << ended.out;
+          const Table series = table(out + "/series.csv");
+          const Table profile =
+              table("scan/points/" + model + "_" + branch + "_v" + v + "_L0.05.csv");
+          const Table last = table(out + "/profiles.csv");
+          const Table end = table(out + "/" + last.text(last.rows.size() - 1, "file"));
+          const double start_energy = series.numbers("energy").front(),
+                       end_energy = series.numbers("energy").back();
+          EXPECT_GT(start_energy, end_energy + 1e-5) << out;
+          EXPECT_NEAR(series.numbers("reduced_volume").front(), std::stod(v), 1e-10);
+          const auto height = [](const Table& t) {
+            return t.numbers("z").front() - t.numbers("z").back();
+          };
+          EXPECT_NEAR(height(end), height(profile), 1e-3) << out;
+        }
+}
+
+TEST_F(Relax, refuses_a_start_that_passes_through_itself) {
+  write("in.toml",
+        "model = \"SSH\"\ntime.end = 1\n[start]\nshape = \"ellipsoid\"\nreduced_volume = 0.4\n"
+        "perturbation = [[2, -2]]\n");
+  must_refuse(into("out", "relax"), "in.toml: [start] perturbation: is too large: ");
+  EXPECT_FALSE(exists(path("out")));
+}
+
+TEST_F(Relax, of_harmonics_has_the_reduced_volume_asked_for) {
+  for (const std::string v : {"0.9", "0.95", "0.999"}) {
+    write("in.toml",
+          "model = \"SSH\"\ntime.end = 1e-6\n[start]\nshape = \"harmonics\"\n"
+          "modes = [[2, 0.04], [3, 0.02]]\nreduced_volume = "
+              + v + "\n");
+    must(into(v, "relax"));
+    for (const double value : table(v + "/series.csv").numbers("reduced_volume"))
+      EXPECT_NEAR(value, std::stod(v), 1e-10);
+  }
+  write("in.toml",
+        "model = \"SSH\"\ntime.end = 1e-6\n[start]\nshape = \"harmonics\"\n"
+        "modes = [[2, 0.04]]\nreduced_volume = 0.1\n");
+  must_refuse(
+      into("none", "relax"),
+      "in.toml: [start] modes: harmonic sphere: reduced volume 0.1: r reaches 0 before, at ");
+}
+
 TEST_F(Relax, can_be_run_again_from_the_run_toml_it_leaves_with_the_same_bytes) {
   write("scan.toml", small_scan);
   must(into("scan", "scan", "scan.toml"));

@@ -1,6 +1,8 @@
 // 3D runs as their user sees them: files, interruption, kill -9, resumption, wrong input.
 #include "tests/tools/workplace.h"
 
+#include <fmt/format.h>
+
 #include <array>
 #include <cmath>
 #include <csignal>
@@ -142,6 +144,30 @@ TEST_F(Run3d, whose_mesh_is_too_coarse_says_from_when) {
   ASSERT_EQ(events.rows.size(), 1u);
   EXPECT_EQ(events.text(0, "event"), "unresolved");
   EXPECT_EQ(events.number(0, "time"), 0);
+}
+
+TEST_F(Run3d, whose_energy_rises_says_by_how_much_and_when) {
+  // So few triangles do not hold the rim of this oblate, next to its fold.
+  write("in.toml",
+        "model = \"SBEH\"\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.6\n"
+        "triangles = 80\n[material]\nL = 0.07\n[time]\nend = 1.5\nevery_step = true\n");
+  const Ended ended = sbeh(into("out", "run"));
+  EXPECT_EQ(ended.exit_code, 1);
+  const Table series = table("out/series.csv");
+  const std::vector<double> energy = series.numbers("energy"), time = series.numbers("time");
+  double rises = 0, from = 0, to = 0;
+  for (std::size_t row = 1; row < energy.size(); ++row)
+    if (energy[row] > energy[row - 1] + 2e-9) {  // rounding: 1e-10 of 16
+      if (rises == 0) from = time[row - 1];
+      rises += energy[row] - energy[row - 1];
+      to = time[row];
+    }
+  const std::string expected =
+      fmt::format("rises by {:.2g} in sum between t = {:.6g} and {:.6g}", rises, from, to);
+  EXPECT_NE(ended.err.find(expected), std::string::npos) << ended.err << expected;
+  const Ended again = sbeh(resumed("out"));  // it is over, and says the same
+  EXPECT_EQ(again.exit_code, 1);
+  EXPECT_NE(again.err.find(expected), std::string::npos) << again.err;
 }
 
 TEST_F(Run3d, goes_back_to_the_frame_before_a_damaged_one) {

@@ -3,21 +3,28 @@
 
 #include "axisym/diagnostics.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/evolution_end.h"
 
 namespace sbeh::tools {
 
 namespace {
 
+constexpr EndWords relax_words{
+    .unresolved =
+        "a rim or a neck becomes sharper than the elements resolve; the last profile is the "
+        "last state: try more elements in [numerics], or a residual_stiffness where the "
+        "order vanishes",
+    .self_contact =
+        "the surface passes through itself, which nothing in the model keeps it from, so "
+        "that the run ends here; the last profile is the first that does"};
+
 int relax(const Study& study) {
   const studies::RelaxInput input = studies::read_relax(study.input);
   const std::filesystem::path folder = study.results();
   const studies::RelaxSummary s = studies::run_relax(input, folder, SBEH_VERSION);
-  const axisym::FlowRecord& last = s.run.last;
-  fmt::print(
-      "{} at t = {:.6g} after {} steps ({} rejected): energy {:.10g}\n"
-      "history in {}, {} profiles beside it\n",
-      axisym::describe(s.run.stop), last.time, s.run.steps, last.rejected, last.energy.total(),
-      (folder / "series.csv").string(), s.profiles);
+  print_end(s.run.stop, s.run.last, s.run.steps);
+  fmt::print("history in {}, {} profiles beside it\n", (folder / "series.csv").string(),
+             s.profiles);
   if (s.run.stop == axisym::FlowStop::interrupted) {
     complain(
         fmt::format("interrupted; what is in {} stays there, but an evolution is not resumed: "
@@ -25,8 +32,9 @@ int relax(const Study& study) {
                     folder.string()));
     return exit_code_of_interrupt();
   }
+  const bool wrong = complain_of_end(s.run.stop, s.run.fault, s.run.last, relax_words);
   if (!study.no_pictures) draw_results(studies::ResultsKind::relax, folder);
-  return s.run.stop == axisym::FlowStop::step_too_small ? 1 : exit_code_of_success();
+  return wrong ? 1 : exit_code_of_success();
 }
 
 }  // namespace

@@ -3,6 +3,7 @@
 
 #include "studies/evolution/run_start.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/evolution_end.h"
 
 namespace sbeh::tools {
 
@@ -11,31 +12,20 @@ namespace {
 namespace fs = std::filesystem;
 using model::FlowStop;
 
-void complain_of_end(const studies::RunSummary& s, const fs::path& folder) {
-  if (s.unresolved_from)
-    complain(
-        fmt::format("unresolved from t = {:.6g}: what comes later is not to be trusted, see {}",
-                    *s.unresolved_from, (folder / "events.csv").string()));
-  if (s.run.stop == FlowStop::step_too_small) complain(model::describe(s.run.fault));
-  if (s.run.stop == FlowStop::unresolved)
-    complain(
+constexpr EndWords run_words{
+    .unresolved =
         "the triangles degenerate; the last frame is the last state: try more triangles, remesh = "
-        "true in [numerics], or a residual_stiffness where the order vanishes");
-  if (s.run.stop == FlowStop::self_contact)
-    complain(
+        "true in [numerics], or a residual_stiffness where the order vanishes",
+    .self_contact =
         "the surface comes nearer to itself than its nodes are to each other; nothing in the model "
-        "keeps it from passing through, so that the run ends here");
-}
+        "keeps it from passing through, so that the run ends here"};
 
 int run(const Study& study, bool resume) {
   const fs::path folder = study.results();
   const studies::RunInput input =
       resume ? studies::read_resumed_run(study.input, folder) : studies::read_run(study.input);
   const studies::RunSummary s = studies::run_surface(input, folder, SBEH_VERSION, resume);
-  const model::FlowRecord& last = s.run.last;
-  fmt::print("{} at t = {:.6g} after {} steps ({} rejected): energy {:.10g}\n",
-             model::describe(s.run.stop), last.time, s.run.steps, last.rejected,
-             last.energy.total());
+  print_end(s.run.stop, s.run.last, s.run.steps);
   if (s.resumed_from > 0) fmt::print("resumed from t = {:.6g}\n", s.resumed_from);
   fmt::print("history in {}, {} frames: open {} in ParaView\n", (folder / "series.csv").string(),
              s.frames, (folder / "run.pvd").string());
@@ -43,10 +33,12 @@ int run(const Study& study, bool resume) {
     complain("interrupted; the same command with --resume goes on from here");
     return exit_code_of_interrupt();
   }
-  complain_of_end(s, folder);
+  if (s.unresolved_from)
+    complain(
+        fmt::format("unresolved from t = {:.6g}: what comes later is not to be trusted, see {}",
+                    *s.unresolved_from, (folder / "events.csv").string()));
+  const bool wrong = complain_of_end(s.run.stop, s.run.fault, s.run.last, run_words);
   if (!study.no_pictures) draw_results(studies::ResultsKind::run, folder);
-  const bool wrong = s.run.stop == FlowStop::step_too_small || s.run.stop == FlowStop::unresolved
-                  || s.run.stop == FlowStop::self_contact;
   return wrong ? 1 : exit_code_of_success();
 }
 

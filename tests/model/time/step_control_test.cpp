@@ -125,8 +125,11 @@ struct ToyWorld {
   static constexpr double largest_growth = unlimited;
 
   double speed = 1;
+  double speed_at_rest = 1e-6;
   std::optional<double> new_mesh_below, obstacle_below;  // in X
-  int failures = 0;                                      // of the steps to come
+  double new_mesh_adds = 0;                              // to X
+  bool negligible_errors = false;
+  int failures = 0;  // of the steps to come
   int forgotten = 0;
   std::vector<double> tried;  // τ of all steps
 
@@ -135,6 +138,7 @@ struct ToyWorld {
   bool renew(Toy& s) {
     if (!new_mesh_below || s.X > *new_mesh_below) return false;
     new_mesh_below.reset();
+    s.X += new_mesh_adds;
     return true;
   }
   std::optional<FlowStop> obstacle(const Toy& s) const {
@@ -148,14 +152,14 @@ struct ToyWorld {
     return {.fault = FlowFault::none,
             .state = {old.X - speed * tau, old.beta},
             .dissipation = {.friction = speed},
-            .error = tau * tau};
+            .error = negligible_errors ? 0 : tau * tau};
   }
   void accept(const Toy&, const FlowStep<Toy>&, double) {}
   void forget() { ++forgotten; }
 
   FlowResult<Toy> run(const FlowSchedule& schedule, const FlowObserver<Toy>& observe = {},
                       const Toy& start = {.X = 1}, const FlowRecord& from = {}) {
-    return Flow(*this, *this, control).run(start, from, schedule, observe);
+    return Flow(*this, *this, control, speed_at_rest).run(start, from, schedule, observe);
   }
 };
 static_assert(FlowSolver<ToyWorld> && FlowIntegrator<ToyWorld, Toy>);
@@ -209,12 +213,47 @@ TEST(Run, ends_with_the_reason_when_no_step_is_small_enough) {
 
 TEST(Run, ends_at_rest_unless_told_to_go_on) {
   ToyWorld toy;
-  toy.speed = control.rest_speed / 2;
+  toy.speed = toy.speed_at_rest / 2;
   const auto rest = toy.run({.end_time = 1});
   EXPECT_EQ(rest.stop, FlowStop::at_rest);
   EXPECT_EQ(rest.last.ends, FlowStop::at_rest);
   EXPECT_EQ(rest.steps, 1);
   EXPECT_EQ(toy.run({.end_time = 1, .stop_at_rest = false}).stop, FlowStop::end_time);
+}
+
+TEST(Run, adds_up_what_steps_add_to_the_energy_but_not_what_new_meshes_do) {
+  ToyWorld toy;  // stands still, rises from 0.02 to 0.06, falls, and gets a new mesh at 0.09
+  toy.speed = 0;
+  toy.negligible_errors = true;
+  toy.new_mesh_adds = 5;
+  std::vector<double> hundredths;
+  for (int k = 1; k <= 10; ++k) hundredths.push_back(k / 100.);
+  const auto result = toy.run({.end_time = 0.1, .output_times = hundredths, .stop_at_rest = false},
+                              [&](const FlowRecord& r, const Toy&, bool) {
+                                if (r.time < 0.02) {
+                                  EXPECT_EQ(r.rises.sum, 0);
+                                }
+                                toy.speed = r.time < 0.02 ? 0 : r.time < 0.06 ? -1 : 1;
+                                if (r.time == 0.08) toy.new_mesh_below = 2;
+                                return true;
+                              });
+  EXPECT_EQ(result.stop, FlowStop::end_time);
+  EXPECT_GT(result.last.energy.total(), 5);
+  EXPECT_NEAR(result.last.rises.sum, 0.04, 1e-12);
+  EXPECT_EQ(result.last.rises.from, 0.02);
+  EXPECT_NEAR(result.last.rises.to, 0.06, 1e-12);
+}
+
+TEST(Rises, go_too_far_when_they_are_more_than_1e_5_of_the_elastic_energy) {
+  FlowRecord last{.energy = {.distortion = 0.5, .bending = 1.5, .thermotropic = -12}};
+  for (const double sum : {0., 1e-9, 1.9e-5}) {
+    last.rises.sum = sum;
+    EXPECT_FALSE(rises_too_far(last)) << sum;
+  }
+  for (const double sum : {2.1e-5, 8e-5, 1.}) {
+    last.rises.sum = sum;
+    EXPECT_TRUE(rises_too_far(last)) << sum;
+  }
 }
 
 TEST(Run, ends_at_an_obstacle) {

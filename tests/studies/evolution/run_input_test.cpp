@@ -85,6 +85,8 @@ TEST(RunInput, reads_back_from_its_description_as_the_same_run) {
           + time + "checkpoint_minutes = 0.25\nstop_at_rest = false\nframes = 0.3\noutput = [0.1, 0.2]\n",
       sbeh + "[surface]\nshape = 'ellipsoid'\naxes = [1, 0.5, 0.30000000000000004]\norder = 0.1\n"
           + "perturbation = [[2, 2, 1e-3], [3, -1, -0.1]]\n" + time,
+      "model = 'SSH'\n[surface]\nshape = 'harmonics'\nmodes = [[2, 1, 5]]\nreduced_volume = 0.9\n"
+          + time,
       "model = 'Helfrich-global'\n[surface]\nshape = 'harmonics'\nmodes = [[5, 3, 0.5]]\n" + time
           + "[numerics]\nscheme = 'monolithic'\nfactorisation = 'every-step'\ntolerance = 1e-3\n",
       sbeh + "[surface]\nshape = 'mesh'\nfile = '\"a\\b\" \xc3\xa4.obj'\norder = 0.25\n" + time,
@@ -225,9 +227,11 @@ TEST(RunInput, with_a_wrong_start_from_files_is_refused_with_line_key_and_value)
   const std::vector<Case> cases{
       {"'harmonics'", ":3: [surface] modes: missing; " + modes},
       {"'harmonics'\nmodes = [[2, 3, 0.1]]", ":5: [surface] modes = 3: must be >= -2 and <= 2"},
-      {"'harmonics'\nreduced_volume = 0.8",
-       ":5: [surface] reduced_volume = 0.8: belongs to shape = 'ellipsoid' and 'scan', not to "
-       "'harmonics'"},
+      {"'harmonics'\nmodes = [[2, 0, 0.1]]\nreduced_volume = 2",
+       ":6: [surface] reduced_volume = 2: must be > 0 and <= 1"},
+      {"'mesh'\nreduced_volume = 0.8",
+       ":5: [surface] reduced_volume = 0.8: belongs to shape = 'ellipsoid' and 'harmonics' and "
+       "'scan', not to 'mesh'"},
       {"'mesh'", ":3: [surface] file: missing; must be a text in quotes"},
       {"'mesh'\nfile = 3", ":5: [surface] file = 3: must be a text in quotes"},
       {"'mesh'\nfile = ''", ":5: [surface] file = '': must not be empty"},

@@ -75,6 +75,8 @@ TEST(Description, of_an_evolution_reads_back_as_the_same_evolution) {
       "model = 'Helfrich-local'\n" + row + "folder = '" + scan + "'\n[time]\nend = 2\n",
       sbeh + ellipsoid + "axes = [1, 0.1]\norder = 0.1\n" + end,
       sbeh + harmonics + "modes = [[32, 0.1], [1, -1e-9]]\norder = 0.65\n" + end,
+      ssh + harmonics + "modes = [[2, 1], [3, 0.1]]\nreduced_volume = 0.95\n" + end,
+      ssh + ellipsoid + "reduced_volume = 0.8\nperturbation = [[3, 0.1], [2, -1e-9]]\n" + end,
       sbeh + harmonics + "order_modes = [[4, 1e-3]]\n" + end,
       sbeh + row + "folder = '" + scan + "'\nmodel = 'SSH'\n[time]\nend = 2\n",
       row + "folder = '" + scan + "'\nmodel = 'SSH'\n[time]\nend = 2\n",

@@ -165,6 +165,21 @@ TEST(RelaxInput, takes_harmonics_of_shape_and_order) {
   EXPECT_EQ(harmonics.order_modes, (std::vector<axisym::Mode>{{2, 0.001}}));
 }
 
+TEST(RelaxInput, takes_harmonics_of_a_reduced_volume_and_a_perturbation) {
+  const RelaxInput input = relax_of(
+      "model = \"SBEH\"\n[start]\nshape = \"harmonics\"\nmodes = [[2, 0.04]]\n"
+      "reduced_volume = 0.95\nperturbation = [[3, -0.01], [1, 2]]\n[time]\nend = 2\n");
+  EXPECT_EQ(std::get<Harmonics>(input.start).reduced_volume, 0.95);
+  EXPECT_EQ(input.perturbation, (std::vector<axisym::Mode>{{3, -0.01}, {1, 2}}));
+  for (const std::string& shape : std::vector<std::string>{
+           "\"ellipsoid\"\nreduced_volume = 0.7", "\"harmonics\"\nmodes = [[2, 0.04]]",
+           "\"scan\"\nfolder = \"" + scan_folder("") + "\"\nreduced_volume = 0.7\nL = 0.03"})
+    EXPECT_EQ(relax_of("model = \"SBEH\"\ntime.end = 2\n[start]\nshape = " + shape
+                       + "\nperturbation = [[2, 0.02]]\n")
+                  .perturbation,
+              (std::vector<axisym::Mode>{{2, 0.02}}));
+}
+
 TEST(RelaxInput, from_a_scan_has_the_material_of_the_scan_with_the_rows_L) {
   const std::string folder = scan_folder("[material]\nspontaneous_curvature = -2.7\n");
   const std::string head = "[start]\nshape = \"scan\"\nfolder = \"" + folder
@@ -217,14 +232,20 @@ TEST(RelaxInput, with_a_wrong_start_is_refused_with_line_key_and_value) {
        ":5: [start] order = -0.1: must be >= 0 and <= 1"},
       {"'ellipsoid'\nmodes = [[2, 0.1]]",
        ":4: [start] modes = [[2, 0.1]]: belongs to shape = 'harmonics', not to 'ellipsoid'"},
-      {"'harmonics'\nreduced_volume = 1",
-       ":4: [start] reduced_volume = 1: belongs to shape = 'ellipsoid' and 'scan', not to "
-       "'harmonics'"},
+      {"'harmonics'\nmodes = [[2, 0.1]]\nreduced_volume = 2",
+       ":5: [start] reduced_volume = 2: must be > 0 and <= 1"},
+      {"'harmonics'\norder_modes = [[2, 0.1]]\nreduced_volume = 0.9",
+       ":5: [start] reduced_volume = 0.9: needs modes, whose amplitudes it multiplies by one "
+       "factor"},
+      {"'harmonics'\nmodes = [[2, 0.1]]\naxes = [1, 2]",
+       ":5: [start] axes = [1, 2]: belongs to shape = 'ellipsoid', not to 'harmonics'"},
+      {"'scan'\nfolder = 'a'\nreduced_volume = 0.7\nL = 0.1\nperturbation = [[2, 0, 0.1]]",
+       ":7: [start] perturbation = [2, 0, 0.1]: " + pairs},
       {"'scan'\norder = 0.5",
        ":4: [start] order = 0.5: belongs to shape = 'ellipsoid' and 'harmonics', not to 'scan'"},
       {"'ellipsoid'\nreduced_volume = 0.7\nknid = 'prolate'",
        ":5: [start] knid: unknown key; did you mean 'kind'? Known: shape, axes, reduced_volume, "
-       "kind, order"},
+       "kind, order, perturbation"},
       {"'harmonics'", ":2: [start] modes: missing; " + pairs},
       {"'harmonics'\nmodes = []", ":4: [start] modes = []: must not be empty"},
       {"'harmonics'\nmodes = [2, 0.1]", ":4: [start] modes = 2: " + pairs},

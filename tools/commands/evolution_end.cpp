@@ -1,0 +1,30 @@
+#include "tools/commands/evolution_end.h"
+
+#include "tools/commands/command.h"
+
+namespace sbeh::tools {
+
+using model::FlowStop;
+
+void print_end(FlowStop stop, const model::FlowRecord& last, int steps) {
+  fmt::print("{} at t = {:.6g} after {} steps ({} rejected): energy {:.10g}\n",
+             model::describe(stop), last.time, steps, last.rejected, last.energy.total());
+}
+
+bool complain_of_end(FlowStop stop, model::FlowFault fault, const model::FlowRecord& last,
+                     const EndWords& words) {
+  if (stop == FlowStop::step_too_small) complain(model::describe(fault));
+  if (stop == FlowStop::unresolved) complain(words.unresolved);
+  if (stop == FlowStop::self_contact) complain(words.self_contact);
+  const bool rises = model::rises_too_far(last);
+  if (rises)
+    complain(fmt::format(
+        "the energy, which can only fall, rises by {:.2g} in sum between t = {:.6g} and "
+        "{:.6g}: the mesh does not resolve what happens there, and what comes later is "
+        "not to be trusted",
+        last.rises.sum, last.rises.from, last.rises.to));
+  return rises || stop == FlowStop::step_too_small || stop == FlowStop::unresolved
+      || stop == FlowStop::self_contact;
+}
+
+}  // namespace sbeh::tools
