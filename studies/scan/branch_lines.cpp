@@ -191,7 +191,8 @@ const Columns<RimRecord>& rim_columns() {
       column("H_abs_max", &RimRecord::H_abs_max),
       column("resolution", &RimRecord::resolution),
       derived_column<RimRecord>("status",
-                                [](const RimRecord& row) {
+                                [](const RimRecord& row) -> std::string {
+                                  if (row.kind == axisym::RimKind::nested_spheres) return "limit";
                                   return name(row.resolution > axisym::largest_resolution
                                                   ? PointStatus::unresolved
                                                   : PointStatus::stationary);

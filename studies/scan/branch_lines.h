@@ -48,7 +48,7 @@ std::string stem(const axisym::RimRecord& row);
 std::string profile_text(const axisym::State& state);
 
 /// Of folds.csv, equal_energy.csv, and beyond_fold.csv, whose `status` is unresolved where the
-/// resolution is above largest_resolution (axisym/flow.h).
+/// resolution is above largest_resolution (axisym/flow.h), and limit of nested spheres.
 const Columns<FoldRow>& fold_columns();
 const Columns<EqualEnergyRow>& equal_energy_columns();
 const Columns<axisym::RimRecord>& rim_columns();

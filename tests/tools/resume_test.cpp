@@ -38,8 +38,10 @@ class Resume : public Workplace {
     const Table scan = table("rows.csv");
     const auto fold_L = std::ranges::find(scan.columns, "fold_L") - scan.columns.begin();
     for (std::size_t row = 0; row < scan.rows.size(); ++row) {
-      const std::string stem = scan.text(row, "model") + "_" + scan.text(row, "branch") + "_v"
-                             + scan.text(row, "reduced_volume") + "_L" + scan.text(row, "L");
+      std::string stem = scan.text(row, "model");
+      stem.append("_").append(scan.text(row, "branch"));
+      stem.append("_v").append(scan.text(row, "reduced_volume"));
+      stem.append("_L").append(scan.text(row, "L"));
       Point& point = points[stem];
       point.row = scan.rows[row];
       point.row.erase(point.row.begin() + fold_L);

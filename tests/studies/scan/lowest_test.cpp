@@ -212,11 +212,22 @@ TEST(LowestBranch, of_SBEH_with_beyond_fold_is_a_sphere_in_a_sphere_where_those_
   input.models = {Model::SBEH};
   input.branches = {Branch::oblate, Branch::stomatocyte};
   input.beyond_fold = true;
-  const auto lowest = scanned(input).lowest;
+  const sbeh::test::TemporaryFolder folder;
+  const auto scan = folder.path() / "scan";
+  run_scan(input, scan, "test");
+  const auto lowest = read_rows(lowest_columns(), scan / "lowest.csv");
   ASSERT_EQ(lowest.size(), 2u);
   EXPECT_EQ(lowest[0].branch, "nested_spheres");
   EXPECT_NEAR(lowest[0].energy, -11.798438, 1e-6);
   EXPECT_EQ(lowest[1].branch, "oblate");
+  const CsvTable beyond = read_csv(scan / "beyond_fold.csv");
+  int limits = 0;
+  for (std::size_t k = 0; k < beyond.rows.size(); ++k) {
+    const bool nested = beyond.text(k, "kind") == "nested_spheres";
+    EXPECT_EQ(beyond.text(k, "status") == "limit", nested);
+    limits += nested;
+  }
+  EXPECT_EQ(limits, 2);
 }
 
 }  // namespace

@@ -122,6 +122,12 @@ TEST_F(ScanGridTest, has_a_map_whose_cells_are_marked_where_the_lowest_is_not_fo
   EXPECT_EQ(map->quantity.values[0][0], 0);
   EXPECT_TRUE(std::isnan(map->quantity.values[0][1]));
   EXPECT_EQ(map->quantity.values[0][2], 2);
+  Quantity order = smallest_order(grid);
+  EXPECT_TRUE(std::isfinite(order.values[0][1]));
+  mark_not_found(*map, order);
+  EXPECT_EQ(order.marks, map->quantity.marks);
+  EXPECT_TRUE(std::isnan(order.values[0][1]));
+  EXPECT_TRUE(std::isfinite(order.values[0][0]) && std::isfinite(order.values[0][2]));
 }
 
 TEST(EvenlySpread, has_the_first_and_the_last) {

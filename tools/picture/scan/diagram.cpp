@@ -4,7 +4,6 @@
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <limits>
 #include <optional>
 
 namespace sbeh::picture {
@@ -34,17 +33,6 @@ struct Contents {
   std::vector<LegendEntry> legend{};
 };
 
-// Where the lowest state is not found, the values of the lowest that was are none of it.
-void mark_not_found(Quantity& quantity, const Quantity& lowest) {
-  for (std::size_t i = 0; i < lowest.marks.size(); ++i)
-    for (std::size_t j = 0; j < lowest.marks[i].size(); ++j)
-      if (lowest.marks[i][j] == Mark::not_found) {
-        quantity.values[i][j] = std::numeric_limits<double>::quiet_NaN();
-        quantity.marks[i][j] = Mark::not_found;
-        quantity.regions[i][j] = -1;
-      }
-}
-
 // Whether any of its points is among the scan's.
 bool is_within(const DiagramLine& line, const ScanGrid& scan) {
   const auto between = [](double value, const std::vector<double>& values) {
@@ -62,7 +50,7 @@ Contents contents_of(const ScanGrid& scan, const Options& options) {
   if (options.branch.empty())
     c.branches = lowest_branches(scan, options.directory, ordered ? Model::SBEH : Model::SSH);
   for (Quantity& quantity : c.quantities) {
-    if (c.branches) mark_not_found(quantity, c.branches->quantity);
+    if (c.branches) mark_not_found(*c.branches, quantity);
     c.colours.emplace_back(Palette::viridis, quantity.range());
   }
   // A table's cells are full of numbers: there only the map of branches has lines.

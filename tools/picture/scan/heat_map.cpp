@@ -198,7 +198,7 @@ std::vector<LegendEntry> mark_legend(const std::vector<Quantity>& quantities, bo
     entries.push_back({box(Mark::unresolved, {190, 200, 205}), "unresolved"});
   if (any(Mark::failed)) entries.push_back({box(Mark::failed, light_grey), "failed"});
   if (any(Mark::not_found))
-    entries.push_back({box(Mark::not_found, light_grey), "a lower state exists, not found"});
+    entries.push_back({box(Mark::not_found, light_grey), "a lower state must exist"});
   if (any(Mark::absent)) {
     const auto frame = [](Canvas& canvas, const Rect& r) {
       canvas.line(r.outline(), {.colour = light_grey, .width = 1.5});

@@ -56,6 +56,18 @@ std::vector<Panel> panels_of(const ScanGrid& scan) {
   return panels;
 }
 
+// In all panels, of the lowest of several branches.
+void mark_not_found(const ScanGrid& scan, const Options& options, std::vector<Panel>& panels) {
+  if (!options.branch.empty()) return;
+  for (const Model model : {Model::SSH, Model::SBEH})
+    if (const auto lowest = lowest_branches(scan, options.directory, model))
+      for (Panel& panel : panels)
+        for (Series& series : panel.series)
+          // The gap, which has no name, is one of SBEH's lowest too.
+          if (series.name == sbeh::name(model) || (series.name.empty() && model == Model::SBEH))
+            mark_not_found(*lowest, series.quantity);
+}
+
 // Some room on either side, so that no marker is cut.
 Axis roomy_axis(double low, double high, double length, double spacing, const char* title) {
   const double room = high > low ? 0.06 * (high - low) : 0.05 * std::abs(high) + 1e-12;
@@ -109,7 +121,7 @@ std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
     entries.push_back(marker_entry(Marker::hollow, dark_grey, "unresolved"));
   if (marked(Mark::failed)) entries.push_back(marker_entry(Marker::cross, dark_grey, "failed"));
   if (marked(Mark::not_found))
-    entries.push_back(marker_entry(Marker::diamond, dark_grey, "a lower state exists, not found"));
+    entries.push_back(marker_entry(Marker::diamond, dark_grey, "a lower state must exist"));
   return entries;
 }
 
@@ -118,7 +130,8 @@ std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
 void draw_line_diagram(Canvas& canvas, const ScanGrid& scan, const Options& options) {
   const bool over_volume = scan.lengths().size() == 1;
   const std::vector<double>& parameter = over_volume ? scan.reduced_volumes() : scan.lengths();
-  const std::vector<Panel> panels = panels_of(scan);
+  std::vector<Panel> panels = panels_of(scan);
+  mark_not_found(scan, options, panels);
   const auto legend = legend_of(panels);
   const double text = options.text_size();
   const auto count = double(panels.size());

@@ -116,6 +116,16 @@ std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
   return map;
 }
 
+void mark_not_found(const BranchMap& lowest, Quantity& quantity) {
+  for (std::size_t i = 0; i < quantity.marks.size(); ++i)
+    for (std::size_t j = 0; j < quantity.marks[i].size(); ++j)
+      if (lowest.quantity.marks[i][j] == Mark::not_found) {
+        quantity.values[i][j] = none;
+        quantity.marks[i][j] = Mark::not_found;
+        quantity.regions[i][j] = -1;
+      }
+}
+
 Quantity energy_gap(const ScanGrid& scan) {
   return tabulate(scan, "energy gap U(SSH) − U(SBEH)", [&](std::size_t volume, std::size_t length) {
     const PointResult* ssh = scan.find(Model::SSH, volume, length);

@@ -35,6 +35,8 @@ struct BranchMap {
 /// From lowest.csv of the scan's folder; empty without it, and where it has one branch alone. Throws InputError.
 std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
                                          const std::filesystem::path& directory, Model model);
+/// Where the lowest state is not found, what was measured of the lowest that was is no value.
+void mark_not_found(const BranchMap& lowest, Quantity& quantity);
 
 /// U(SSH) − U(SBEH). Order that is free can only lower the energy: where it is negative the state of SBEH is not_found.
 Quantity energy_gap(const ScanGrid& scan);
