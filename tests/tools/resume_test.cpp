@@ -46,7 +46,7 @@ class Resume : public Workplace {
       point.row = scan.rows[row];
       point.row.erase(point.row.begin() + fold_L);
       for (const std::string ending : {".csv", ".series.csv"}) {
-        const fs::path file = path("out/points/" + stem + ending);
+        const fs::path file = path("out/points") / (stem + ending);
         if (exists(file)) point.written[ending] = last_write_time(file);
       }
     }
