@@ -1,6 +1,7 @@
 // The numbers that the documents print, computed anew. Where a number comes from one method, another one has to
 // find it too.
 #include "axisym/rim/beyond_fold.h"
+#include "axisym/rim/nested_spheres.h"
 #include "axisym/shooting/seifert_shooting.h"
 #include "axisym/spectral/minimiser.h"
 #include "axisym/stationary/classical_branches.h"
@@ -109,6 +110,23 @@ TEST(RivalsTable, has_smooth_and_sharp_energies_at_the_papers_points) {
     ASSERT_TRUE(sharp);
     expect_printed(row[3], sharp->energy, 1e-8);
     EXPECT_LT(sharp->energy, scan.number(0, "energy"));
+  }
+}
+
+TEST(NestedSpheresTable, has_the_limit_and_the_stomatocytes_of_a_scan) {
+  const auto rows = table_below("studies/docs/beyond_fold.md", "| V_r | SSH's stomatocyte |");
+  ASSERT_EQ(rows.size(), 3u);
+  ScanInput input;
+  for (const auto& row : rows) input.reduced_volume.push_back(printed(row[0]).value);
+  input.L = {0.0155};
+  input.models = {Model::SSH};
+  input.branches = {axisym::Branch::stomatocyte};
+  input.numerics.elements = 120;
+  const CsvTable scan = read_csv(scanned("nested", input) / "scan.csv");
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    const double v = input.reduced_volume[k];
+    expect_printed(rows[k][1], scan.number(k, "energy"), 1e-6);
+    expect_printed(rows[k][2], axisym::nested_spheres({}, v, 0.0155).energy, 1e-12);
   }
 }
 
