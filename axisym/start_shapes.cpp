@@ -140,7 +140,7 @@ Nodes perturbed(const Nodes& X, std::span<const Mode> modes) {
   if (!by)
     throw std::invalid_argument(
         fmt::format("no shape near has the reduced volume {:.6g}", reduced_volume(A, V)));
-  const Nodes Y = moved(*by);
+  Nodes Y = moved(*by);
   if (crosses_itself(Y)) throw std::invalid_argument("the surface would pass through itself");
   return Y;
 }

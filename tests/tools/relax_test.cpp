@@ -1,6 +1,8 @@
 // One evolution: the columns and times of its history, its profiles, and where it starts from.
 #include "tests/tools/workplace.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <cmath>
 #include <map>
@@ -229,10 +231,12 @@ TEST_F(Relax, from_rows_stays_at_rest_whatever_the_tolerance_the_steps_and_the_o
       const auto of = [&](const char* column) { return scan.text(row, column); };
       ASSERT_EQ(of("status"), "stationary");
       const std::string out = folder + std::to_string(row);
-      write("in.toml", "model = \"" + of("model") + "\"\n[start]\nshape = \"scan\"\nfolder = \""
-                           + folder + "\"\nbranch = \"" + of("branch")
-                           + "\"\nreduced_volume = " + of("reduced_volume") + "\nL = 0.05\n" + way
-                           + (way.starts_with("[time]") ? "" : "[time]\n") + "end = 10\n");
+      write("in.toml",
+            fmt::format(
+                "model = \"{}\"\n[start]\nshape = \"scan\"\nfolder = \"{}\"\nbranch = \"{}\"\n"
+                "reduced_volume = {}\nL = 0.05\n{}{}end = 10\n",
+                of("model"), folder, of("branch"), of("reduced_volume"), way,
+                way.starts_with("[time]") ? "" : "[time]\n"));
       const Ended ended = sbeh(into(out, "relax"));
       EXPECT_EQ(ended.exit_code, 0) << out << ended.err;
       EXPECT_TRUE(ended.out.starts_with("at rest at t = 0.")) << out << ended.out;
@@ -251,28 +255,31 @@ TEST_F(Relax, that_is_perturbed_comes_back_to_the_row_it_began_from) {
     for (const std::string branch : {"oblate", "prolate"})
       for (const std::string v : {"0.65", "0.8"})
         for (const std::string modes : {"[[2, 0.02]]", "[[3, -0.02], [4, 0.01]]"}) {
-          const std::string out = model + branch + v + modes;
-          write("in.toml",
-                "model = \"" + model
-                    + "\"\n[start]\nshape = \"scan\"\nfolder = \"scan\"\nbranch = \"" + branch
-                    + "\"\nreduced_volume = " + v + "\nL = 0.05\nperturbation = " + modes
-                    + "\n[numerics]\ntolerance = 1e-4\nlargest_step = 1\n[time]\nend = 300\n");
-          const Ended ended = sbeh(into(out, "relax"));
+          const std::string point = fmt::format("{}_{}_v{}_L0.05", model, branch, v);
+          const std::string again = point + modes;
+          write(
+              "in.toml",
+              fmt::format(
+                  "model = \"{}\"\n[start]\nshape = \"scan\"\nfolder = \"scan\"\nbranch = \"{}\"\n"
+                  "reduced_volume = {}\nL = 0.05\nperturbation = {}\n[numerics]\n"
+                  "tolerance = 1e-4\nlargest_step = 1\n[time]\nend = 300\n",
+                  model, branch, v, modes));
+          const Ended ended = sbeh(into(again, "relax"));
           EXPECT_EQ(ended.exit_code, 0) << ended.err;
           EXPECT_TRUE(ended.out.starts_with("at rest")) << ended.out;
-          const Table series = table(out + "/series.csv");
-          const Table profile =
-              table("scan/points/" + model + "_" + branch + "_v" + v + "_L0.05.csv");
-          const Table last = table(out + "/profiles.csv");
-          const Table end = table(out + "/" + last.text(last.rows.size() - 1, "file"));
+          const Table series = table(again + "/series.csv");
+          const Table profile = table(fmt::format("scan/points/{}.csv", point));
+          const Table last = table(again + "/profiles.csv");
+          const Table end =
+              table(fmt::format("{}/{}", again, last.text(last.rows.size() - 1, "file")));
           const double start_energy = series.numbers("energy").front(),
                        end_energy = series.numbers("energy").back();
-          EXPECT_GT(start_energy, end_energy + 1e-5) << out;
+          EXPECT_GT(start_energy, end_energy + 1e-5) << again;
           EXPECT_NEAR(series.numbers("reduced_volume").front(), std::stod(v), 1e-10);
           const auto height = [](const Table& t) {
             return t.numbers("z").front() - t.numbers("z").back();
           };
-          EXPECT_NEAR(height(end), height(profile), 1e-3) << out;
+          EXPECT_NEAR(height(end), height(profile), 1e-3) << again;
         }
 }
 
