@@ -12,7 +12,7 @@ namespace sbeh::studies {
 
 namespace {
 
-const ParameterNames flow_keys{"tolerance", "rest_speed"};
+const ParameterNames relax_keys{"tolerance", "rest_speed"};
 constexpr double least_harmonic_volume = 0.65;
 
 // The surface must be near enough to an ellipsoid.
@@ -74,7 +74,7 @@ SurfaceMethod read_surface_method(const TomlTable& table, const CompareInput& in
   method.triangles = table.integer("triangles", meshing::fewest_triangles, meshing::most_triangles,
                                    method.triangles);
   method.end_time = table.number("end", above(0), method.end_time);
-  read_some(table, method.numerics, flow_keys);
+  read_some(table, method.numerics, relax_keys);
   check(table, method.numerics);
   return method;
 }
@@ -115,7 +115,7 @@ void write_surface_method(TomlText& toml, const SurfaceMethod& method) {
   toml.value("start", std::string(method.revolved ? "revolved" : "ellipsoid"));
   toml.value("triangles", method.triangles);
   toml.value("end", method.end_time);
-  write_some(toml, method.numerics, flow_keys);
+  write_some(toml, method.numerics, relax_keys);
 }
 
 void write_tolerances(TomlText& toml, const char* table, const Tolerances& tolerances) {

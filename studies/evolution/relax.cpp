@@ -15,8 +15,6 @@
 
 namespace sbeh::studies {
 
-using axisym::State;
-
 namespace {
 
 axisym::Nodes spheroid(const Ellipsoid& shape, const axisym::Numerics& n) {
@@ -27,7 +25,7 @@ axisym::Nodes spheroid(const Ellipsoid& shape, const axisym::Numerics& n) {
   return axisym::spheroid(equatorial / longest, polar / longest, n.elements, n.grading);
 }
 
-State make(const Ellipsoid& shape, const RelaxInput& input) {
+axisym::State make(const Ellipsoid& shape, const RelaxInput& input) {
   const axisym::Nodes X = spheroid(shape, input.numerics);
   return {X, axisym::Field::Constant(X.cols(), input.initial_order)};
 }
@@ -42,8 +40,8 @@ axisym::Nodes harmonic_sphere(const Harmonics& sphere, const axisym::Numerics& n
   }
 }
 
-State make(const Harmonics& sphere, const RelaxInput& input) {
-  State state{harmonic_sphere(sphere, input.numerics), {}};
+axisym::State make(const Harmonics& sphere, const RelaxInput& input) {
+  axisym::State state{harmonic_sphere(sphere, input.numerics), {}};
   double order = model::full_order;
   if (model::has_free_order(input.model)) {
     const auto rest = sphere.order ? sphere.order : model::sphere_rest_order(input.material);
@@ -65,11 +63,12 @@ State make(const Harmonics& sphere, const RelaxInput& input) {
   return state;
 }
 
-State make(const ScanRow& row, const RelaxInput&) { return state_of(row); }
+axisym::State make(const ScanRow& row, const RelaxInput&) { return state_of(row); }
 
 // What the input asks for, perturbed.
-State made(const RelaxInput& input) {
-  State state = std::visit([&](const auto& start) { return make(start, input); }, input.start);
+axisym::State made(const RelaxInput& input) {
+  axisym::State state =
+      std::visit([&](const auto& start) { return make(start, input); }, input.start);
   if (axisym::crosses_itself(state.X))
     throw std::invalid_argument("[start] the surface passes through itself");
   if (input.perturbation.empty()) return state;
@@ -85,7 +84,7 @@ State made(const RelaxInput& input) {
 }  // namespace
 
 RelaxStart start_of(const RelaxInput& input) {
-  const State brought = made(input);
+  const axisym::State brought = made(input);
   RelaxStart start{.state = brought, .remarks = {}};
   if (!model::has_free_order(input.model)) start.state.beta.setConstant(model::full_order);
   if (const auto origin = origin_of_any(input.start)) {
@@ -114,7 +113,7 @@ RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& pat
   const axisym::FlowResult run = axisym::run_flow(
       input.material, input.model, start, {axisym::area(start.X), axisym::volume(start.X)},
       numerics, schedule_of(input.times),
-      [&](const axisym::FlowRecord& record, const State& state, bool exact) {
+      [&](const axisym::FlowRecord& record, const axisym::State& state, bool exact) {
         series.see(record, exact, [&] { return axisym::diagnose(input.material, state); });
         profiles.see(record.time, exact, [&](const auto& file) { write_profile(file, state); });
         progress.see(record);

@@ -37,7 +37,7 @@ void read_scan(const TomlTable& start, RelaxInput& input) {
   input.start = read_scan_row(start, input.model);
 }
 
-const std::vector<StartShape<RelaxInput>>& shapes() {
+const std::vector<StartShape<RelaxInput>>& relax_shapes() {
   static const std::vector<StartShape<RelaxInput>> all{
       {"ellipsoid", {"reduced_volume", "axes", "kind", "order"}, read_ellipsoid},
       {"harmonics", {"modes", "reduced_volume", "order", "order_modes"}, read_harmonics},
@@ -47,7 +47,7 @@ const std::vector<StartShape<RelaxInput>>& shapes() {
 }
 
 void read_start(const TomlTable& start, RelaxInput& input) {
-  const auto& shape = chosen_shape(start, shapes());
+  const auto& shape = chosen_shape(start, relax_shapes());
   refuse_order(start, input.model, {"order", "order_modes"});
   shape.read(start, input);
   if (start.has("perturbation"))
@@ -57,7 +57,7 @@ void read_start(const TomlTable& start, RelaxInput& input) {
 
 void write_start(TomlText& toml, const RelaxInput& input) {
   toml.table("start");
-  toml.value("shape", shapes()[input.start.index()].name);
+  toml.value("shape", relax_shapes()[input.start.index()].name);
   std::visit([&](const auto& start) { write_shape(toml, start); }, input.start);
   if (std::holds_alternative<Ellipsoid>(input.start) && has_free_order(input.model))
     toml.value("order", input.initial_order);
@@ -74,7 +74,7 @@ RelaxInput read_relax(const std::filesystem::path& path) {
   const TomlTable material = file.table("material");
   const TomlTable numerics = file.table("numerics");
   file.reject_unknown_keys();
-  const auto model = named_model(file, start, shapes());
+  const auto model = named_model(file, start, relax_shapes());
   RelaxInput input;
   input.model = model.value_or(input.model);
   read_start(start, input);

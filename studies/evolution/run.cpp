@@ -13,7 +13,6 @@ namespace sbeh::studies {
 
 namespace fs = std::filesystem;
 using surface3d::FlowRecord;
-using surface3d::State;
 using surface3d::StepView;
 
 namespace {
@@ -27,7 +26,8 @@ class RunObservers {
 
   // Lets each of them see the step. False when a signal asks for the end; the checkpoint is written then.
   // Throws OutputError.
-  bool see(const FlowRecord& record, const State& state, const StepView& view, bool exact);
+  bool see(const FlowRecord& record, const surface3d::State& state, const StepView& view,
+           bool exact);
   // The last state: a row and a frame. A run that is to go on later has left its checkpoint.
   void finish(const surface3d::FlowResult& run);
 
@@ -59,8 +59,8 @@ RunObservers::RunObservers(const RunInput& input, const OutputFolder& folder, Fl
       events_(folder, input.numerics.remesh, until, line_),
       checkpoint_(folder, input, line_) {}
 
-bool RunObservers::see(const FlowRecord& record, const State& state, const StepView& view,
-                       bool exact) {
+bool RunObservers::see(const FlowRecord& record, const surface3d::State& state,
+                       const StepView& view, bool exact) {
   progress_.see(record);
   events_.see(record, view);
   now_ = {view.mesh, state, now_.target, record, view.memory, view.fields};
@@ -87,10 +87,10 @@ surface3d::FlowResult run_observed(const RunInput& input, const FlowMoment& star
   model::FlowSchedule schedule = schedule_of(input.times);
   const auto over = start.record.ends;
   if (over) schedule.end_time = start.record.time;
-  surface3d::FlowResult run =
-      surface3d::run_flow(input.material, input.model, start, input.numerics, schedule,
-                          [&](const FlowRecord& record, const State& state, const StepView& view,
-                              bool exact) { return observers.see(record, state, view, exact); });
+  surface3d::FlowResult run = surface3d::run_flow(
+      input.material, input.model, start, input.numerics, schedule,
+      [&](const FlowRecord& record, const surface3d::State& state, const StepView& view,
+          bool exact) { return observers.see(record, state, view, exact); });
   if (over) run.stop = *over;
   return run;
 }

@@ -46,7 +46,7 @@ std::vector<std::string> and_triangles(std::vector<std::string> keys) {
   return keys;
 }
 
-const std::vector<StartShape<RunInput>>& shapes() {
+const std::vector<StartShape<RunInput>>& run_shapes() {
   static const std::vector<StartShape<RunInput>> all{
       {"ellipsoid", {"reduced_volume", "axes", "kind", "triangles", "order"}, read_ellipsoid},
       {"harmonics", {"modes", "reduced_volume", "triangles", "order"}, read_harmonics},
@@ -58,7 +58,7 @@ const std::vector<StartShape<RunInput>>& shapes() {
 }
 
 void read_surface(const TomlTable& surface, RunInput& input) {
-  const auto& shape = chosen_shape(surface, shapes());
+  const auto& shape = chosen_shape(surface, run_shapes());
   refuse_order(surface, input.model, {"order"});
   shape.read(surface, input);
   input.triangles = surface.integer("triangles", meshing::fewest_triangles, meshing::most_triangles,
@@ -76,7 +76,7 @@ void read_time(const TomlTable& time, RunInput& input) {
 }
 
 void write_surface(TomlText& toml, const RunInput& input) {
-  const auto& shape = shapes()[input.start.index()];
+  const auto& shape = run_shapes()[input.start.index()];
   toml.table("surface");
   toml.value("shape", shape.name);
   std::visit([&](const auto& start) { write_shape(toml, start); }, input.start);
@@ -104,7 +104,7 @@ RunInput read_with(const fs::path& path, const FindOrigin& find_origin) {
   const TomlTable surface = file.table("surface"), time = file.table("time"),
                   material = file.table("material"), numerics = file.table("numerics");
   file.reject_unknown_keys();
-  const auto model = named_model(file, surface, shapes());
+  const auto model = named_model(file, surface, run_shapes());
   RunInput input;
   input.model = model.value_or(input.model);
   read_surface(surface, input);

@@ -22,7 +22,6 @@ namespace sbeh::studies {
 namespace {
 
 using meshing::CurvedMesh;
-using surface3d::State;
 constexpr double unit_area = 4 * std::numbers::pi;
 
 // A surface and, where the start brings it, its order.
@@ -102,7 +101,7 @@ Start make(const FrameStart& start, const RunInput&) {
 
 // Not a number where the surface is degenerate.
 double energy_of(const surface3d::Triangulation& mesh, const model::Material& material,
-                 const State& state) {
+                 const surface3d::State& state) {
   const auto curvature = surface3d::curvature_of(mesh, state.X);
   return curvature ? surface3d::energy(mesh, material, state, *curvature).total() : not_known;
 }
@@ -152,8 +151,8 @@ RunStart start_of(const RunInput& input) {
     start.beta.setConstant(start.mesh.node_count(),
                            free_order ? input.initial_order : model::full_order);
   const auto mesh = std::make_shared<const surface3d::Triangulation>(start.mesh);
-  const State brought{start.mesh.nodes, start.beta};
-  State state = brought;
+  const surface3d::State brought{start.mesh.nodes, start.beta};
+  surface3d::State state = brought;
   if (!free_order) state.beta.setConstant(model::full_order);
   if (const auto origin = origin_of_any(input.start)) {
     const auto energies = [&]() -> StartEnergies {

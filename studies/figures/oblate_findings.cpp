@@ -172,7 +172,7 @@ std::optional<Finding> against_axisymmetric(const Histories& histories) {
 // ---- figure 2 -----------------------------------------------------------------------------------
 
 template <class Quantity>
-Values values_of(const std::vector<ShapeRow>& shapes, Quantity quantity) {
+Values finite_values(const std::vector<ShapeRow>& shapes, Quantity quantity) {
   Values values;
   for (const ShapeRow& row : shapes)
     if (const double value = std::invoke(quantity, row); std::isfinite(value))
@@ -191,7 +191,7 @@ Finding shapes_in_3d(const std::vector<ShapeRow>& shapes) {
     energy = std::fmax(energy, std::abs(row.in_3d->energy - row.energy) / std::abs(row.energy));
     order = std::fmax(order, std::abs(row.in_3d->order_min - row.order_min));
   }
-  const auto distances = values_of(shapes, distance_in_3d);
+  const auto distances = finite_values(shapes, distance_in_3d);
   return {fmt::format("{} of {} shapes in 3D, {} of them at rest; largest differences from the "
                       "axisymmetric ones: energy {:.1e}, smallest order {:.1e}, distance {:.1e}",
                       distances.size(), shapes.size(), at_rest, energy, order,
@@ -225,10 +225,10 @@ std::vector<Finding> energy_findings(const std::vector<EnergyRow>& energy) {
 
 std::vector<Finding> shapes_findings(const std::vector<ShapeRow>& shapes) {
   std::vector<Finding> findings;
-  const auto own = values_of(shapes, &ShapeRow::distance_from_SSH),
-             same = values_of(shapes, &ShapeRow::SSH_distance),
-             order = values_of(shapes, &ShapeRow::order_min),
-             radius = values_of(shapes, &ShapeRow::order_min_radius);
+  const auto own = finite_values(shapes, &ShapeRow::distance_from_SSH),
+             same = finite_values(shapes, &ShapeRow::SSH_distance),
+             order = finite_values(shapes, &ShapeRow::order_min),
+             radius = finite_values(shapes, &ShapeRow::order_min_radius);
   if (own.empty() || same.empty() || order.empty() || radius.empty()) return findings;
   const double change = largest(same).second, nearest = least(radius).second;
   // The last digits depend on when an evolution counts as at rest.
@@ -249,7 +249,7 @@ std::vector<Finding> shapes_findings(const std::vector<ShapeRow>& shapes) {
   findings.push_back(
       {fmt::format("order is least at {:.3f} of the equator's radius or farther out", nearest),
        "order is least at the rim", agrees(nearest > 0.95)});
-  if (!values_of(shapes, distance_in_3d).empty()) findings.push_back(shapes_in_3d(shapes));
+  if (!finite_values(shapes, distance_in_3d).empty()) findings.push_back(shapes_in_3d(shapes));
   return findings;
 }
 

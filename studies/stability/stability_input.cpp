@@ -11,7 +11,7 @@ namespace sbeh::studies {
 
 namespace {
 
-const ParameterNames flow_keys{"largest_step", "tolerance"};
+const ParameterNames run_keys{"largest_step", "tolerance"};
 constexpr int largest_perturbation_degree = 8;
 
 // All that can be perturbed and still be called a small displacement of a surface with radius 1.
@@ -51,7 +51,7 @@ void read_surface(const TomlTable& table, StabilityInput& input) {
   input.triangles = table.integer("triangles", meshing::fewest_triangles, meshing::most_triangles,
                                   input.triangles);
   input.end_time = table.number("end", above(0), input.end_time);
-  read_some(table, input.numerics_3d, flow_keys);
+  read_some(table, input.numerics_3d, run_keys);
   check(table, input.numerics_3d);
 }
 
@@ -100,7 +100,7 @@ std::string describe(const StabilityInput& input, std::string_view version) {
   toml.table("surface3d");
   toml.value("triangles", input.triangles);
   toml.value("end", input.end_time);
-  write_some(toml, input.numerics_3d, flow_keys);
+  write_some(toml, input.numerics_3d, run_keys);
   write_material_without_L(toml, input.material);
   write_numerics(toml, input.numerics);
   return toml.text();

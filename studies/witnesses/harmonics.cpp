@@ -11,7 +11,7 @@
 namespace sbeh::studies {
 
 using Eigen::Vector3d;
-using surface3d::HarmonicShape;
+using surface3d::HarmonicState;
 using surface3d::HarmonicSurface;
 
 namespace {
@@ -33,7 +33,7 @@ HarmonicSurface spheroid_of(const axisym::StationaryCase& of, int degree) {
 WitnessState harmonic_state(const axisym::StationaryCase& of, const HarmonicMethod& method,
                             const meshing::CurvedMesh* start) {
   const int degree = method.degree;
-  const HarmonicShape shape = surface3d::minimise_harmonics(
+  const HarmonicState shape = surface3d::minimise_harmonics(
       start ? surface3d::fit_harmonics(surface3d::Triangulation(*start), start->nodes, degree)
             : spheroid_of(of, degree),
       of.reduced_volume, degree);
@@ -67,13 +67,13 @@ WitnessState harmonic_state(const axisym::StationaryCase& of, const HarmonicMeth
   return found;
 }
 
-std::optional<HarmonicShape> classical_saddle(const axisym::StationaryCase& of) {
+std::optional<HarmonicState> classical_saddle(const axisym::StationaryCase& of) {
   constexpr double least_volume = 0.65;
   constexpr int degree = 16;
   if (of.model != model::Model::SSH || of.material.spontaneous_curvature != 0
       || of.reduced_volume < least_volume)
     return {};
-  const HarmonicShape shape =
+  const HarmonicState shape =
       surface3d::minimise_harmonics(spheroid_of(of, degree), of.reduced_volume, degree);
   if (shape.stop != surface3d::HarmonicStop::stationary) return {};
   return shape;

@@ -115,6 +115,6 @@ WitnessState harmonic_state(const axisym::StationaryCase& of, const HarmonicMeth
 
 /// Whether a classical shape is a saddle among all surfaces, by the same minimisation from a spheroid. Empty
 /// unless the case is one of SSH without spontaneous curvature, V_r >= 0.65, where the harmonics resolve it.
-std::optional<surface3d::HarmonicShape> classical_saddle(const axisym::StationaryCase& of);
+std::optional<surface3d::HarmonicState> classical_saddle(const axisym::StationaryCase& of);
 
 }  // namespace sbeh::studies

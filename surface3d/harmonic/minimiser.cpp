@@ -72,7 +72,7 @@ MatrixXd fixed_directions(const HarmonicEnergy::Expansion& at, const MatrixXd& r
 VectorXd solve(const MatrixXd& K, const VectorXd& force) { return K.partialPivLu().solve(force); }
 
 // Newton's method to the stationary shape that is next, be it a saddle.
-HarmonicStop settle(const HarmonicEnergy& energy, const Vector2d& target, HarmonicShape& shape) {
+HarmonicStop settle(const HarmonicEnergy& energy, const Vector2d& target, HarmonicState& shape) {
   constexpr int most_iterations = 20;
   constexpr double tolerance = 1e-8, rounding = 1e-12;
   VectorXd& a = shape.surface.coefficients;
@@ -121,14 +121,14 @@ std::string describe(HarmonicStop stop) {
   return "";
 }
 
-HarmonicShape minimise_harmonics(const HarmonicSurface& start, double reduced_volume, int degree) {
+HarmonicState minimise_harmonics(const HarmonicSurface& start, double reduced_volume, int degree) {
   if (!(reduced_volume > 0 && reduced_volume < 1))
     throw std::invalid_argument(
         fmt::format("reduced volume {}: must lie between 0 and 1", reduced_volume));
   if (degree < 4 || degree > 32)
     throw std::invalid_argument(fmt::format("degree {}: must be in [4, 32]", degree));
   const Vector2d target(4 * pi, reduced_volume * 4 * pi / 3);
-  HarmonicShape shape{.stop = HarmonicStop::degenerate,
+  HarmonicState shape{.stop = HarmonicStop::degenerate,
                       .surface = refitted(start.with_degree(std::max(start.degree, coarse_degree)))
                                      .with_degree(std::min(degree, coarse_degree))};
   HarmonicSurface& surface = shape.surface;

@@ -22,7 +22,7 @@ std::string describe(HarmonicStop stop);
 
 /// A shape of SSH without spontaneous curvature, in units of the sphere of equal area: R = 1, A = 4π.
 /// Values other than the surface are those of a stationary shape.
-struct HarmonicShape {
+struct HarmonicState {
   HarmonicStop stop = HarmonicStop::not_converged;
   HarmonicSurface surface;
   double energy = 0;    ///< F/(8πκ), F = (κ/2)∫H² dS: 1 on the sphere
@@ -38,7 +38,7 @@ struct HarmonicShape {
 /// saddle near by Newton's method finds the saddle: see negative_directions.
 /// Harmonics of l <= degree; the time grows like degree⁶.
 /// Throws std::invalid_argument unless 0 < V_r < 1 and 4 <= degree <= 32.
-HarmonicShape minimise_harmonics(const HarmonicSurface& start, double reduced_volume,
+HarmonicState minimise_harmonics(const HarmonicSurface& start, double reduced_volume,
                                  int degree = 16);
 
 }  // namespace sbeh::surface3d

@@ -33,7 +33,7 @@ HarmonicSurface perturbed(HarmonicSurface surface, std::span<const meshing::Harm
 }
 const std::vector<meshing::Harmonic> lobes{{2, 2, 0.1}, {3, 3, 0.1}, {4, -3, 0.05}, {3, 1, 0.05}};
 
-void expect_shape(const HarmonicShape& shape, const axisym::ClassicalShape& exact,
+void expect_shape(const HarmonicState& shape, const axisym::ClassicalShape& exact,
                   double tolerance) {
   const Axis axis = axis_of(shape.surface);
   std::printf(
@@ -71,7 +71,7 @@ TEST(Harmonics, converge_geometrically_to_the_axisymmetric_energies) {
     std::printf("%-8s %.2f", sbeh::name(row.branch), row.reduced_volume);
     double before = 0;
     for (const int degree : row.degrees) {
-      const HarmonicShape shape = minimise_harmonics(
+      const HarmonicState shape = minimise_harmonics(
           spheroid(row.branch, row.reduced_volume, degree), row.reduced_volume, degree);
       ASSERT_EQ(shape.stop, HarmonicStop::stationary);
       const double error = shape.energy / exact.energy - 1;
@@ -86,7 +86,7 @@ TEST(Harmonics, converge_geometrically_to_the_axisymmetric_energies) {
 }
 
 TEST(Harmonics, of_the_oblate_have_the_energy_of_newtons_method) {
-  const HarmonicShape shape = minimise_harmonics(spheroid(Branch::oblate, 0.8), 0.8);
+  const HarmonicState shape = minimise_harmonics(spheroid(Branch::oblate, 0.8), 0.8);
   const Material material = paper_material(0.05);
   const double beta = model::full_order, kappa = material.kappa(beta);
   const double U = 8 * pi * kappa * shape.energy + 4 * pi * material.kappa_gauss(beta)
@@ -107,7 +107,7 @@ TEST(PerturbedStart, without_any_symmetry_returns_to_the_minimum) {
   for (const auto& [branch, v] : {std::pair{Branch::oblate, 0.65}, {Branch::prolate, 0.8}}) {
     const HarmonicSurface start = perturbed(spheroid(branch, v), lobes);
     EXPECT_GT(axis_of(start).deviation, 0.05);
-    const HarmonicShape shape = minimise_harmonics(start, v);
+    const HarmonicState shape = minimise_harmonics(start, v);
     expect_shape(shape, exact_shape(branch, v), 1e-5);
     EXPECT_EQ(shape.negative_directions, 0);
   }
@@ -119,9 +119,9 @@ TEST(TiltedStart, has_the_same_energy_as_an_upright_one) {
       Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, 2, 3).normalized()).toRotationMatrix();
   start.ellipsoid = turn * start.ellipsoid * turn.transpose();
   start.centre << 0.3, -0.2, 0.1;
-  const HarmonicShape shape = minimise_harmonics(start, 0.65);
+  const HarmonicState shape = minimise_harmonics(start, 0.65);
   expect_shape(shape, exact_shape(Branch::oblate, 0.65), 1e-5);
-  const HarmonicShape upright = minimise_harmonics(spheroid(Branch::oblate, 0.65), 0.65);
+  const HarmonicState upright = minimise_harmonics(spheroid(Branch::oblate, 0.65), 0.65);
   EXPECT_NEAR(shape.energy, upright.energy, 1e-6);
 }
 
