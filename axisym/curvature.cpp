@@ -23,6 +23,20 @@ Field mean_curvature(const Nodes& X) {
   return rhs;
 }
 
+double resolution(const Nodes& X, const Field& H) {
+  constexpr int samples = 12;  // of an element
+  const Eigen::VectorXd length = element_lengths(X);
+  double largest = 0;
+  for (int e = 0; e < element_count(X); ++e)
+    for (int k = 0; k <= samples; ++k) {
+      const ShapeValues s = shape_values(double(k) / samples);
+      const CurvePoint point = curve_point(X, e, s);
+      if (point.x[0] > 1e-9)  // off the axis, where B_φφ is defined
+        largest = std::max(largest, std::abs(value_at(H, e, s) - point.B_phi) * length[e] / 3);
+    }
+  return largest;
+}
+
 bool correct_area_volume(Nodes& X, double area_asked, double volume_asked) {
   const Field H = mean_curvature(X);
   if (H.size() == 0) return false;

@@ -10,6 +10,9 @@ namespace sbeh::axisym {
 /// normal direction. Empty when the curve is degenerate.
 Field mean_curvature(const Nodes& X);
 
+/// How well the nodes resolve the curve: the largest |B_ss| times the node spacing, B_ss = H − B_φφ.
+double resolution(const Nodes& X, const Field& H);
+
 /// The two principal curvatures of B at a point: B_ss = H − B_φφ and B_φφ; K is their product.
 inline double gauss_curvature(double H, double B_phi) { return B_phi * (H - B_phi); }
 

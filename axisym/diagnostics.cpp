@@ -89,18 +89,16 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
       }();
       const ShapeValues& s = samples[std::size_t(k)];
       const double beta = value_at(state.beta, e, s), h = value_at(H, e, s);
-      const CurvePoint point = curve_point(state.X, e, s);
-      const double r = point.x[0], B_phi = point.B_phi;
+      const double r = curve_point(state.X, e, s).x[0];
       d.order_min = std::min(d.order_min, beta);
       d.order_max = std::max(d.order_max, beta);
       if (e > 0 && e < elements - 1) d.H_abs_max = std::max(d.H_abs_max, std::abs(h));
-      if (r > 1e-9)  // off the axis, where B_φφ is defined
-        d.resolution = std::max(d.resolution, std::abs(h - B_phi) * length[e] / 3);
       if (r > d.radius_equator) {
         d.radius_equator = r;
         d.H_rim = h;
       }
     }
+  d.resolution = resolution(state.X, H);
   d.thickness_pole = state.X(1, 0) - state.X(1, state.X.cols() - 1);
   d.mesh_quality = length.minCoeff() / length.maxCoeff();
   return d;

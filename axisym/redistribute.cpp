@@ -123,4 +123,16 @@ StationaryState redistribute(const StationaryState& state, double grading, int e
           interpolate(state.Lambda, at), state.tension, state.pressure};
 }
 
+StationaryState fitted(const StationaryState& state, const Numerics& numerics) {
+  constexpr double coarse = 0.06, needlessly_fine = 0.025;
+  const int elements = element_count(state.X);
+  StationaryState placed = redistribute(state, numerics.grading);
+  const double reached = resolution(placed.X, placed.H);
+  if (reached > coarse && 2 * elements <= most_elements)
+    return redistribute(state, numerics.grading, 2 * elements);
+  if (reached < needlessly_fine && elements >= 2 * numerics.elements)
+    return redistribute(state, numerics.grading, elements / 2);
+  return placed;
+}
+
 }  // namespace sbeh::axisym

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/curve.h"
+#include "axisym/options.h"
 
 namespace sbeh::axisym {
 
@@ -13,6 +14,13 @@ namespace sbeh::axisym {
 /// elements = 0 keeps their number.
 State redistribute(const State& state, double grading, int elements = 0);
 StationaryState redistribute(const StationaryState& state, double grading, int elements = 0);
+
+/// To how many elements stationary states are refined at most.
+inline constexpr int most_elements = 1024;
+
+/// Redistributes over twice or half as many elements, most_elements at most and numerics.elements at least,
+/// where curvature times spacing (`resolution`) is above 0.15 or below 0.05.
+StationaryState fitted(const StationaryState& state, const Numerics& numerics);
 
 /// Values at the Gauss–Lobatto points of the elements (joints shared, 3 elements + 1) as the nodal
 /// values of the cubics through them.

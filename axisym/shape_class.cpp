@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <vector>
 
 namespace sbeh::axisym {
@@ -48,7 +49,16 @@ ShapeClass classify(const Nodes& X) {
   const double poles = X(1, 0) - X(1, X.cols() - 1);
   const bool flat = poles < width;
   if (asymmetry(X) < asymmetry_limit) return flat ? ShapeClass::oblate : ShapeClass::prolate;
-  return poles < width / 2 ? ShapeClass::stomatocyte : ShapeClass::pear;
+  const double dent =
+      std::max(X.row(1).maxCoeff() - X(1, 0), X(1, X.cols() - 1) - X.row(1).minCoeff());
+  return dent > asymmetry_limit ? ShapeClass::stomatocyte : ShapeClass::pear;
+}
+
+double thinnest_neck(const Nodes& X) {
+  double radius = std::numeric_limits<double>::infinity();
+  for (Eigen::Index i = 1; i + 1 < X.cols(); ++i)
+    if (X(0, i) < X(0, i - 1) && X(0, i) < X(0, i + 1)) radius = std::min(radius, X(0, i));
+  return radius;
 }
 
 bool crosses_itself(const Nodes& X) {

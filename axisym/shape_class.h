@@ -9,12 +9,16 @@ namespace sbeh::axisym {
 enum class ShapeClass {
   oblate,       ///< symmetric top to bottom, flatter than wide
   prolate,      ///< symmetric, longer than wide
-  stomatocyte,  ///< not symmetric, the poles nearer than the width
-  pear          ///< not symmetric, elongated
+  stomatocyte,  ///< not symmetric, a pole dented inwards
+  pear          ///< not symmetric, both poles outmost
 };
 constexpr auto names(ShapeClass) { return std::array{"oblate", "prolate", "stomatocyte", "pear"}; }
 
 ShapeClass classify(const Nodes& X);
+
+/// The smallest radius at which the curve comes nearest to the axis between the poles; infinite where it has no
+/// neck.
+double thinnest_neck(const Nodes& X);
 
 /// Whether the curve, taken as the polygon through points spaced a third of the nodes' distance,
 /// crosses itself or the axis: the surface would pass through itself.

@@ -1,14 +1,27 @@
 #include "axisym/stationary/arclength.h"
 
 #include "axisym/redistribute.h"
+#include "axisym/stationary/symmetry.h"
 
 #include <algorithm>
 #include <cmath>
 
 namespace sbeh::axisym {
 
-double length_of(const Increment& t) {
-  return std::sqrt((t.d.squaredNorm() + t.beta.squaredNorm()) / double(t.d.size()) + t.mu * t.mu);
+Field weights_of(const StationaryState& state) {
+  const Nodes n = node_normals(state.X);
+  const Eigen::Index last = state.H.size() - 1;
+  Field weights(last + 1);
+  for (Eigen::Index i = 0; i <= last; ++i) {
+    const double B_phi = i > 0 && i < last ? n(0, i) / state.X(0, i) : state.H[i] / 2;
+    weights[i] = std::max(1., B_phi * B_phi);
+  }
+  return weights;
+}
+
+double length_of(const Increment& t, const Field& weights) {
+  const double square = t.d.cwiseAbs2().dot(weights) + t.beta.squaredNorm();
+  return std::sqrt(square / double(t.d.size()) + t.mu * t.mu);
 }
 
 Increment scaled(Increment t, double factor) {
@@ -29,17 +42,26 @@ PlanePoint Line::at(double mu) const {
           from.L + mu * (to.L - from.L)};
 }
 
+model::Material Line::material_at(double mu) const {
+  model::Material m = material.with_L(at(mu).L);
+  if (mu != 1) m.spontaneous_curvature = first_H0 + mu * (m.spontaneous_curvature - first_H0);
+  return m;
+}
+
 Eigen::VectorXd Line::gradient_rate(const LineState& state) const {
-  if (to.L == from.L) return Eigen::VectorXd::Zero(node_unknowns * state.beta.size());
-  return (to.L - from.L) * gradient_rate_by_L(material_at(state.mu), state, node_normals(state.X));
+  constexpr double h = 1e-3;  // the energy is linear in L and quadratic in H₀: a cubic in μ
+  const model::Material before = material_at(state.mu - h), after = material_at(state.mu + h);
+  if (before == after) return Eigen::VectorXd::Zero(node_unknowns * state.beta.size());
+  return gradient_difference(after, before, state, node_normals(state.X)) / (2 * h);
 }
 
 namespace {
 
 // The equation of the hyperplane across `direction`, in the length of length_of.
 PathEquation across(const Line& line, const Eigen::VectorXd& gradient_rate,
-                    const Increment& direction) {
+                    const Increment& direction, const Field& weights) {
   Increment row = scaled(direction, 1. / double(direction.d.size()));
+  row.d = row.d.cwiseProduct(weights);
   row.mu = direction.mu;
   return {gradient_rate, line.volume_rate(), row};
 }
@@ -48,11 +70,25 @@ NewtonSystem system_at(const Line& line, const LineState& state) {
   return {line.material_at(state.mu), line.model, int(state.beta.size())};
 }
 
+// Rounding grows where a branch crosses that breaks the symmetry: what is odd is taken out. Empty where it has
+// grown to another state.
+std::optional<PathState> on_path(const Line& line, LineState state, Increment t, int sign) {
+  if (line.symmetric) {
+    if (asymmetry(state.X) > broken_symmetry) return {};
+    t = symmetric_part(t, node_normals(state.X));
+    static_cast<StationaryState&>(state) = symmetric_part(state);
+  }
+  Field weights = weights_of(state);
+  t = scaled(t, 1 / length_of(t, weights));
+  return PathState{state, std::move(t), std::move(weights), sign};
+}
+
 }  // namespace
 
 double cosine(const PathState& p, const PathState& q) {
   const Increment &a = p.tangent, &b = q.tangent;
-  return (a.d.dot(b.d) + a.beta.dot(b.beta)) / double(a.d.size()) + a.mu * b.mu;
+  const double square = a.d.cwiseProduct(b.d).dot(p.weights) + a.beta.dot(b.beta);
+  return square / double(a.d.size()) + a.mu * b.mu;
 }
 
 std::optional<PathState> with_tangent(const Line& line, const LineState& state,
@@ -65,13 +101,13 @@ std::optional<PathState> with_tangent(const Line& line, const LineState& state,
   const bool regular = system.tangent(gradient_rate, line.volume_rate(), ahead);
   const int sign = regular ? system.determinant_sign() : 0;
   if (forward) {
-    if (!system.tangent(across(line, gradient_rate, *forward), t)) return {};
+    if (!system.tangent(across(line, gradient_rate, *forward, weights_of(state)), t)) return {};
   } else if (regular) {
     t = ahead;
   } else {
     return {};
   }
-  return PathState{state, scaled(t, 1 / length_of(t)), sign};
+  return on_path(line, state, t, sign);
 }
 
 std::optional<LineState> predicted(const Line& line, const PathState& from, double ds) {
@@ -85,7 +121,7 @@ std::optional<LineState> predicted(const Line& line, const PathState& from, doub
 std::optional<double> newton_step(const Line& line, LineState& state, const PathState& from,
                                   double /*ds*/) {
   NewtonSystem system = system_at(line, state);
-  const PathEquation path = across(line, line.gradient_rate(state), from.tangent);
+  const PathEquation path = across(line, line.gradient_rate(state), from.tangent, from.weights);
   Increment step;
   if (!system.linearise(state) || !system.newton_step(line.target(state.mu), path, 0, step))
     return {};
@@ -94,14 +130,20 @@ std::optional<double> newton_step(const Line& line, LineState& state, const Path
   return largest_change(step);
 }
 
-PathState with_fresh_nodes(const Line& line, const PathState& state, double grading) {
-  const auto solved = solve_at(
-      line.material, line.model, line.at(state.mu), redistribute(state, grading),
-      {.most_iterations = Line::limits.most_iterations, .tolerance = Line::limits.tolerance});
-  if (!solved) return state;
-  // The tangent as a field over the old nodes still tells which way is forward.
-  const auto fresh = with_tangent(line, {*solved, state.mu}, &state.tangent);
-  return fresh ? *fresh : state;
+PathState with_fresh_nodes(const Line& line, const PathState& state, const Numerics& numerics) {
+  return on_nodes(line, state, fitted(state, numerics)).value_or(state);
+}
+
+std::optional<PathState> on_nodes(const Line& line, const PathState& state, StationaryState guess) {
+  LineState x{line.symmetric ? symmetric_part(guess) : std::move(guess), state.mu};
+  // Across the guess's own tangent, along which a thin neck would give way to the error of the guess.
+  auto start = with_tangent(line, x);
+  if (!start || !model::converges(x, Line::limits, [&](auto& s) {
+        return newton_step(line, s, *start, 0);
+      }))
+    return {};
+  if (start->slope() * state.slope() < 0) start->tangent = scaled(start->tangent, -1);
+  return with_tangent(line, x, &start->tangent);
 }
 
 }  // namespace sbeh::axisym

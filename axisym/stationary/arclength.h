@@ -15,28 +15,40 @@ struct LineState : StationaryState {
   double mu = 0;
 };
 
-/// With its tangent of unit length (root mean square of displacement and order, and μ).
+/// Nodes: B_φφ², 1 at least. In a neck a displacement counts as long as it is against the neck's radius, which
+/// does not become a fraction in one step.
+Field weights_of(const StationaryState& state);
+
+/// Length of a direction: root mean square of weighted motion and of order, and μ.
+double length_of(const Increment& t, const Field& weights);
+
+/// With its tangent of unit length.
 struct PathState : LineState {
   Increment tangent;
+  Field weights;  ///< of lengths here
   int determinant_sign;
 
   double slope() const { return tangent.mu; }
 };
 
-/// A straight line through the (V_r, L) plane, μ = 0 at `from`, 1 at `to`, and beyond both.
+/// A straight line in V_r, L and H₀, μ = 0 at `from`, 1 at `to`, and beyond both.
 struct Line {
   using Solution = LineState;
   using Point = PathState;
   static constexpr model::ContinuationLimits limits{
       .most_iterations = 9, .tolerance = 1e-6, .far = 0.3, .fold = 1e-8};
 
-  model::Material material;  ///< but for L
+  model::Material material;  ///< but for L, and for H₀ that at `to`
   model::Model model;
   PlanePoint from, to;
+  double first_H0 = material.spontaneous_curvature;  ///< at `from`
+  /// Whether only states are looked for that are symmetric top to bottom: branches that break the symmetry
+  /// cross theirs and are not seen.
+  bool symmetric = false;
 
   PlanePoint at(double mu) const;
   Target target(double mu) const { return target_of(at(mu).reduced_volume); }
-  model::Material material_at(double mu) const { return material.with_L(at(mu).L); }
+  model::Material material_at(double mu) const;
   /// Whether there are states to look for: V_r <= 1, L > 0.
   bool contains(double mu) const { return at(mu).L > 0 && at(mu).reduced_volume <= 1; }
 
@@ -44,8 +56,6 @@ struct Line {
   Eigen::VectorXd gradient_rate(const LineState& state) const;
 };
 
-/// Length of a direction: root mean square of motion and order, and μ.
-double length_of(const Increment& t);
 Increment scaled(Increment t, double factor);
 
 /// Largest displacement or change of order in a step.
@@ -63,8 +73,14 @@ std::optional<double> newton_step(const Line& line, LineState& state, const Path
 double cosine(const PathState& a, const PathState& b);
 using model::advance, model::arc_step, model::locate_fold;
 
-/// Redistributes the nodes of a state on the path and solves again; the state itself where that
-/// fails. Keeps the direction of the tangent.
-PathState with_fresh_nodes(const Line& line, const PathState& state, double grading);
+/// `follow` along a line.
+FollowResult follow(const Line& line, const BranchState& from, const Numerics& numerics);
+
+/// Redistributes the nodes of a state on the path, over as many elements as `elements_for` says, and solves
+/// again; the state itself where that fails. Keeps the direction of the tangent.
+PathState with_fresh_nodes(const Line& line, const PathState& state, const Numerics& numerics);
+
+/// The path's state near a guess on other nodes, at a μ near that of `state`. Empty where Newton's method fails.
+std::optional<PathState> on_nodes(const Line& line, const PathState& state, StationaryState guess);
 
 }  // namespace sbeh::axisym

@@ -3,6 +3,7 @@
 #include "axisym/redistribute.h"
 #include "axisym/start_shapes.h"
 #include "axisym/stationary/arclength.h"
+#include "axisym/stationary/symmetry.h"
 
 #include <algorithm>
 #include <cmath>
@@ -91,7 +92,7 @@ struct Sample : LineState {
 std::optional<Sample> sample(const Line& line, double mu, const StationaryState& near,
                              const Numerics& numerics) {
   const auto solved =
-      solve_at(line.material, line.model, line.at(mu), redistribute(near, numerics.grading));
+      solve_at(line.material_at(mu), line.model, line.at(mu), redistribute(near, numerics.grading));
   if (!solved) return {};
   const auto mode = antisymmetric_mode(line.material_at(mu), line.model, *solved);
   if (!mode) return {};
@@ -124,7 +125,8 @@ std::optional<PathState> find_pitchfork(const Line& line, const StationaryState&
       b = next;
     }
     const Increment& along = b->mode.direction;
-    return PathState{{*b, zero()}, scaled(along, 1 / length_of(along)), 0};
+    const Field weights = weights_of(*b);
+    return PathState{{*b, zero()}, scaled(along, 1 / length_of(along, weights)), weights, 0};
   }
   return {};
 }
@@ -138,7 +140,7 @@ BranchState state_of(const Line& line, const PathState& p) {
 // The state on a mesh of so many elements, on the same side of the fold, tangent towards it.
 std::optional<PathState> lifted(const Line& line, const PathState& coarse,
                                 const Numerics& numerics) {
-  const auto solved = solve_at(line.material, line.model, line.at(coarse.mu),
+  const auto solved = solve_at(line.material_at(coarse.mu), line.model, line.at(coarse.mu),
                                redistribute(coarse, numerics.grading, numerics.elements));
   if (!solved) return {};
   auto fine = with_tangent(line, {*solved, coarse.mu});
@@ -147,12 +149,13 @@ std::optional<PathState> lifted(const Line& line, const PathState& coarse,
 }
 
 // The last state before the fold on the way up from a pitchfork: μ falls while V_r rises.
-std::optional<PathState> climb(const Line& line, PathState here, double grading, double& ds) {
+std::optional<PathState> climb(const Line& line, PathState here, const Numerics& numerics,
+                               double& ds) {
   bool left = false;  // the oblates, where the path is tangent to nothing
   while (const auto next = advance(line, here, ds, 1e-5)) {
     if (left && next->slope() >= 0) return here;
     left = left || next->slope() < -0.3;
-    here = with_fresh_nodes(line, *next, grading);
+    here = with_fresh_nodes(line, *next, numerics);
     ds = std::min(1.5 * ds, 0.5);
     if (line.at(here.mu).reduced_volume > 0.95) return {};
   }
@@ -175,7 +178,7 @@ std::optional<BranchEntry> enter_stomatocytes(const BranchState& oblate,
   const auto rough =
       find_pitchfork(line, redistribute(oblate, numerics.grading, coarse.elements), coarse);
   double ds = 0.1;
-  const auto near = rough ? climb(line, *rough, coarse.grading, ds) : std::nullopt;
+  const auto near = rough ? climb(line, *rough, coarse, ds) : std::nullopt;
   auto here = near ? lifted(line, *near, numerics) : std::nullopt;
   for (int step = 0; here && step < 60; ++step) {
     const auto next = advance(line, *here, ds, 1e-6);
@@ -187,7 +190,9 @@ std::optional<BranchEntry> enter_stomatocytes(const BranchState& oblate,
     PathState beyond = *next;
     for (int k = 0; k < 20 && beyond.slope() < 0.5; ++k)
       if (const auto further = arc_step(line, beyond, ds)) beyond = *further;
-    entry.state = state_of(line, with_fresh_nodes(line, beyond, numerics.grading));
+    entry.state = state_of(line, with_fresh_nodes(line, beyond, numerics));
+    if (entry.state.H[0] < 0)  // the pole of the dimple first
+      static_cast<StationaryState&>(entry.state) = upside_down(entry.state);
     return entry;
   }
   return {};

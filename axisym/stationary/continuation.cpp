@@ -1,11 +1,15 @@
 #include "axisym/stationary/continuation.h"
 
+#include "axisym/curvature.h"
 #include "axisym/redistribute.h"
+#include "axisym/shape_class.h"
 #include "axisym/stationary/arclength.h"
+#include "axisym/stationary/symmetry.h"
 
 #include <algorithm>
 #include <numbers>
 #include <optional>
+#include <utility>
 
 namespace sbeh::axisym {
 
@@ -28,15 +32,23 @@ constexpr int direct_iterations = 6;  // more than these: the prediction was not
 
 std::optional<BranchState> solve_near(const Line& line, double mu, const StationaryState& guess,
                                       int determinant_sign) {
-  auto solved = solve_at(line.material, line.model, line.at(mu), guess,
+  auto solved = solve_at(line.material_at(mu), line.model, line.at(mu), guess,
                          {.most_iterations = direct_iterations});
   if (solved && determinant_sign != 0 && solved->determinant_sign != determinant_sign) return {};
+  if (solved && line.symmetric && asymmetry(solved->X) > broken_symmetry) return {};
+  if (solved && line.symmetric) static_cast<StationaryState&>(*solved) = symmetric_part(*solved);
   return solved;
 }
 
+// Whether a neck or a rim has become so much sharper that the nodes, which were placed for `here`, do not resolve it.
+bool outgrows_nodes(const StationaryState& here, const StationaryState& next) {
+  const double now = resolution(next.X, next.H);
+  return now > 0.1 && now > 1.4 * resolution(here.X, here.H);
+}
+
 // With the nodes where the curvature is, if that succeeds.
-FollowResult arrived(const Line& line, BranchState state, double grading) {
-  const auto placed = solve_near(line, 1, redistribute(state, grading), 0);
+FollowResult arrived(const Line& line, BranchState state, const Numerics& numerics) {
+  const auto placed = solve_near(line, 1, fitted(state, numerics), 0);
   state.iterations = placed ? placed->iterations : 0;
   if (placed) static_cast<StationaryState&>(state) = *placed;
   return {Arrival::reached, state};
@@ -46,7 +58,12 @@ FollowResult arrived(const Line& line, BranchState state, double grading) {
 
 FollowResult follow(const model::Material& material, model::Model model, const BranchState& from,
                     PlanePoint to, const Numerics& numerics) {
-  const Line line{material, model, from.at, to};
+  Line line{material, model, from.at, to};
+  line.symmetric = is_symmetric(from.X);
+  return follow(line, from, numerics);
+}
+
+FollowResult follow(const Line& line, const BranchState& from, const Numerics& numerics) {
   auto here = with_tangent(line, {from, 0});
   if (!here) return {Arrival::lost, from};
   const int sign = here->determinant_sign;
@@ -56,21 +73,15 @@ FollowResult follow(const model::Material& material, model::Model model, const B
     StationaryState guess = from;
     displace(here->tangent, whole, guess);
     if (const auto solved = solve_near(line, 1, guess, sign))
-      return arrived(line, *solved, numerics.grading);
+      return arrived(line, *solved, numerics);
   }
 
-  double ds = std::min(whole / 2, 0.1), moved = 0;
-  // The displacement after which nodes are redistributed: along L, where necks grow sharp, at once.
-  const double stale = to.L == from.at.L ? 0.1 : 0;
+  double ds = std::min(whole / 2, 0.1), growth = 1.5;
   for (int step = 0; step < 200 && ds > 1e-7; ++step) {
     const auto next = arc_step(line, *here, ds);
-    if (!next) {
+    if (!next || outgrows_nodes(*here, *next)) {
       ds /= 2;
-      continue;
-    }
-    if (next->slope() <= 0 && moved > 0) {  // the fold is worth fresh nodes
-      here = with_fresh_nodes(line, *here, numerics.grading);
-      moved = 0;
+      growth = 1;  // of the next step
       continue;
     }
     if (next->slope() <= 0) {
@@ -82,18 +93,15 @@ FollowResult follow(const model::Material& material, model::Model model, const B
       const auto close = arc_step(line, *here, ds * share);
       // A different sign here is a branch crossing this one, not another branch.
       const auto solved = solve_near(line, 1, close ? *close : *next, 0);
-      if (solved) return arrived(line, *solved, numerics.grading);
+      if (solved) return arrived(line, *solved, numerics);
       ds /= 2;
       continue;
     }
-    // Move on, with the nodes where the curvature now is.
-    moved += ds * largest_change(here->tangent);
-    here = next;
-    if (moved > stale) {
-      here = with_fresh_nodes(line, *here, numerics.grading);
-      moved = 0;
-    }
-    ds *= 1.5;
+    // Necks and rims grow sharp; and Newton's method converges from farther where nodes are well placed.
+    here = with_fresh_nodes(line, *next, numerics);
+    if (thinnest_neck(here->X) < closed_neck)
+      return {Arrival::neck, {*here, line.at(here->mu), sign, step}};
+    ds *= std::exchange(growth, 1.5);
   }
   return {Arrival::lost, {*here, line.at(here->mu), sign}};
 }

@@ -24,9 +24,13 @@ std::optional<BranchState> solve_at(const model::Material& material, model::Mode
                                     PlanePoint at, const StationaryState& guess,
                                     const NewtonOptions& options = {});
 
+/// A radius: a neck that is thinner tends to a point between two closed surfaces.
+inline constexpr double closed_neck = 0.005;
+
 enum class Arrival {
   reached,  ///< `state` is at the point asked for
   fold,     ///< the branch ends in a fold before it; `state` is at the fold
+  neck,     ///< a neck closes before it: `state` is the first where it is thinner than closed_neck
   lost      ///< Newton failed for another reason; `state` is the last good one
 };
 

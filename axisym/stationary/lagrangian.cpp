@@ -147,10 +147,9 @@ void assemble(const model::Material& material, const StationaryState& state, con
   }
 }
 
-Eigen::VectorXd gradient_rate_by_L(const model::Material& material, const StationaryState& state,
-                                   const Nodes& normals) {
-  const model::Material unit = material.with_L(1), zero = material.with_L(0);
-  Eigen::VectorXd rate = Eigen::VectorXd::Zero(node_unknowns * state.beta.size());
+Eigen::VectorXd gradient_difference(const model::Material& a, const model::Material& b,
+                                    const StationaryState& state, const Nodes& normals) {
+  Eigen::VectorXd sum = Eigen::VectorXd::Zero(node_unknowns * state.beta.size());
   Eigen::Matrix<double, element_unknowns, 1> vector;
   for (int e = 0; e < element_count(state.X); ++e) {
     vector.setZero();
@@ -158,13 +157,13 @@ Eigen::VectorXd gradient_rate_by_L(const model::Material& material, const Statio
       const NormalShapes shapes(normals, e, s);
       const auto q = independent<First>(point_data(state, shapes, e, s));
       const First difference =
-          lagrangian_density(unit, 0, 0, q).energy - lagrangian_density(zero, 0, 0, q).energy;
+          lagrangian_density(a, 0, 0, q).energy - lagrangian_density(b, 0, 0, q).energy;
       model::add_vector(data_rows(shapes, s), padded(difference), s.weight, vector);
     }
     for (int k = 0; k < element_unknowns; ++k)
-      rate[node_unknowns * (3 * e + k % 4) + k / 4] += vector[k];
+      sum[node_unknowns * (3 * e + k % 4) + k / 4] += vector[k];
   }
-  return rate;
+  return sum;
 }
 
 }  // namespace sbeh::axisym

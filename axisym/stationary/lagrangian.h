@@ -86,9 +86,8 @@ struct LagrangianDerivatives {
 void assemble(const model::Material& material, const StationaryState& state, const Nodes& normals,
               LagrangianDerivatives& out);
 
-/// ∂(gradient)/∂L for the elastic constant L of the one-constant approximation, in which the energy is
-/// linear; 4 nodes.
-Eigen::VectorXd gradient_rate_by_L(const model::Material& material, const StationaryState& state,
-                                   const Nodes& normals);
+/// The gradient with one material less that with another; 4 nodes.
+Eigen::VectorXd gradient_difference(const model::Material& a, const model::Material& b,
+                                    const StationaryState& state, const Nodes& normals);
 
 }  // namespace sbeh::axisym

@@ -14,6 +14,7 @@ struct ContinuationLimits {
   double tolerance;     ///< on the last change; the error left is about its square
   double far;           ///< a larger change leaves the neighbourhood
   double fold;          ///< a smaller |slope| is that of a fold
+  double growth = 2;    ///< a change so much larger than the one before does not converge
   double least_cosine = 0.6;  ///< between the tangents of a step: more turning means a jump
 };
 
@@ -36,10 +37,12 @@ concept ContinuationSystem = requires(const System& system, const typename Syste
 /// Repeats steps that return their largest change. False unless they converge.
 template <class Solution, class Step>
 bool converges(Solution& x, const ContinuationLimits& limits, Step&& step) {
+  double bound = limits.far;
   for (int iteration = 0; iteration < limits.most_iterations; ++iteration) {
     const std::optional<double> change = step(x);
-    if (!change || !(*change < limits.far)) return false;
+    if (!change || !(*change < bound)) return false;
     if (*change < limits.tolerance) return true;
+    if (iteration > 0) bound = limits.growth * *change;
   }
   return false;
 }

@@ -99,6 +99,7 @@ class TomlTable {
  private:
   static std::vector<std::string> names_of(const auto& values) {
     std::vector<std::string> names;
+    names.reserve(std::size(values));
     for (const auto value : values) names.emplace_back(name(value));
     return names;
   }

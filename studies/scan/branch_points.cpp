@@ -2,7 +2,9 @@
 
 #include "axisym/shape_class.h"
 #include "axisym/start_shapes.h"
+#include "axisym/stationary/accuracy.h"
 #include "axisym/stationary/fold_kind.h"
+#include "axisym/stationary/limit_shape.h"
 #include "axisym/stationary/stability.h"
 #include "axisym/stationary/stationary.h"
 #include "model/order_step.h"
@@ -10,6 +12,8 @@
 #include "studies/io/stopwatch.h"
 
 #include <fmt/format.h>
+
+#include <cmath>
 
 namespace sbeh::studies {
 
@@ -30,11 +34,11 @@ StationaryCase moved_to(const PlanePoint& at, StationaryCase of) {
 }
 
 // What a state is, apart from the branch that led to it.
-PointOutcome outcome_of(const StationaryCase& of, const StationaryState& state) {
-  PointOutcome point{{.status = PointStatus::stationary,
-                      .diagnostics = axisym::diagnose(of.material, state),
-                      .stop_reason = "stationary"},
-                     state};
+PointOutcome outcome_of(const StationaryCase& of, const StationaryState& state,
+                        const axisym::Diagnostics& diagnostics) {
+  PointOutcome point{
+      {.status = PointStatus::stationary, .diagnostics = diagnostics, .stop_reason = "stationary"},
+      state};
   PointResult& row = point.row;
   const double resolution = row.diagnostics->resolution;
   row.shape = sbeh::name(axisym::classify(state.X));
@@ -86,20 +90,60 @@ void describe_fold(const StationaryCase& of, const BranchState& fold, int negati
       name(of.branch), at.reduced_volume, at.L, what_gives_way(of, fold));
 }
 
+// A state of the case itself, over as many elements as its errors need.
+PointOutcome resolved_point(const StationaryCase& of, const BranchState& state) {
+  const axisym::ResolvedState found = axisym::resolved(of.material, of.model, state, of.numerics);
+  PointOutcome point = outcome_of(of, found.state, found.diagnostics);
+  PointResult& row = point.row;
+  row.residual = axisym::residual_of(of.material, of.model, found.state);
+  row.steps = found.state.iterations;
+  row.negative_directions = axisym::negative_directions(of.material, of.model, found.state);
+  row.fold_side = "before";
+  row.error = found.error;
+  if (!found.is_resolved && row.status == PointStatus::stationary) {
+    row.status = PointStatus::unresolved;
+    row.stop_reason = fmt::format(
+        "with {} elements the estimated errors are still {:.1e} of the energy and {:.1e} of W2, "
+        "more than is promised",
+        axisym::element_count(found.state.X), found.error.energy, found.error.W2);
+  }
+  return point;
+}
+
+// What the branch's end in a closed neck means for the point: what it tends to.
+PointOutcome limit_point(const StationaryCase& of, const BranchState& last) {
+  PointOutcome point{{.status = PointStatus::limit}, {}};
+  point.row.stop_reason =
+      fmt::format("a neck closes: its radius is {:.2g}", axisym::thinnest_neck(last.X));
+  if (of.model != Model::SSH) return point;
+  const bool nested = of.branch == Branch::stomatocyte;
+  auto spheres = axisym::two_spheres(of.reduced_volume, nested);
+  if (!spheres) spheres = axisym::TwoSpheres{std::sqrt(0.5), std::sqrt(0.5), nested};
+  point.row.diagnostics = axisym::diagnose(of.material, *spheres);
+  point.row.stop_reason += fmt::format(
+      "; the branch tends to two spheres {}, of radii {:.6g} and {:.6g}, with V_r = {:.6g}, whose "
+      "neck closes at H0 = {:.6g}; the values are theirs",
+      nested ? "one within the other" : "side by side", spheres->outer, spheres->inner,
+      point.row.diagnostics->reduced_volume, axisym::closing_H0(*spheres));
+  return point;
+}
+
 PointOutcome outcome_of(const StationaryCase& of, const BranchState& start,
                         const axisym::FollowResult& result) {
   const PlanePoint at = result.state.at;
+  if (result.arrival == axisym::Arrival::reached) return resolved_point(of, result.state);
+  if (result.arrival == axisym::Arrival::neck) return limit_point(of, result.state);
   if (result.arrival == axisym::Arrival::lost)
     return failed_point(fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}",
                                     at.reduced_volume, at.L));
   const StationaryCase there = moved_to(at, of);
-  PointOutcome point = outcome_of(there, result.state);
+  PointOutcome point =
+      outcome_of(there, result.state, axisym::diagnose(there.material, result.state));
   point.row.residual = axisym::residual_of(there.material, of.model, result.state);
   point.row.steps = result.state.iterations;
   point.row.negative_directions =
       axisym::negative_directions(there.material, of.model, result.state);
-  point.row.fold_side = "before";
-  if (result.arrival == axisym::Arrival::fold && point.row.status != PointStatus::failed)
+  if (point.row.status != PointStatus::failed)
     describe_fold(of, result.state,
                   axisym::negative_directions(of.material.with_L(start.at.L), of.model, start),
                   point.row);
@@ -130,10 +174,8 @@ std::optional<BranchState> settled(const StationaryCase& of, const State& state)
   return axisym::solve_at(of.material, of.model, of.at(), axisym::guess_from(of.material, state));
 }
 
-std::optional<Neighbour> entry_of(const StationaryCase& of) {
-  const auto entry = axisym::enter_branch(of.branch, of.material, of.numerics);
-  if (!entry) return {};
-  return Neighbour{entry->state.at, entry->state};
+bool has_state_here(const PointOutcome& point) {
+  return point.state && point.row.status != PointStatus::failed && point.row.fold_side == "before";
 }
 
 constexpr double largest_fold = 2;  // of L
@@ -146,12 +188,20 @@ std::optional<BranchState> fold_above(const StationaryCase& of, const State& sta
   return result.state;
 }
 
+PointOutcome ssh_point(const StationaryCase& of, axisym::SshBranch& branch) {
+  const Stopwatch watch;
+  const auto found = branch.at(of.reduced_volume);
+  if (!found) return failed_point("Newton's method failed at the entry of the branch");
+  PointOutcome point = outcome_of(of, found->state, *found);
+  point.row.wall_seconds = watch.seconds();
+  return point;
+}
+
 PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
   const Stopwatch watch;
   const auto start = settled(moved_to(from.at, of), from.state);
   if (!start) return failed_point("Newton's method failed at the neighbouring point");
-  PointOutcome point =
-      outcome_of(of, *start, axisym::follow(of.material, of.model, *start, of.at(), of.numerics));
+  PointOutcome point = outcome_of(of, *start, follow_up(of, *start, of.L()));
   point.row.steps += start->iterations;
   point.row.wall_seconds = watch.seconds();
   return point;
@@ -161,7 +211,7 @@ PointOutcome rescale_to(const StationaryCase& of, const Neighbour& from) {
   const Stopwatch watch;
   const auto state = settled(of, from.state);
   if (!state) return follow_to(of, from);
-  PointOutcome point = outcome_of(of, *state, {axisym::Arrival::reached, *state});
+  PointOutcome point = resolved_point(of, *state);
   point.row.wall_seconds = watch.seconds();
   return point;
 }
@@ -219,11 +269,12 @@ std::optional<PointOutcome> flow_to_rest(const StationaryCase& of, double end_ti
       });
   if (run.stop == axisym::FlowStop::interrupted) return {};
 
-  PointOutcome point = outcome_of(of, StationaryState{run.state});
+  PointOutcome point =
+      outcome_of(of, StationaryState{run.state}, axisym::diagnose(of.material, run.state));
   point.row.residual = std::max(run.last.normal_speed, run.last.order_speed);
   if (run.stop == axisym::FlowStop::at_rest) {
     if (const auto polished = settled(of, run.state)) {
-      point = outcome_of(of, *polished, {axisym::Arrival::reached, *polished});
+      point = resolved_point(of, *polished);
       const std::string rest = fmt::format("at rest at t = {:.4g}", run.last.time);
       point.row.stop_reason =
           point.row.status == PointStatus::stationary ? rest : rest + "; " + point.row.stop_reason;

@@ -5,7 +5,7 @@
 #pragma once
 
 #include "axisym/flow.h"
-#include "axisym/stationary/branch_entry.h"
+#include "axisym/stationary/ssh_branch.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/series_file.h"
 
@@ -34,10 +34,13 @@ PointOutcome failed_point(std::string reason);
 std::optional<axisym::BranchState> settled(const axisym::StationaryCase& of,
                                            const axisym::State& state);
 
-/// SSH's state from which the branch is followed, at the case's elastic constant; empty when Newton fails.
-std::optional<Neighbour> entry_of(const axisym::StationaryCase& of);
+/// Whether the point has a state of its own, to go on from: one that passes through itself has.
+bool has_state_here(const PointOutcome& point);
 
-/// Follows the branch of the case's model from a neighbour (of the same model) to the case.
+/// SSH's state of the branch.
+PointOutcome ssh_point(const axisym::StationaryCase& of, axisym::SshBranch& branch);
+
+/// Follows the branch of SBEH along L from a neighbour at the same reduced volume to the case.
 PointOutcome follow_to(const axisym::StationaryCase& of, const Neighbour& from);
 
 /// SSH's state with another elastic constant: the same shape unless k₀ or H₀ is there.

@@ -15,16 +15,20 @@
 
 #include <algorithm>
 #include <mutex>
+#include <ranges>
 
 namespace sbeh::studies {
 
 namespace fs = std::filesystem;
 using axisym::Branch;
-using axisym::entry_volume;
 using axisym::StationaryCase;
 using model::Model;
 
 namespace {
+
+bool has_profile(const PointResult& row) {
+  return row.diagnostics && row.status != PointStatus::limit;
+}
 
 // A scan in its folder: what is there, and how a point is kept.
 struct Scan {
@@ -38,7 +42,7 @@ struct Scan {
     const PointResult* row = row_of(key);
     if (!row) return {};
     PointOutcome point{*row, {}};
-    if (row->diagnostics)
+    if (has_profile(*row))
       point.state = axisym::StationaryState{read_profile(point_file(folder.path(), key, ".csv"))};
     return point;
   }
@@ -87,8 +91,8 @@ struct Scan {
   const PointResult* row_of(const PointKey& key) {
     const std::lock_guard lock(mutex);
     const PointResult* row = table.find(key);
-    return row && row->diagnostics && !fs::exists(point_file(folder.path(), key, ".csv")) ? nullptr
-                                                                                          : row;
+    return row && has_profile(*row) && !fs::exists(point_file(folder.path(), key, ".csv")) ? nullptr
+                                                                                           : row;
   }
 };
 
@@ -104,9 +108,9 @@ void scan_order_column(Scan& scan, Branch branch, const Neighbour& ssh) {
       return last ? follow_to(of, *last) : order_from(of, ssh.state);
     });
     if (!outcome) return;
-    if (outcome->row.status == PointStatus::stationary) {
+    if (has_state_here(*outcome)) {
       last = Neighbour{{v, L}, *outcome->state};
-    } else if (outcome->row.status == PointStatus::unresolved && !fold) {
+    } else if (outcome->row.fold_side == "at" && !fold) {
       fold = outcome;
       fold->row.steps = 0;
       fold->row.wall_seconds = 0;
@@ -131,55 +135,37 @@ void scan_all_of(Scan& scan, double v, Branch branch, Compute&& compute) {
     for (const Model model : scan.input.models) scan.point({v, L, model, branch}, compute);
 }
 
-// Reduced volumes in the order in which the chain of SSH shapes reaches them: up from the entry, then
-// down from it.
-std::vector<double> chain_of(const std::vector<double>& volumes, double entry) {
-  std::vector<double> chain;
-  for (const double v : volumes)
-    if (v > entry && v < 1) chain.push_back(v);
-  for (auto v = volumes.rbegin(); v != volumes.rend(); ++v)
-    if (*v <= entry) chain.push_back(*v);
-  return chain;
-}
-
-// SSH's shapes along the chain; `branch_off` is called with each of them.
+// SSH's shapes at the first L, from the highest reduced volume down; `branch_off` is called with each of them.
 template <class BranchOff>
-void walk_chain(Scan& scan, Branch branch, BranchOff&& branch_off) {
+void walk_volumes(Scan& scan, Branch branch, BranchOff&& branch_off) {
   const double L = scan.input.L.front();
-  const auto entry = entry_of(case_of(scan.input, {entry_volume, L, Model::SSH, branch}));
-  const double first_volume = entry ? entry->at.reduced_volume : entry_volume;
-  std::optional<Neighbour> last = entry;
-  bool below = false;
-  for (const double v : chain_of(scan.input.reduced_volume, first_volume)) {
+  axisym::SshBranch states(branch, scan.input.material.with_L(L), scan.input.numerics);
+  const auto compute = [&](const StationaryCase& of) { return ssh_point(of, states); };
+  for (const double v : std::views::reverse(scan.input.reduced_volume)) {
     if (interrupt_signal()) return;
-    if (v <= first_volume && !std::exchange(below, true)) last = entry;
+    if (v == 1) continue;
     const PointKey key{v, L, Model::SSH, branch};
-    const auto compute = [&](const StationaryCase& of) {
-      return last ? follow_to(of, *last)
-                  : failed_point("Newton's method failed at the entry of the branch");
-    };
     const std::optional<PointOutcome> ssh =
         scan.input.has(Model::SSH) ? scan.point(key, compute) : compute(case_of(scan.input, key));
     if (!ssh) return;
-    if (ssh->row.status != PointStatus::stationary) {
-      // Without it nothing of this reduced volume can be reached: all its points share the reason.
-      scan_all_of(scan, v, branch, [&](const StationaryCase&) {
-        PointOutcome outcome = failed_point("no SSH shape to start from: " + ssh->row.stop_reason);
-        outcome.row.status = ssh->row.status;
-        return outcome;
-      });
+    if (has_state_here(*ssh)) {
+      branch_off(Neighbour{{v, L}, *ssh->state});
       continue;
     }
-    last = Neighbour{{v, L}, *ssh->state};
-    branch_off(*last);
+    // Without it nothing of this reduced volume can be reached: all its points share the reason.
+    scan_all_of(scan, v, branch, [&](const StationaryCase&) {
+      PointOutcome outcome = failed_point("no SSH shape to start from: " + ssh->row.stop_reason);
+      outcome.row.status = ssh->row.status;
+      return outcome;
+    });
   }
 }
 
-// One chain of SSH shapes along V_r; columns along L branch off it and run in parallel.
+// SSH's shapes one after the other; columns along L branch off them and run in parallel.
 void scan_by_newton(Scan& scan, Branch branch) {
   tbb::task_group columns;
   columns.run([&] {
-    walk_chain(scan, branch, [&](const Neighbour& ssh) {
+    walk_volumes(scan, branch, [&](const Neighbour& ssh) {
       columns.run([&scan, branch, ssh] { scan_column(scan, branch, ssh); });
     });
     if (scan.input.reduced_volume.back() == 1) scan_all_of(scan, 1, branch, sphere_point);
@@ -263,7 +249,9 @@ ScanSummary run_scan(const ScanInput& input, const fs::path& path, std::string_v
     ++summary.points;
     summary.stationary += row.status == PointStatus::stationary;
     summary.unresolved += row.status == PointStatus::unresolved;
-    summary.failed += row.status == PointStatus::failed;
+    summary.limit += row.status == PointStatus::limit;
+    if (row.status == PointStatus::failed && summary.failed++ == 0)
+      summary.first_failure = row.stop_reason;
   }
   summary.computed = scan.computed;
   summary.interrupted = interrupt_signal() != 0;

@@ -4,14 +4,16 @@
 #include "studies/scan/scan_input.h"
 
 #include <filesystem>
+#include <string>
 #include <string_view>
 
 namespace sbeh::studies {
 
 struct ScanSummary {
-  int points = 0, stationary = 0, unresolved = 0, failed = 0;
-  int computed = 0;          ///< in this call; the rest was there
-  int lowest_not_found = 0;  ///< rows of lowest.csv
+  int points = 0, stationary = 0, unresolved = 0, limit = 0, failed = 0;
+  std::string first_failure{};  ///< the reason of the first failed point
+  int computed = 0;             ///< in this call; the rest was there
+  int lowest_not_found = 0;     ///< rows of lowest.csv
   bool interrupted = false;
   double seconds = 0;
 };

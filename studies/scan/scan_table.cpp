@@ -2,6 +2,7 @@
 
 namespace sbeh::studies {
 
+using axisym::Accuracy;
 using axisym::Diagnostics;
 using axisym::Energy;
 
@@ -9,6 +10,9 @@ const Columns<PointResult>& scan_columns() {
   using Row = PointResult;
   const auto measure = [](std::string name, auto member) {
     return part_column(std::move(name), &Row::diagnostics, member, "nan");
+  };
+  const auto error = [](std::string name, auto member) {
+    return part_column(std::move(name), &Row::error, member, "nan");
   };
   static const Columns<Row> columns{
       column<Row>("model", inside(&Row::key, &PointKey::model)),
@@ -47,6 +51,9 @@ const Columns<PointResult>& scan_columns() {
       column("self_contact", &Row::self_contact),
       column("fold_side", &Row::fold_side),
       column("fold_L", &Row::fold_L),
+      error("energy_error", &Accuracy::energy),
+      error("W2_error", &Accuracy::W2),
+      error("H_pole_error", &Accuracy::H_pole),
   };
   return columns;
 }

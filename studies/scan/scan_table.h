@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/diagnostics.h"
+#include "axisym/stationary/accuracy.h"
 #include "model/names.h"
 #include "studies/io/growing_table.h"
 #include "studies/scan/scan_input.h"
@@ -14,9 +15,12 @@ namespace sbeh::studies {
 enum class PointStatus {
   stationary,  ///< a state at rest, resolved
   unresolved,  ///< there is none to be had here, or not at this resolution: see the reason
+  limit,       ///< a neck has closed: the values are those of what the branch tends to
   failed       ///< the numerics failed
 };
-constexpr auto names(PointStatus) { return std::array{"stationary", "unresolved", "failed"}; }
+constexpr auto names(PointStatus) {
+  return std::array{"stationary", "unresolved", "limit", "failed"};
+}
 
 /// A row. The diagnostics are of the stationary state, or of the sharpest resolved one.
 struct PointResult {
@@ -34,6 +38,8 @@ struct PointResult {
   std::string fold_side{};         ///< "before" the branch's fold, or "at" it
   std::optional<double> fold_L{};  ///< at the fold of SBEH: its L, to which the diagnostics belong
   std::string stop_reason{};
+  std::optional<axisym::Accuracy>
+      error{};  ///< estimated, of the values; none where there is no estimate
 };
 
 const Columns<PointResult>& scan_columns();

@@ -48,12 +48,11 @@ WitnessState failed(Witness witness, std::string reason) {
 
 // Follows the branch of SSH from its entry, then, for a free order, to the elastic constant.
 PointOutcome follow_branch(const StationaryCase& of) {
-  const auto entry = entry_of(of);
-  if (!entry) return failed_point("Newton's method failed at the entry of the branch");
   StationaryCase classical = of;
   classical.model = Model::SSH;
-  PointOutcome ssh = follow_to(classical, *entry);
-  if (of.model == Model::SSH || ssh.row.status != PointStatus::stationary) return ssh;
+  axisym::SshBranch branch(of.branch, of.material, of.numerics);
+  PointOutcome ssh = ssh_point(classical, branch);
+  if (of.model == Model::SSH || !has_state_here(ssh)) return ssh;
   return order_from(of, *ssh.state);
 }
 

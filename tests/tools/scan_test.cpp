@@ -16,7 +16,8 @@ const std::string columns =
     "model,reduced_volume,L,branch,status,energy,energy_distortion,energy_bending,"
     "energy_thermotropic,order_min,order_max,order_mean,order_std,order_variance,H_pole,H_rim,"
     "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,"
-    "stop_reason,class,negative_directions,self_contact,fold_side,fold_L";
+    "stop_reason,class,negative_directions,self_contact,fold_side,fold_L,"
+    "energy_error,W2_error,H_pole_error";
 
 // Around the fold of SBEH's oblate branch at V_r = 0.6, which lies at L = 0.0706.
 const std::string across_the_fold =

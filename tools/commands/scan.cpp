@@ -9,17 +9,27 @@ namespace sbeh::tools {
 
 namespace {
 
+// Failures are told, not only tabled: the first with its reason.
+int tell_failures(const studies::ScanSummary& s, const std::filesystem::path& table) {
+  if (s.failed == 0) return 0;
+  complain(fmt::format("{} of {} points failed, the first one because {}; all reasons are in {}",
+                       s.failed, s.points, s.first_failure, table.string()));
+  return 1;
+}
+
 int scan(const Study& study) {
   const studies::ScanInput input = studies::read_scan(study.input);
-  const std::filesystem::path folder = study.results();
+  const std::filesystem::path folder = study.results(), table = folder / "scan.csv";
   const studies::ScanSummary s = studies::run_scan(input, folder, SBEH_VERSION);
-  fmt::print("{} points in {}: {} stationary, {} unresolved, {} failed; {} computed in {:.2f} s\n",
-             s.points, (folder / "scan.csv").string(), s.stationary, s.unresolved, s.failed,
-             s.computed, s.seconds);
+  fmt::print(
+      "{} points in {}: {} stationary, {} unresolved, {}{} failed; {} computed in {:.2f} s\n",
+      s.points, table.string(), s.stationary, s.unresolved,
+      s.limit > 0 ? fmt::format("{} limit, ", s.limit) : "", s.failed, s.computed, s.seconds);
   if (s.lowest_not_found > 0)
     fmt::print("{}: at {} points a lower state must exist than those found\n",
                (folder / "lowest.csv").string(), s.lowest_not_found);
-  return finish(study, studies::ResultsKind::scan, s.interrupted);
+  const int ended = finish(study, studies::ResultsKind::scan, s.interrupted);
+  return ended != 0 ? ended : tell_failures(s, table);
 }
 
 }  // namespace

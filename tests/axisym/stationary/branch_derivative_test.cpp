@@ -40,7 +40,8 @@ auto rate_of(const F& f, double h) {
 }
 
 Eigen::VectorXd gradient_rate(const BranchState& b, const Direction& direction) {
-  return direction.L * gradient_rate_by_L(paper_material(b.at.L), b, node_normals(b.X));
+  return direction.L
+       * gradient_difference(paper_material(1), paper_material(0), b, node_normals(b.X));
 }
 
 Increment tangent_of(const BranchState& b, const Direction& direction) {

@@ -128,7 +128,8 @@ TEST(Tables, have_these_columns) {
          "model,reduced_volume,L,branch,status,energy,energy_distortion,energy_bending,"
          "energy_thermotropic,order_min,order_max,order_mean,order_std,order_variance,H_pole,H_rim,"
          "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,"
-         "stop_reason,class,negative_directions,self_contact,fold_side,fold_L");
+         "stop_reason,class,negative_directions,self_contact,fold_side,fold_L,"
+         "energy_error,W2_error,H_pole_error");
   expect(fold_columns(), "reduced_volume,L,energy,order_min,H_abs_max,branch,kind");
   expect(equal_energy_columns(), "first,second,L,reduced_volume,energy");
   expect(lowest_columns(), "model,L,reduced_volume,branch,energy,bound,bound_of");

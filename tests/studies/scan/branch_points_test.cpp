@@ -7,10 +7,11 @@ namespace sbeh::studies {
 namespace {
 
 using axisym::Branch;
+using axisym::StationaryCase;
 using model::Model;
 
-axisym::StationaryCase case_of(double v, double L, Model model, Branch branch, int elements) {
-  axisym::StationaryCase of{.model = model, .branch = branch, .reduced_volume = v};
+StationaryCase case_of(double v, double L, Model model, Branch branch, int elements) {
+  StationaryCase of{.model = model, .branch = branch, .reduced_volume = v};
   of.material = of.material.with_L(L);
   of.numerics.elements = elements;
   return of;
@@ -31,19 +32,21 @@ TEST(StartOfAnotherBranch, is_refused_with_its_class_named) {
     const auto at = [](double v, double L, Model model, Branch branch) {
       return case_of(v, L, model, branch, 32);
     };
-    const auto start = entry_of(at(0.8, 0.05, Model::SSH, given));
-    ASSERT_TRUE(start);
-    expect_refused(follow_to(at(0.8, 0.05, Model::SSH, asked), *start), given);
-    const double v = start->at.reduced_volume;
-    expect_refused(rescale_to(at(v, 0.07, Model::SSH, asked), *start), given);
-    expect_refused(order_from(at(v, 0.05, Model::SBEH, asked), start->state), given);
-    EXPECT_EQ(follow_to(at(0.8, 0.05, Model::SSH, given), *start).row.status,
-              PointStatus::stationary);
+    const StationaryCase given_case = at(0.8, 0.05, Model::SSH, given),
+                         asked_case = at(0.8, 0.05, Model::SSH, asked);
+    axisym::SshBranch branch(given, given_case.material, given_case.numerics);
+    const PointOutcome start = ssh_point(given_case, branch);
+    EXPECT_EQ(start.row.status, PointStatus::stationary);
+    ASSERT_TRUE(start.state);
+    expect_refused(ssh_point(asked_case, branch), given);
+    const Neighbour there{given_case.at(), *start.state};
+    expect_refused(rescale_to(at(0.8, 0.07, Model::SSH, asked), there), given);
+    expect_refused(order_from(at(0.8, 0.05, Model::SBEH, asked), *start.state), given);
   }
 }
 
 TEST(Evolution, that_comes_to_rest_at_another_class_is_refused_with_it) {
-  axisym::StationaryCase of = case_of(0.8, 0.05, Model::SSH, Branch::stomatocyte, 24);
+  StationaryCase of = case_of(0.8, 0.05, Model::SSH, Branch::stomatocyte, 24);
   of.numerics.tolerance = 1e-3;
   std::vector<SeriesRow> history;
   // Starts from an oblate spheroid, and has no reason to turn inside out at this reduced volume.
@@ -68,10 +71,9 @@ TEST(StateAtAFold, is_told_with_what_loses_its_order_there) {
       at.material.spontaneous_curvature = f.H0;
       return at;
     };
-    const axisym::StationaryCase classical = of(0.05, Model::SSH);
-    const auto entry = entry_of(classical);
-    ASSERT_TRUE(entry);
-    const PointOutcome ssh = follow_to(classical, *entry);
+    const StationaryCase classical = of(0.05, Model::SSH);
+    axisym::SshBranch states(Branch::oblate, classical.material, classical.numerics);
+    const PointOutcome ssh = ssh_point(classical, states);
     ASSERT_TRUE(ssh.state);
     const PointOutcome fold = order_from(of(f.L, Model::SBEH), *ssh.state);
     EXPECT_EQ(fold.row.fold_side, "at");
@@ -83,10 +85,9 @@ TEST(StateAtAFold, is_told_with_the_L_and_the_stability_of_the_side_before_it) {
   for (const Branch branch : {Branch::oblate, Branch::stomatocyte})
     for (const double v : {0.55, 0.58, 0.61, 0.64}) {
       SCOPED_TRACE(std::string(name(branch)) + " " + std::to_string(v));
-      const axisym::StationaryCase classical = case_of(v, 0.05, Model::SSH, branch, 48);
-      const auto entry = entry_of(classical);
-      ASSERT_TRUE(entry);
-      const PointOutcome ssh = follow_to(classical, *entry);
+      const StationaryCase classical = case_of(v, 0.05, Model::SSH, branch, 48);
+      axisym::SshBranch states(branch, classical.material, classical.numerics);
+      const PointOutcome ssh = ssh_point(classical, states);
       ASSERT_TRUE(ssh.state);
       const PointOutcome fold = order_from(case_of(v, 0.12, Model::SBEH, branch, 48), *ssh.state);
       EXPECT_EQ(fold.row.status, PointStatus::unresolved) << fold.row.stop_reason;

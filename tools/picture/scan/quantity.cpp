@@ -17,7 +17,7 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 Mark mark_of(const PointResult* point) {
   if (!point) return Mark::absent;
   if (point->status == PointStatus::stationary) return Mark::none;
-  return point->status == PointStatus::unresolved ? Mark::unresolved : Mark::failed;
+  return point->status == PointStatus::failed ? Mark::failed : Mark::unresolved;
 }
 
 struct Entry {

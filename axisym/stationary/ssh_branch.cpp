@@ -1,0 +1,139 @@
+#include "axisym/stationary/ssh_branch.h"
+
+#include "axisym/curvature.h"
+#include "axisym/diagnostics.h"
+#include "axisym/shape_class.h"
+#include "axisym/stationary/arclength.h"
+#include "axisym/stationary/stability.h"
+#include "axisym/stationary/symmetry.h"
+
+#include <cmath>
+
+namespace sbeh::axisym {
+
+using model::Model;
+
+namespace {
+
+constexpr double spacing = 1 / 20.;
+constexpr int highest = 19;  // 0.95
+constexpr int lowest = 6;    // 0.3: from here upwards all branches are there without H₀
+
+double volume_at(int k) { return k / 20.; }
+
+// A value of the map, computed where it is not there yet.
+template <class Compute>
+const std::optional<BranchState>& kept(std::map<int, std::optional<BranchState>>& in, int k,
+                                       Compute&& compute) {
+  if (const auto there = in.find(k); there != in.end()) return there->second;
+  std::optional<BranchState> value = compute();
+  return in.emplace(k, std::move(value)).first->second;
+}
+
+}  // namespace
+
+SshBranch::SshBranch(Branch branch, const model::Material& material, const Numerics& numerics)
+    : branch_(branch), material_(material), classical_material_(material), numerics_(numerics) {
+  classical_material_.spontaneous_curvature = 0;
+}
+
+const std::optional<BranchState>& SshBranch::entry() {
+  if (!entry_) {
+    const auto found = enter_branch(branch_, classical_material_, numerics_);
+    entry_ = found ? std::optional(found->state) : std::nullopt;
+  }
+  return *entry_;
+}
+
+FollowResult SshBranch::along(const BranchState& from, double reduced_volume) const {
+  return follow(material_, Model::SSH, from, {reduced_volume, material_.L1}, numerics_);
+}
+
+FollowResult SshBranch::with_H0(const BranchState& classical) const {
+  return follow(Line{.material = material_,
+                     .model = Model::SSH,
+                     .from = classical.at,
+                     .to = classical.at,
+                     .first_H0 = 0,
+                     .symmetric = branch_ != Branch::stomatocyte},
+                classical, numerics_);
+}
+
+bool SshBranch::is_ours(const FollowResult& found) const {
+  const bool same = name(classify(found.state.X)) == name(branch_);
+  return found.arrival == Arrival::reached && same;
+}
+
+bool SshBranch::is_better(const BranchState& a, const BranchState& b) const {
+  const int falls_a = negative_directions(material_, Model::SSH, a),
+            falls_b = negative_directions(material_, Model::SSH, b);
+  const auto energy_of = [&](const BranchState& s) { return energy(material_, s, s.H).total(); };
+  return falls_a != falls_b ? falls_a < falls_b : energy_of(a) < energy_of(b);
+}
+
+SshBranch::Waypoint SshBranch::better(const Waypoint& a, const FollowResult& b) const {
+  if (!is_ours(b)) return a;
+  return a && !is_better(b.state, *a) ? a : b.state;
+}
+
+const SshBranch::Waypoint& SshBranch::classical(int k) {
+  return kept(classical_, k, [&]() -> Waypoint {
+    const bool first = !entry() || volume_at(k + 1) > entry()->at.reduced_volume;
+    const Waypoint& above = first ? entry() : classical(k + 1);
+    if (!above || volume_at(k) > above->at.reduced_volume) return {};
+    const FollowResult found =
+        follow(classical_material_, Model::SSH, *above, {volume_at(k), material_.L1}, numerics_);
+    return found.arrival == Arrival::reached ? Waypoint(found.state) : Waypoint{};
+  });
+}
+
+const SshBranch::Waypoint& SshBranch::downward(int k) {
+  return kept(downward_, k, [&] {
+    Waypoint best;
+    if (k < highest)
+      if (const Waypoint& above = downward(k + 1)) best = better(best, along(*above, volume_at(k)));
+    const Waypoint& there = classical(k);
+    if (!there || k < closed_) return best;
+    const FollowResult found = with_H0(*there);
+    if (found.arrival == Arrival::neck && branch_ == Branch::stomatocyte) closed_ = k;
+    return better(best, found);
+  });
+}
+
+const SshBranch::Waypoint& SshBranch::waypoint(int k) {
+  if (material_.spontaneous_curvature == 0) return classical(k);
+  return kept(waypoints_, k, [&] {
+    Waypoint best = downward(k);
+    if (k > lowest)
+      if (const Waypoint& below = best ? downward(k - 1) : waypoint(k - 1))
+        best = better(best, along(*below, volume_at(k)));
+    return best;
+  });
+}
+
+std::optional<FollowResult> SshBranch::at(double reduced_volume) {
+  if (!entry()) return {};
+  const int below = std::clamp(int(std::floor(reduced_volume / spacing)), 1, highest);
+  const bool classical_only = material_.spontaneous_curvature == 0;
+  // From the neighbours; where neither is there, from the nearest that is.
+  std::optional<FollowResult> best;
+  const auto offer = [&](const BranchState& from) {
+    FollowResult found = along(from, reduced_volume);
+    if (!best || (is_ours(found) && (!is_ours(*best) || is_better(found.state, best->state))))
+      best = std::move(found);
+  };
+  if (classical_only && reduced_volume > entry()->at.reduced_volume - spacing) {
+    offer(*entry());
+    return best;
+  }
+  for (int k = below + 1; k <= highest && !best; ++k)
+    if (const Waypoint& above = waypoint(k)) offer(*above);
+  for (int k = below; k >= 1 && (!best || (!classical_only && k == below)); --k)
+    if (const Waypoint& there = waypoint(k)) offer(*there);
+  // Nowhere: then how it ends on the way to H₀.
+  for (int k = below; k >= 1 && !best; --k)
+    if (const Waypoint& there = classical(k)) best = with_H0(*there);
+  return best;
+}
+
+}  // namespace sbeh::axisym
