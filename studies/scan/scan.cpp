@@ -15,7 +15,6 @@
 
 #include <algorithm>
 #include <mutex>
-#include <ranges>
 
 namespace sbeh::studies {
 
@@ -141,7 +140,9 @@ void walk_volumes(Scan& scan, Branch branch, BranchOff&& branch_off) {
   const double L = scan.input.L.front();
   axisym::SshBranch states(branch, scan.input.material.with_L(L), scan.input.numerics);
   const auto compute = [&](const StationaryCase& of) { return ssh_point(of, states); };
-  for (const double v : std::views::reverse(scan.input.reduced_volume)) {
+  const std::vector<double> from_above(scan.input.reduced_volume.rbegin(),
+                                       scan.input.reduced_volume.rend());
+  for (const double v : from_above) {
     if (interrupt_signal()) return;
     if (v == 1) continue;
     const PointKey key{v, L, Model::SSH, branch};
