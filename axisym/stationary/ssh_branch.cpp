@@ -132,7 +132,11 @@ std::optional<FollowResult> SshBranch::at(double reduced_volume) {
     if (const Waypoint& there = waypoint(k)) offer(*there);
   // Nowhere: then how it ends on the way to H₀.
   for (int k = below; k >= 1 && !best; --k)
-    if (const Waypoint& there = classical(k)) best = with_H0(*there);
+    if (const Waypoint& there = classical(k)) {
+      best = with_H0(*there);
+      if (best->arrival == Arrival::reached)
+        best->arrival = Arrival::lost;  // of another class and V_r
+    }
   return best;
 }
 
