@@ -245,7 +245,8 @@ TEST(Run, adds_up_what_steps_add_to_the_energy_but_not_what_new_meshes_do) {
 }
 
 TEST(Rises, go_too_far_when_they_are_more_than_1e_5_of_the_elastic_energy) {
-  FlowRecord last{.energy = {.distortion = 0.5, .bending = 1.5, .thermotropic = -12}};
+  FlowRecord last;
+  last.energy = {.distortion = 0.5, .bending = 1.5, .thermotropic = -12};
   for (const double sum : {0., 1e-9, 1.9e-5}) {
     last.rises.sum = sum;
     EXPECT_FALSE(rises_too_far(last)) << sum;
