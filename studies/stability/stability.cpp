@@ -43,6 +43,36 @@ double by_harmonics(const StabilityInput& input, const StabilityKey& key, double
   return (low + high) / 2;
 }
 
+using Rates = std::vector<const StabilityResult*>;
+
+// Zero of the polynomial of degree 2 through the rates of rows a, b and c, between those of a and b.
+double parabola_zero(const StabilityResult& a, const StabilityResult& b, const StabilityResult& c) {
+  const double xa = a.key.reduced_volume, xb = b.key.reduced_volume, xc = c.key.reduced_volume;
+  const double slope = (b.growth->rate - a.growth->rate) / (xb - xa);
+  const double curvature = ((c.growth->rate - b.growth->rate) / (xc - xb) - slope) / (xc - xa);
+  double low = xa, high = xb;  // the ends have rates of different signs, and so they keep
+  for (int i = 0; i < 60; ++i) {
+    const double x = (low + high) / 2;
+    const double rate = a.growth->rate + (x - xa) * (slope + curvature * (x - xb));
+    (rate * a.growth->rate > 0 ? low : high) = x;
+  }
+  return (low + high) / 2;
+}
+
+// How far the zero may be from that of the line through rows i − 1 and i: twice as far, for the sake of higher orders, as
+// that of a parabola through the next row too, on either side; without a third row, anywhere between the two.
+double interpolation_error(const Rates& rows, std::size_t i, double zero) {
+  const StabilityResult &a = *rows[i - 1], &b = *rows[i];
+  double error = -1;
+  const auto include = [&](const StabilityResult& c) {
+    if (line_of(c.key) == line_of(a.key))
+      error = std::max(error, 2 * std::abs(parabola_zero(a, b, c) - zero));
+  };
+  if (i > 1) include(*rows[i - 2]);
+  if (i + 1 < rows.size()) include(*rows[i + 1]);
+  return error >= 0 ? error : std::max(zero - a.key.reduced_volume, b.key.reduced_volume - zero);
+}
+
 std::string rate_text(const StabilityResult& row) {
   return row.growth ? fmt::format("{:+.4g} ± {:.1g}", row.growth->rate, row.growth->error) : "–";
 }
@@ -51,7 +81,7 @@ std::string rate_text(const StabilityResult& row) {
 
 std::vector<Threshold> find_thresholds(const StabilityInput& input,
                                        const std::vector<StabilityResult>& rows) {
-  std::vector<const StabilityResult*> sorted;
+  Rates sorted;
   for (const StabilityResult& row : rows)
     if (row.growth) sorted.push_back(&row);
   std::stable_sort(sorted.begin(), sorted.end(),
@@ -68,7 +98,9 @@ std::vector<Threshold> find_thresholds(const StabilityInput& input,
     threshold.below = a.key;
     threshold.upper_volume = high;
     threshold.reduced_volume = low + share * (high - low);
-    threshold.error = scale * std::hypot((1 - share) * a.growth->error, share * b.growth->error);
+    threshold.error =
+        std::hypot(scale * (1 - share) * a.growth->error, scale * share * b.growth->error,
+                   interpolation_error(sorted, i, threshold.reduced_volume));
     threshold.harmonics = by_harmonics(input, a.key, low, high);
     thresholds.push_back(threshold);
   }

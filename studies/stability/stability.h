@@ -11,7 +11,7 @@ struct Threshold {
   StabilityKey below{};  ///< the lower one; its `reduced_volume` is not that of the zero
   double upper_volume = 0;
   double reduced_volume = 0;  ///< of the zero, by linear interpolation
-  double error = 0;           ///< from those of the rates
+  double error = 0;           ///< from those of the rates, and of the interpolation
   /// Of the classical oblate and prolate by spherical harmonics: where the number of directions in which
   /// the energy falls changes, by bisection to 1e-4; `not_known` where the method does not reach.
   double harmonics = not_known;

@@ -12,6 +12,15 @@ bool Options::wants(const std::string& picture) const {
   return only.empty() || std::ranges::find(only, picture) != only.end();
 }
 
+Field Options::field_for(const Range& orders) const {
+  constexpr double uniform = 1e-6;
+  return field.value_or(orders.width() < uniform ? Field::curvature : Field::order);
+}
+
+ColourMap Options::colours(Palette usual, const Range& data, double white_share) const {
+  return {palette.value_or(usual), scale.value_or(data), white_share};
+}
+
 double Options::text_size() const {
   constexpr double usual = 20.0;
   if (!size) return usual;

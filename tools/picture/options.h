@@ -2,6 +2,7 @@
 #pragma once
 
 #include "studies/io/errors.h"
+#include "tools/picture/chart/colours.h"
 
 #include <filesystem>
 #include <optional>
@@ -18,14 +19,30 @@ struct Size {
   int height = 0;
 };
 
+/// What a surface or a cut is coloured by.
+enum class Field { order, curvature };
+constexpr auto names(Field) { return std::array{"order", "curvature"}; }
+constexpr Palette palette_of(Field field) {
+  return field == Field::order ? order_palette : curvature_palette;
+}
+constexpr const char* title_of(Field field) {
+  return field == Field::order ? "order β" : "mean curvature H";
+}
+
 struct Options {
   std::filesystem::path directory;
   std::string branch;             ///< empty: the one of lowest energy at each point
   std::optional<Size> size;       ///< pixels; without it as large as the content asks for
   std::vector<std::string> only;  ///< names of the pictures wanted; empty: all
+  std::optional<Field> field;  ///< without it by the order, by the curvature where that is uniform
+  std::optional<Palette> palette;
+  std::optional<Range> scale;                ///< of the colours; without it that of the data
   double energy_shift = 12.566370614359172;  ///< 4π: minus the potential's minimum times the area
 
   bool wants(const std::string& picture) const;
+
+  Field field_for(const Range& orders) const;
+  ColourMap colours(Palette usual, const Range& data, double white_share = 0.0) const;
 
   /// Of the picture in pixels; without `size` the usual one.
   double width(double usual) const { return size ? size->width : usual; }

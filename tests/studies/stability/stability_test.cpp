@@ -180,21 +180,53 @@ TEST(OrderedOblate, next_to_its_fold_leaves_in_two_ways_and_well_before_it_stays
   }
 }
 
+StabilityResult run_at(double volume, double rate, double error) {
+  StabilityResult run;
+  run.key = {{volume, 0.05, Model::SBEH, axisym::Branch::oblate}, 2, 2};
+  run.growth = GrowthRate{.rate = rate, .error = error};
+  return run;
+}
+
+// Of two alone the zero may lie anywhere between them.
 TEST(Thresholds, lie_where_the_rate_between_two_reduced_volumes_is_0) {
-  StabilityResult low, high;
-  low.key = {{0.7, 0.05, Model::SBEH, axisym::Branch::oblate}, 2, 2};
-  high.key = {{0.8, 0.05, Model::SBEH, axisym::Branch::oblate}, 2, 2};
-  low.growth = GrowthRate{.rate = -0.01, .error = 0.001};
-  high.growth = GrowthRate{.rate = 0.03, .error = 0.001};
+  const StabilityResult low = run_at(0.7, -0.01, 0.001);
+  StabilityResult high = run_at(0.8, 0.03, 0.001);
   const auto thresholds = find_thresholds({}, {low, high});
   ASSERT_EQ(thresholds.size(), 1u);
   EXPECT_NEAR(thresholds[0].reduced_volume, 0.725, 1e-12);
-  EXPECT_NEAR(thresholds[0].error, 2.5 * std::hypot(0.75e-3, 0.25e-3), 1e-12);
+  EXPECT_NEAR(thresholds[0].error, std::hypot(0.075, 2.5 * std::hypot(0.75e-3, 0.25e-3)), 1e-12);
   high.growth->rate = -0.03;
   EXPECT_TRUE(find_thresholds({}, {low, high}).empty());
   high.growth->rate = 0.03;
   high.key.m = 3;
   EXPECT_TRUE(find_thresholds({}, {low, high}).empty());
+}
+
+// Rates along a line, a parabola, an exponential, and as they were measured: the zero of the last lies at 0.7497.
+TEST(Thresholds, have_errors_that_cover_the_interpolation) {
+  struct Rates {
+    std::function<double(double)> rate;
+    double zero, largest_error;
+  };
+  const std::vector<Rates> cases{
+      {[](double v) { return 3 * (v - 0.74); }, 0.74, 1e-9},
+      {[](double v) { return (v - 0.74) * (2 - v); }, 0.74, 0.01},
+      {[](double v) { return (v - 0.76) * (1 + v); }, 0.76, 0.01},
+      {[](double v) { return std::exp(2 * v) - std::exp(1.5); }, 0.75, 0.01}};
+  for (const auto& [rate, zero, largest] : cases)
+    for (const auto& volumes :
+         {std::vector<double>{0.6, 0.7, 0.8}, {0.7, 0.8, 0.9}, {0.7, 0.8, 0.83}}) {
+      std::vector<StabilityResult> rows;
+      for (const double v : volumes) rows.push_back(run_at(v, rate(v), 1e-9));
+      const auto found = find_thresholds({}, rows);
+      ASSERT_EQ(found.size(), 1u);
+      EXPECT_NEAR(found[0].reduced_volume, zero, found[0].error + 1e-8);
+      EXPECT_LT(found[0].error, largest + 1e-8);
+    }
+  const auto measured = find_thresholds(
+      {}, {run_at(0.6, -1.116, 6e-4), run_at(0.7, -0.350, 6e-4), run_at(0.8, 0.322, 6e-4)});
+  EXPECT_NEAR(measured[0].reduced_volume, 0.7497, measured[0].error);
+  EXPECT_LT(measured[0].error, 0.005);
 }
 
 }  // namespace

@@ -32,13 +32,15 @@ TEST(Cut, is_closed_and_centred) {
     EXPECT_NEAR(std::hypot(cut.points[i][0], cut.points[i][1]), 1, 1e-15);
     EXPECT_EQ(cut.points[i][0], -cut.points[60 - i][0]);
     EXPECT_EQ(cut.order[i], cut.order[60 - i]);
+    EXPECT_EQ(cut.curvature[i], cut.curvature[60 - i]);
+    EXPECT_NEAR(cut.curvature[i], -2, std::pow(pi / 10, 3));  // of cubics on ten elements
   }
   EXPECT_NEAR(cut.half_width, 1, 1e-15);
   EXPECT_NEAR(cut.half_height, 1, 1e-15);
 }
 
 TEST(Cut, thinned_keeps_some_of_its_points_their_order_and_its_ends) {
-  const Cut cut = mirrored(half_circle(2001));
+  const Cut cut = mirrored(half_circle(2002));
   const Cut thin = thinned(cut, 0.5);
   EXPECT_LT(thin.points.size(), cut.points.size() / 4);
   EXPECT_EQ(thin.points.front(), cut.points.front());
@@ -48,13 +50,14 @@ TEST(Cut, thinned_keeps_some_of_its_points_their_order_and_its_ends) {
     while (at < cut.points.size() && cut.points[at] != thin.points[k]) ++at;
     ASSERT_LT(at, cut.points.size());
     EXPECT_EQ(cut.order[at], thin.order[k]);
+    EXPECT_EQ(cut.curvature[at], thin.curvature[k]);
   }
 }
 
 // It turns by 0.04 between two points, or is 0.15 of the spacing long: so far is a chord from the circle.
 TEST(Cut, thinned_does_not_leave_the_curve) {
   for (const double spacing : {0.02, 0.2}) {
-    const Cut thin = thinned(mirrored(half_circle(4001)), spacing);
+    const Cut thin = thinned(mirrored(half_circle(4003)), spacing);
     const double turn = std::max(0.04, 0.15 * spacing) + 2 * pi / 8000;
     for (std::size_t k = 1; k < thin.points.size(); ++k) {
       const double x = (thin.points[k][0] + thin.points[k - 1][0]) / 2,
@@ -62,6 +65,41 @@ TEST(Cut, thinned_does_not_leave_the_curve) {
       EXPECT_LE(1 - std::hypot(x, y), turn * turn / 8);
     }
   }
+}
+
+// SBEH's by their order; SSH's, whose order is uniform, by H; either way where the user says so.
+TEST(Cut, is_coloured_by_its_order_unless_that_is_uniform) {
+  const Cut ordered = mirrored(half_circle(31));
+  Cut uniform = ordered;
+  for (std::size_t i = 0; i < uniform.order.size(); ++i)
+    uniform.order[i] = 2. / 3 + (i % 2 ? 1e-15 : 0);
+  FieldRanges of_ordered, of_uniform;
+  of_ordered.include(ordered);
+  of_uniform.include(uniform);
+  EXPECT_EQ(colours_for(of_ordered, {}).field, Field::order);
+  EXPECT_EQ(colours_for(of_uniform, {}).field, Field::curvature);
+  for (const Field field : {Field::order, Field::curvature}) {
+    Options options;
+    options.field = field;
+    EXPECT_EQ(colours_for(of_ordered, options).field, field);
+    EXPECT_EQ(colours_for(of_uniform, options).field, field);
+  }
+}
+
+Colour colour_at(Palette palette, double share) {
+  return ColourMap(palette, {2, 4})(2 + 2 * share);
+}
+double lightness(Colour c) { return 0.2126 * c.red + 0.7152 * c.green + 0.0722 * c.blue; }
+
+// So that they are told apart in grey; small values dark in all pictures.
+TEST(Colours, get_lighter_with_the_value) {
+  for (const Palette palette : values_of(Palette{}))
+    for (double share = 0.05; share <= 1; share += 0.05)
+      EXPECT_GT(lightness(colour_at(palette, share)), lightness(colour_at(palette, share - 0.05)))
+          << name(palette) << share;
+  const Colour bare = colour_at(order_palette, 0.3);
+  const Colour on_surface = ColourMap(order_palette, {2, 4}, white_on_surfaces)(2.6);
+  EXPECT_NEAR(on_surface.red, bare.red + white_on_surfaces * (255 - bare.red), 1.5);
 }
 
 TEST(Frames, that_are_shown_are_the_first_the_last_and_between_them_in_geometric_progression) {

@@ -1,6 +1,8 @@
 // Lines in pictures: what of them lies in a rectangle, and contours.
 #include "tools/picture/canvas/geometry.h"
 
+#include "tools/picture/scan/contours.h"
+
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -44,6 +46,30 @@ TEST(Clipping, by_the_cells_of_a_tiling_keeps_the_length) {
       for (const Points& piece : clipped(spiral, {double(i), double(j), 1, 1}))
         length += length_of(piece);
   EXPECT_NEAR(length, length_of(spiral), 1e-12 * length_of(spiral));
+}
+
+// ---- dashes -------------------------------------------------------------------------------------
+
+TEST(Dashes, of_a_line_are_its_share_and_lie_on_it) {
+  Points circle;
+  for (int i = 0; i <= 720; ++i)
+    circle.push_back({10 * std::cos(i * 0.00873), 10 * std::sin(i * 0.00873)});
+  const double length = length_of(circle);
+  for (const auto& lengths :
+       {std::vector<double>{1, 1}, {3, 1}, {0.01, 0.02}, {2, 0.5, 0.5, 0.5}, {7, 100}}) {
+    double period = 0, drawn = 0, found = 0;
+    for (std::size_t k = 0; k < lengths.size(); ++k) {
+      period += lengths[k];
+      if (k % 2 == 0) drawn += lengths[k];
+    }
+    for (const Points& piece : dashes(circle, lengths)) {
+      found += length_of(piece);
+      EXPECT_LE(length_of(piece), lengths[0] + 1e-9);
+      for (const auto& [x, y] : piece) EXPECT_NEAR(std::hypot(x, y), 10, 1e-3);
+    }
+    EXPECT_NEAR(found, drawn / period * length, period);
+  }
+  EXPECT_EQ(dashes(circle, {}), std::vector<Points>{circle});
 }
 
 // ---- contours -----------------------------------------------------------------------------------
@@ -96,6 +122,60 @@ TEST(Contours, do_not_enter_cells_without_a_value) {
   for (const Points& line : lines)
     for (const auto& [x, y] : line) EXPECT_GE(std::abs(y), 0.2 - 1e-6);
   EXPECT_TRUE(contours_of(grid, 3).empty());
+}
+
+// ---- of cells -----------------------------------------------------------------------------------
+
+constexpr double none = std::numeric_limits<double>::quiet_NaN();
+
+GridAxis axis_of(int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(i);
+  return distance_axis(values, "", 100, 10);
+}
+
+// Whether a point is on the edge of the map or of a cell that has no value.
+bool is_at_edge(double x, double y, const std::vector<std::vector<double>>& values) {
+  const double last_x = double(values.size()) - 1, last_y = double(values[0].size()) - 1;
+  constexpr double off = 1e-5;
+  for (const double dx : {-off, off})
+    for (const double dy : {-off, off}) {
+      if (x + dx < 0 || x + dx > last_x || y + dy < 0 || y + dy > last_y) return true;
+      if (!std::isfinite(
+              values[std::size_t(std::lround(x + dx))][std::size_t(std::lround(y + dy))]))
+        return true;
+    }
+  return false;
+}
+
+// Straight up to the map's edges, around a corner without values, beside a stair, through a hole.
+TEST(ContoursOfCells, end_at_edges_and_nowhere_else) {
+  const GridAxis x = axis_of(9), y = axis_of(7);
+  std::vector<std::vector<double>> slope(9, std::vector<double>(7));
+  for (std::size_t i = 0; i < 9; ++i)
+    for (std::size_t j = 0; j < 7; ++j) slope[i][j] = 2 * double(i) + double(j);
+  auto corner = slope, stair = slope, hole = slope;
+  for (std::size_t i = 0; i < 4; ++i)
+    for (std::size_t j = 4; j < 7; ++j) corner[i][j] = none;
+  for (std::size_t i = 0; i < 9; ++i)
+    for (std::size_t j = 0; j < 7; ++j)
+      if (i + j < 5) stair[i][j] = none;
+  hole[4][3] = none;
+  for (const auto& values : {slope, corner, stair, hole})
+    for (const double level : {3.3, 7.1, 10.2, 15.5}) {
+      for (const Points& line : contours_of_cells(x, y, values, level)) {
+        for (const auto& [px, py] : {line.front(), line.back()})
+          EXPECT_TRUE(is_at_edge(px, py, values)) << level << ": " << px << ", " << py;
+        for (const auto& [px, py] : line) EXPECT_NEAR(2 * px + py, level, 1e-5);
+      }
+    }
+}
+
+TEST(ContoursOfCells, of_a_single_cell_with_a_value_do_not_leave_it) {
+  std::vector<std::vector<double>> values(5, std::vector<double>(5, none));
+  values[2][2] = 1;
+  for (const double level : {0.5, 1.5})
+    EXPECT_TRUE(contours_of_cells(axis_of(5), axis_of(5), values, level).empty());
 }
 
 }  // namespace

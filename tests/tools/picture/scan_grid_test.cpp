@@ -68,11 +68,12 @@ TEST_F(ScanGridTest, gives_quantities_with_marks_and_regions) {
   const Quantity gap = energy_gap(grid);
   EXPECT_EQ(gap.marks, (std::vector<std::vector<Mark>>{{Mark::none, Mark::unresolved},
                                                        {Mark::failed, Mark::absent}}));
-  EXPECT_EQ(gap.values[0], (std::vector<double>{1, 2}));
+  EXPECT_EQ(gap.values[0][0], 1);
+  EXPECT_TRUE(std::isnan(gap.values[0][1]));
   EXPECT_TRUE(std::isnan(gap.values[1][0]) && std::isnan(gap.values[1][1]));
   EXPECT_EQ(gap.regions, (std::vector<std::vector<int>>{{0, -1}, {-1, -1}}));
   EXPECT_TRUE(gap.has(Mark::failed));
-  EXPECT_EQ(gap.range(), (Range{1, 1}));  // the unresolved one is far away
+  EXPECT_EQ(gap.range(), (Range{1, 1}));
 }
 
 // Order that is free can only lower the energy.
@@ -124,10 +125,52 @@ TEST_F(ScanGridTest, has_a_map_whose_cells_are_marked_where_the_lowest_is_not_fo
   EXPECT_EQ(map->quantity.values[0][2], 2);
   Quantity order = smallest_order(grid);
   EXPECT_TRUE(std::isfinite(order.values[0][1]));
-  mark_not_found(*map, order);
-  EXPECT_EQ(order.marks, map->quantity.marks);
-  EXPECT_TRUE(std::isnan(order.values[0][1]));
-  EXPECT_TRUE(std::isfinite(order.values[0][0]) && std::isfinite(order.values[0][2]));
+  order = smallest_order(grid, map);
+  EXPECT_EQ(order.marks[0], (std::vector<Mark>{Mark::none, Mark::not_found, Mark::singular}));
+  EXPECT_TRUE(std::isfinite(order.values[0][0]));
+  EXPECT_TRUE(std::isnan(order.values[0][1]) && std::isnan(order.values[0][2]));
+  const Quantity energies = energy(grid, Model::SBEH, map);
+  EXPECT_EQ(energies.values[0][0], 5);
+  EXPECT_TRUE(std::isnan(energies.values[0][1]));
+  EXPECT_EQ(energies.values[0][2], 3);  // of the limit, not of the oblate
+  EXPECT_NE(energies.regions[0][2], energies.regions[0][0]);
+  EXPECT_TRUE(map->is_lowest(0, 0));
+  EXPECT_FALSE(map->is_lowest(0, 1) || map->is_lowest(0, 2));
+}
+
+// What a row describes that is not at rest, or at the fold of another L, colours nothing and stretches no range.
+TEST_F(ScanGridTest, has_no_value_of_rows_that_are_not_of_their_point) {
+  for (const double far : {-1e3, -0.1, 3., 1e3}) {
+    const ScanGrid grid =
+        grid_of({point(0.6, 0.01, Model::SBEH, Branch::oblate, 1),
+                 point(0.6, 0.02, Model::SBEH, Branch::oblate, far, PointStatus::unresolved),
+                 point(0.7, 0.01, Model::SBEH, Branch::oblate, 2),
+                 point(0.7, 0.02, Model::SBEH, Branch::oblate, 0, PointStatus::failed)});
+    for (const Quantity& quantity :
+         {energy(grid, Model::SBEH), smallest_order(grid), largest_curvature(grid, Model::SBEH)}) {
+      EXPECT_EQ(quantity.marks[0][1], Mark::unresolved);
+      EXPECT_EQ(quantity.regions[0][1], -1);
+      EXPECT_TRUE(std::isnan(quantity.values[0][1]) && std::isnan(quantity.values[1][1]));
+    }
+    EXPECT_EQ(energy(grid, Model::SBEH).range(), (Range{1, 2}));
+  }
+}
+
+// Its energy is one of its own point; a quantity that it has not is no failure.
+TEST_F(ScanGridTest, has_the_values_of_a_limit) {
+  std::vector<PointResult> rows{
+      point(0.6, 0.01, Model::SSH, Branch::stomatocyte, 4, PointStatus::limit),
+      point(0.7, 0.01, Model::SSH, Branch::stomatocyte, 5),
+      point(0.6, 0.01, Model::SSH, Branch::oblate, 6, PointStatus::unresolved)};
+  rows[0].diagnostics->H_abs_max = studies::not_known;
+  const ScanGrid grid = grid_of(rows);
+  EXPECT_EQ(grid.find(Model::SSH, 0, 0)->status, PointStatus::limit);
+  const Quantity energies = energy(grid, Model::SSH),
+                 curvature = largest_curvature(grid, Model::SSH);
+  EXPECT_EQ(energies.values[0][0], 4);
+  EXPECT_EQ(energies.marks[0][0], Mark::limit);
+  EXPECT_EQ(energies.range(), (Range{4, 5}));
+  EXPECT_EQ(curvature.marks[0][0], Mark::singular);
 }
 
 TEST(EvenlySpread, has_the_first_and_the_last) {

@@ -28,6 +28,7 @@
 #include <vtkUnsignedCharArray.h>
 #include <vtkWindowToImageFilter.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <map>
@@ -119,7 +120,7 @@ class Layer : public vtkContextItem {
       painter->GetDevice()->DrawQuad(corners.data(), int(corners.size() / 2));
     }
     for (auto& [points, style, joined] : lines) {
-      painter->GetPen()->SetLineType(style.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
+      painter->GetPen()->SetLineType(vtkPen::SOLID_LINE);
       painter->GetPen()->SetWidth(float(style.width));
       painter->GetPen()->SetColor(style.colour.red, style.colour.green, style.colour.blue, 255);
       const int count = int(points.size() / 2);
@@ -177,6 +178,21 @@ Canvas::Canvas() : window_(std::make_unique<Window>()) {
 
 Canvas::~Canvas() = default;
 
+std::vector<Points> drawn_pieces(const Points& line, const LineStyle& style) {
+  const double w = std::max(style.width, 1.2);
+  switch (style.pattern) {
+    case Pattern::solid:
+      return {line};
+    case Pattern::dashed:
+      return dashes(line, {4.5 * w, 3.0 * w});
+    case Pattern::dotted:
+      return dashes(line, {1.2 * w, 2.0 * w});
+    case Pattern::dash_dotted:
+      return dashes(line, {5.0 * w, 2.2 * w, 1.2 * w, 2.2 * w});
+  }
+  return {line};
+}
+
 void Canvas::start(double width, double height) {
   window_->view->GetScene()->ClearItems();
   window_->view->GetScene()->AddItem(vtkNew<Sheet>());
@@ -196,7 +212,8 @@ void Canvas::fill(const Rect& rect, Colour colour) {
 }
 
 void Canvas::line(const Points& points, const LineStyle& style) {
-  window_->top().add_line(points, style, true);
+  for (const Points& piece : drawn_pieces(points, style))
+    window_->top().add_line(piece, style, true);
 }
 
 void Canvas::segments(const Points& ends, const LineStyle& style) {
@@ -215,6 +232,14 @@ double Canvas::text_width(const std::string& text, double size) const {
   const int dpi = window_->render_window()->GetDPI();
   vtkTextRenderer::GetInstance()->GetBoundingBox(property, displayable(text), box, dpi);
   return box[1] - box[0] + 1;
+}
+
+double fitted_size(const Canvas& canvas, const std::vector<std::string>& texts, double room,
+                   double size) {
+  double widest = 0.0;
+  for (const std::string& text : texts)
+    if (!text.empty()) widest = std::max(widest, canvas.text_width(text, size));
+  return widest > room ? size * room / widest : size;
 }
 
 void Canvas::add(vtkContextItem* item) {

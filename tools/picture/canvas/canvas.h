@@ -7,6 +7,7 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
 class vtkContextItem;
 class vtkImageData;
@@ -26,10 +27,12 @@ inline constexpr Colour dark_grey{90, 90, 90};
 inline constexpr Colour light_grey{222, 222, 222};
 inline constexpr Colour red{214, 28, 28};
 
+enum class Pattern { solid, dashed, dotted, dash_dotted };
+
 struct LineStyle {
   Colour colour = black;
   double width = 1.5;
-  bool dashed = false;
+  Pattern pattern = Pattern::solid;
 };
 
 enum class Align { left, centre, right };
@@ -77,6 +80,13 @@ class Canvas {
 
 /// Sets the letters of any text that VTK draws, axes included.
 void set_font(vtkTextProperty* property, double size);
+
+/// The size of letters, at most `size`, at which all texts are at most `room` wide.
+double fitted_size(const Canvas& canvas, const std::vector<std::string>& texts, double room,
+                   double size);
+
+/// The pieces of a line in pixels that are drawn. Not left to VTK, whose patterns are of a fixed size.
+std::vector<Points> drawn_pieces(const Points& line, const LineStyle& style);
 
 /// Letters that the font at hand does not have, spelled out.
 std::string displayable(const std::string& text);

@@ -84,6 +84,64 @@ std::vector<Points> clipped(const Points& line, const Rect& inside) {
   return pieces;
 }
 
+std::vector<Points> dashes(const Points& line, const std::vector<double>& lengths) {
+  if (lengths.empty() || line.empty()) return {line};
+  std::vector<Points> pieces{{line.front()}};
+  std::size_t k = 0;  // of the length we are in
+  double left = lengths[0];
+  for (std::size_t i = 1; i < line.size(); ++i) {
+    const auto &from = line[i - 1], &to = line[i];
+    const double length = std::hypot(to[0] - from[0], to[1] - from[1]);
+    double travelled = 0.0;
+    while (length - travelled > left) {
+      travelled += left;
+      const double share = travelled / length;
+      const Point turn{from[0] + share * (to[0] - from[0]), from[1] + share * (to[1] - from[1])};
+      if (k % 2 == 0)
+        pieces.back().push_back(turn);
+      else
+        pieces.push_back({turn});
+      k = (k + 1) % lengths.size();
+      left = lengths[k];
+    }
+    left -= length - travelled;
+    if (k % 2 == 0) pieces.back().push_back(to);
+  }
+  return pieces;
+}
+
+namespace {
+
+bool meet(const Point& a, const Point& b, double distance) {
+  return std::abs(a[0] - b[0]) <= distance && std::abs(a[1] - b[1]) <= distance;
+}
+
+// Lines that end where another begins are one. VTK's points of one place differ by rounding to single precision.
+std::vector<Points> in_one(std::vector<Points> pieces, double distance) {
+  std::vector<Points> lines;
+  while (!pieces.empty()) {
+    Points line = std::move(pieces.back());
+    pieces.pop_back();
+    for (std::size_t k = 0; k < pieces.size();) {
+      Points& other = pieces[k];
+      if (meet(line.front(), other.front(), distance) || meet(line.front(), other.back(), distance))
+        std::ranges::reverse(line);
+      if (meet(line.back(), other.back(), distance)) std::ranges::reverse(other);
+      if (!meet(line.back(), other.front(), distance)) {
+        ++k;
+        continue;
+      }
+      line.insert(line.end(), other.begin() + 1, other.end());
+      pieces.erase(pieces.begin() + std::ptrdiff_t(k));
+      k = 0;
+    }
+    lines.push_back(std::move(line));
+  }
+  return lines;
+}
+
+}  // namespace
+
 std::vector<Points> contour_lines(const std::vector<double>& x, const std::vector<double>& y,
                                   const std::vector<std::vector<double>>& values, double level) {
   vtkNew<vtkContourFilter> contour;
@@ -104,7 +162,8 @@ std::vector<Points> contour_lines(const std::vector<double>& x, const std::vecto
       line.push_back({p[0], p[1]});
     }
   }
-  return lines;
+  const double extent = std::max(std::abs(x.back() - x.front()), std::abs(y.back() - y.front()));
+  return in_one(std::move(lines), 1e-6 * extent);
 }
 
 }  // namespace sbeh::picture

@@ -104,6 +104,25 @@ Axis decade_axis(double log_low, double log_high, std::string title) {
   return axis;
 }
 
+Axis without_crowd(Axis axis, const std::vector<double>& extents, double length, double gap) {
+  std::vector<std::size_t> labelled;
+  for (std::size_t i = 0; i < axis.labels.size(); ++i)
+    if (!axis.labels[i].empty()) labelled.push_back(i);
+  const auto fits = [&](std::size_t stride) {
+    for (std::size_t k = stride; k < labelled.size(); k += stride) {
+      const std::size_t a = labelled[k - stride], b = labelled[k];
+      const double distance = (axis.share(axis.ticks[b]) - axis.share(axis.ticks[a])) * length;
+      if (distance < 0.5 * (extents[a] + extents[b]) + gap) return false;
+    }
+    return true;
+  };
+  std::size_t stride = 1;
+  while (stride < labelled.size() && !fits(stride)) ++stride;
+  for (std::size_t k = 0; k < labelled.size(); ++k)
+    if (k % stride != 0) axis.labels[labelled[k]].clear();
+  return axis;
+}
+
 std::string short_number(double value) { return fmt::format("{:.4g}", value); }
 
 std::string volume_title(double reduced_volume) { return "Vᵣ = " + short_number(reduced_volume); }
@@ -132,6 +151,10 @@ GridAxis distance_axis(const std::vector<double>& values, const std::string& tit
   GridAxis grid;
   grid.centres = logarithmic ? logarithms(values) : values;
   grid.edges = edges_of(grid.centres);
+  if (values.size() > 1) {
+    grid.edges.front() = grid.centres.front();
+    grid.edges.back() = grid.centres.back();
+  }
   const double low = grid.edges.front(), high = grid.edges.back();
   grid.axis = logarithmic ? cropped(decade_axis(low, high, title), low, high)
                           : exact_axis(low, high, length, spacing, title);

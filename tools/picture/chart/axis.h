@@ -32,6 +32,10 @@ Axis exact_axis(double low, double high, double length, double spacing, std::str
 /// digits; the ticks between are unlabelled.
 Axis decade_axis(double log_low, double log_high, std::string title);
 
+/// The axis with so few of its labels that they do not run together, every second or third say: `extents` are their
+/// lengths along the axis of `length` pixels, `gap` what is to be between them.
+Axis without_crowd(Axis axis, const std::vector<double>& extents, double length, double gap);
+
 /// A parameter as it is written in a picture: at most four digits.
 std::string short_number(double value);
 std::string volume_title(double reduced_volume);
@@ -47,7 +51,8 @@ struct GridAxis {
 /// One cell of equal size per value, labelled by the value.
 GridAxis table_axis(const std::vector<double>& values, const std::string& title);
 
-/// Edges midway between the values; logarithmic if the values are more evenly spaced that way.
+/// From the first value to the last, edges midway between them; logarithmic if the values are more evenly spaced that
+/// way.
 GridAxis distance_axis(const std::vector<double>& values, const std::string& title, double length,
                        double spacing);
 

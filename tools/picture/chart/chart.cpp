@@ -40,6 +40,17 @@ void set_axis(vtkAxis* axis, const Axis& wanted, double text_size) {
   axis->SetCustomTickPositions(positions, labels);
 }
 
+Axis legible(const Canvas& canvas, const Axis& axis, bool upright, double length,
+             double text_size) {
+  constexpr double label_size = 0.85, line_height = 1.2, gap = 0.4;  // of the text
+  std::vector<double> extents;
+  for (const std::string& label : axis.labels)
+    extents.push_back(label.empty() ? 0.0
+                      : upright     ? line_height * label_size * text_size
+                                    : canvas.text_width(label, label_size * text_size));
+  return without_crowd(axis, extents, length, upright ? 0.0 : gap * text_size);
+}
+
 vtkNew<vtkTable> table_of(const Points& points) {
   vtkNew<vtkTable> table;
   std::array<vtkNew<vtkFloatArray>, 2> columns;
@@ -51,19 +62,25 @@ vtkNew<vtkTable> table_of(const Points& points) {
   return table;
 }
 
-// A line with a colour per point, or marks of one colour. VTK's own lines have one colour, and its marks end the
+// A line with a colour per point, one in pieces, or marks of one colour. VTK's own lines have one colour, and its marks end the
 // program in VTK 9.3, which asks for a colour per point.
 class Plot : public vtkPlotLine {
  public:
   static Plot* New();
 
   std::vector<unsigned char> colours;  // of the points: red, green, blue, opacity (GL2PS wants all)
+  std::vector<int> pieces;             // of a dashed line: their numbers of points
 
   bool Paint(vtkContext2D* painter) override {
     if (!this->Visible || !this->Points) return false;
     auto* points = static_cast<float*>(this->Points->GetVoidPointer(0));
     const auto n = std::size_t(this->Points->GetNumberOfPoints());
     painter->ApplyPen(this->Pen);
+    for (auto* from = points; const int count : pieces) {
+      painter->DrawPoly(from, count);
+      from += 2 * count;
+    }
+    if (!pieces.empty()) return true;
     if (colours.empty()) {
       painter->ApplyBrush(this->Brush);
       painter->GetPen()->SetWidth(this->MarkerSize);
@@ -80,6 +97,23 @@ class Plot : public vtkPlotLine {
 
 vtkStandardNewMacro(Plot);
 
+int style_of(Marker marker) {
+  switch (marker) {
+    case Marker::full:
+    case Marker::hollow:
+      return vtkPlotPoints::SQUARE;
+    case Marker::cross:
+      return vtkPlotPoints::CROSS;
+    case Marker::plus:
+      return vtkPlotPoints::PLUS;
+    case Marker::diamond:
+      return vtkPlotPoints::DIAMOND;
+    case Marker::circle:
+      return vtkPlotPoints::CIRCLE;
+  }
+  return vtkPlotPoints::SQUARE;
+}
+
 }  // namespace
 
 double below_axis(double text_size) { return 2.5 * text_size + 18.0; }
@@ -94,22 +128,50 @@ Chart::Chart(Canvas& canvas, const Rect& inside, double text_size, const Axis& x
       vtkRectf(float(inside.x), float(inside.y), float(inside.width), float(inside.height)));
   canvas.add(chart);
   chart_ = chart;
-  set_axis(chart->GetAxis(vtkAxis::BOTTOM), x, text_size);
-  set_axis(chart->GetAxis(vtkAxis::LEFT), y, text_size);
+  inside_ = inside;
+  x_ = {x.low, x.high};
+  y_ = {y.low, y.high};
+  set_axis(chart->GetAxis(vtkAxis::BOTTOM), legible(canvas, x, false, inside.width, text_size),
+           text_size);
+  set_axis(chart->GetAxis(vtkAxis::LEFT), legible(canvas, y, true, inside.height, text_size),
+           text_size);
+}
+
+Points Chart::to_pixels(const Points& points) const {
+  Points pixels;
+  for (const auto& [x, y] : points)
+    pixels.push_back(
+        {(x - x_.low) / x_.width() * inside_.width, (y - y_.low) / y_.width() * inside_.height});
+  return pixels;
+}
+
+Points Chart::to_data(const Points& pixels) const {
+  Points points;
+  for (const auto& [x, y] : pixels)
+    points.push_back(
+        {x_.low + x / inside_.width * x_.width(), y_.low + y / inside_.height * y_.width()});
+  return points;
 }
 
 void Chart::curve(const Points& points, const LineStyle& style) {
   if (points.size() < 2) return;
-  vtkNew<vtkPlotLine> plot;
-  plot->SetInputData(table_of(points), 0, 1);
+  vtkNew<Plot> plot;
+  Points all;
+  for (const Points& piece : drawn_pieces(to_pixels(points), style)) {
+    if (piece.size() < 2) continue;
+    plot->pieces.push_back(int(piece.size()));
+    const Points data = to_data(piece);
+    all.insert(all.end(), data.begin(), data.end());
+  }
+  plot->SetInputData(table_of(all), 0, 1);
   plot->SetColor(style.colour.red, style.colour.green, style.colour.blue, 255);
   plot->GetPen()->SetWidth(float(style.width));
-  plot->GetPen()->SetLineType(style.dashed ? vtkPen::DASH_LINE : vtkPen::SOLID_LINE);
   chart_->AddPlot(plot);
 }
 
 void Chart::coloured_curve(const Points& points, const std::vector<Colour>& colours, double width) {
   if (points.size() < 2) return;
+  curve(points, {.colour = dark_grey, .width = width + 1.6});
   vtkNew<Plot> plot;
   plot->SetInputData(table_of(points), 0, 1);
   for (const Colour& c : colours)
@@ -123,9 +185,7 @@ void Chart::markers(const Points& points, Marker marker, Colour colour, double s
   vtkNew<Plot> plot;
   plot->SetInputData(table_of(points), 0, 1);
   plot->SetColor(colour.red, colour.green, colour.blue, 255);
-  plot->SetMarkerStyle(marker == Marker::cross     ? vtkPlotPoints::CROSS
-                       : marker == Marker::diamond ? vtkPlotPoints::DIAMOND
-                                                   : vtkPlotPoints::SQUARE);
+  plot->SetMarkerStyle(style_of(marker));
   plot->SetMarkerSize(float(size));
   chart_->AddPlot(plot);
   if (marker == Marker::hollow) markers(points, Marker::full, white, size - 4.0);

@@ -10,7 +10,7 @@ class vtkChartXY;
 
 namespace sbeh::picture {
 
-enum class Marker { full, hollow, cross, diamond };
+enum class Marker { full, hollow, cross, plus, diamond, circle };
 
 /// The room that labels and title take below the lower axis.
 double below_axis(double text_size);
@@ -21,12 +21,17 @@ class Chart {
   Chart(Canvas& canvas, const Rect& inside, double text_size, const Axis& x, const Axis& y);
 
   void curve(const Points& points, const LineStyle& style);
-  /// A curve with one colour per point.
+  /// A curve with one colour per point, in a thin dark border: the lightest is not seen on white.
   void coloured_curve(const Points& points, const std::vector<Colour>& colours, double width);
   void markers(const Points& points, Marker marker, Colour colour, double size);
 
  private:
+  Points to_pixels(const Points& points) const;
+  Points to_data(const Points& pixels) const;
+
   vtkChartXY* chart_;  // owned by the canvas
+  Rect inside_;
+  Range x_, y_;
 };
 
 }  // namespace sbeh::picture

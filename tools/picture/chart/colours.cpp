@@ -10,37 +10,52 @@
 namespace sbeh::picture {
 namespace {
 
-// The map viridis of S. van der Walt and N. Smith at equal distances from 0 to 1.
-constexpr std::array<std::array<double, 3>, 11> viridis{{{0.267, 0.005, 0.329},
-                                                         {0.283, 0.141, 0.458},
-                                                         {0.254, 0.265, 0.530},
-                                                         {0.207, 0.372, 0.553},
-                                                         {0.164, 0.471, 0.558},
-                                                         {0.128, 0.567, 0.551},
-                                                         {0.135, 0.659, 0.518},
-                                                         {0.267, 0.749, 0.441},
-                                                         {0.478, 0.821, 0.318},
-                                                         {0.741, 0.873, 0.150},
-                                                         {0.993, 0.906, 0.144}}};
+using Table = std::vector<std::array<int, 3>>;
+
+// At equal distances from 0 to 1: viridis and magma of S. van der Walt and N. Smith, cividis of J. Nunez,
+// C. Anderton and R. Renslow. Magma begins where it is no longer black.
+const Table& table_of(Palette palette) {
+  static const Table viridis{{68, 1, 84},    {72, 36, 117},  {65, 68, 135},  {53, 95, 141},
+                             {42, 120, 142}, {33, 145, 140}, {34, 168, 132}, {68, 191, 112},
+                             {122, 209, 81}, {189, 223, 38}, {253, 231, 37}};
+  static const Table cividis{{0, 32, 77},     {0, 51, 111},    {57, 72, 107},   {87, 92, 109},
+                             {112, 113, 115}, {138, 135, 121}, {166, 157, 117}, {196, 181, 108},
+                             {228, 207, 91},  {255, 234, 70}};
+  static const Table magma{{24, 15, 62},    {69, 16, 119},   {114, 31, 129},
+                           {159, 47, 127},  {205, 64, 113},  {241, 96, 93},
+                           {253, 149, 103}, {254, 201, 141}, {252, 253, 191}};
+  static const Table grey{{20, 20, 20}, {235, 235, 235}};
+  switch (palette) {
+    case Palette::viridis:
+      return viridis;
+    case Palette::cividis:
+      return cividis;
+    case Palette::magma:
+      return magma;
+    case Palette::grey:
+      return grey;
+  }
+  return viridis;
+}
 
 constexpr double tick_distance = 0.15;  // of the bar's length
 constexpr int table_size = 64;
 
 }  // namespace
 
-ColourMap::ColourMap(Palette palette, const Range& range)
-    : scale_(linear_axis(range.low, range.high, 1.0, tick_distance)) {
+ColourMap::ColourMap(Palette palette, const Range& range, double white_share)
+    : scale_(range.empty() ? linear_axis(0.0, 1.0, 1.0, tick_distance)
+                           : linear_axis(range.low, range.high, 1.0, tick_distance)) {
   if (range.width() > 1e-9 * std::abs(range.high)) scale_ = cropped(scale_, range.low, range.high);
   vtkNew<vtkColorTransferFunction> function;
-  const std::size_t used = palette == Palette::lines ? viridis.size() - 1 : viridis.size();
-  for (std::size_t i = 0; i < used; ++i) {
-    auto [r, g, b] = viridis[palette == Palette::lines ? used - 1 - i : i];
-    if (palette == Palette::surfaces) {
-      constexpr double white_share = 0.22;
-      for (double* channel : {&r, &g, &b}) *channel += white_share * (1 - *channel);
-    }
-    if (palette == Palette::plain) r = g = b = 0.82;
-    function->AddRGBPoint(double(i) / double(used - 1), r, g, b);
+  const Table& colours = table_of(palette);
+  const auto lightened = [&](int channel) {
+    return channel / 255.0 + white_share * (1 - channel / 255.0);
+  };
+  for (std::size_t i = 0; i < colours.size(); ++i) {
+    const auto& [r, g, b] = colours[i];
+    function->AddRGBPoint(double(i) / double(colours.size() - 1), lightened(r), lightened(g),
+                          lightened(b));
   }
   const unsigned char* table = function->GetTable(0.0, 1.0, table_size);
   for (int i = 0; i < table_size; ++i)
@@ -53,7 +68,7 @@ Colour ColourMap::operator()(double value) const {
 }
 
 void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
-                     const std::string& title, double text_size) {
+                     const std::string& title, double text_size, double title_room) {
   constexpr int steps = 100;
   const Axis& axis = map.scale();
   for (int i = 0; i < steps; ++i) {
@@ -73,14 +88,17 @@ void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
                 {.size = 0.85 * text_size, .align = Align::left});
   }
   const double x = rect.right() + colour_bar_margin(canvas, map, true, text_size) - 0.6 * text_size;
-  if (!title.empty()) canvas.text(x, rect.centre_y(), title, {.size = text_size, .upward = true});
+  if (!title.empty())
+    canvas.text(x, rect.centre_y(), title,
+                {.size = fitted_size(canvas, {title}, std::max(title_room, rect.height), text_size),
+                 .upward = true});
 }
 
 void draw_short_bar(Canvas& canvas, double x, const Range& room, const ColourMap& map,
                     const std::string& title, double text_size) {
   const double length = std::min(room.width(), 18.0 * text_size);
   draw_colour_bar(canvas, {x, 0.5 * (room.low + room.high - length), text_size, length}, map, title,
-                  text_size);
+                  text_size, room.width());
 }
 
 double colour_bar_margin(const Canvas& canvas, const ColourMap& map, bool title, double text_size) {
@@ -91,10 +109,11 @@ double colour_bar_margin(const Canvas& canvas, const ColourMap& map, bool title,
 }
 
 std::vector<Colour> line_colours(std::size_t count) {
-  const ColourMap map(Palette::lines, {0.0, 1.0});
+  const ColourMap map(Palette::viridis, {0.0, 1.0});
+  constexpr double lightest = 0.83;  // what is paler is not seen on white
   std::vector<Colour> colours;
   for (std::size_t i = 0; i < count; ++i)
-    colours.push_back(map(count == 1 ? 1.0 : 0.08 + 0.92 * double(i) / double(count - 1)));
+    colours.push_back(map(count == 1 ? 0.0 : lightest * (1 - double(i) / double(count - 1))));
   return colours;
 }
 

@@ -1,6 +1,7 @@
 // Colours for values: perceptually uniform maps, readable without colour vision, and their bar.
 #pragma once
 
+#include "model/names.h"
 #include "tools/picture/chart/chart.h"
 
 #include <string>
@@ -8,17 +9,18 @@
 
 namespace sbeh::picture {
 
-enum class Palette {
-  viridis,   ///< dark for small values: for areas
-  lines,     ///< light for small values, without the palest: for lines on white
-  surfaces,  ///< viridis with some white: for shaded surfaces with dark edges
-  plain      ///< one light grey: for shaded surfaces without a quantity
-};
+/// All dark for small values and light for large ones.
+enum class Palette { viridis, cividis, magma, grey };
+constexpr auto names(Palette) { return std::array{"viridis", "cividis", "magma", "grey"}; }
+
+/// What is drawn in which colours, on lines, areas and surfaces alike.
+inline constexpr Palette order_palette = Palette::viridis, curvature_palette = Palette::magma,
+                         energy_palette = Palette::cividis;
 
 class ColourMap {
  public:
-  /// For values in a range; one of no width is widened.
-  ColourMap(Palette palette, const Range& range);
+  /// For values in a range; one of no width is widened. Shaded surfaces with dark edges want a share of white.
+  ColourMap(Palette palette, const Range& range, double white_share = 0.0);
 
   /// The range and the ticks of the bar.
   const Axis& scale() const { return scale_; }
@@ -29,9 +31,11 @@ class ColourMap {
   std::vector<Colour> table_;  // at equal distances over the range
 };
 
-/// The bar fills `rect`; its numbers and then its title stand to the right.
+inline constexpr double white_on_surfaces = 0.22;
+
+/// The bar fills `rect`; its numbers and then its title stand to the right, this as long as the bar or the room.
 void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
-                     const std::string& title, double text_size);
+                     const std::string& title, double text_size, double title_room = 0.0);
 
 /// A bar with its left side at `x`, in the middle of the room from below to above, at most 18 letters high.
 void draw_short_bar(Canvas& canvas, double x, const Range& room, const ColourMap& map,
@@ -40,7 +44,7 @@ void draw_short_bar(Canvas& canvas, double x, const Range& room, const ColourMap
 /// Width of the numbers and the title beside a bar.
 double colour_bar_margin(const Canvas& canvas, const ColourMap& map, bool title, double text_size);
 
-/// `count` colours in order, well apart, for lines on white.
+/// `count` colours in order, well apart, dark for the last, for lines on white.
 std::vector<Colour> line_colours(std::size_t count);
 
 /// Black or white, whichever is legible on the colour.

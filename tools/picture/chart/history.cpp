@@ -25,7 +25,7 @@ Points thinned(const Points& points) {
 
 std::vector<LegendEntry> legend_of(const Histories& all, const std::vector<Colour>& colours) {
   const LineStyle line{.colour = dark_grey, .width = line_width};
-  const LineStyle dashed{.colour = dark_grey, .width = line_width, .dashed = true};
+  const LineStyle dashed{.colour = dark_grey, .width = line_width, .pattern = Pattern::dashed};
   std::vector<LegendEntry> entries;
   if (all.sbeh) entries.push_back(line_entry(line, "SBEH"));
   if (all.ssh) entries.push_back(line_entry(dashed, "SSH"));
@@ -39,23 +39,40 @@ std::vector<LegendEntry> legend_of(const Histories& all, const std::vector<Colou
 
 }  // namespace
 
-Points log_log(const std::vector<double>& time, const std::vector<double>& value, double shift) {
-  constexpr double resolution = 0.004;  // of a decade
-  constexpr double shown = 1e-6;        // of the last time: what is earlier looks like the start
+Points over_time(const std::vector<double>& time, const std::vector<double>& value, double shift) {
+  constexpr double shown = 1e-6;  // of the last time: what is earlier looks like the start
   const double first = time.empty() ? 0.0 : shown * time.back();
   Points points;
-  for (std::size_t i = 0; i < time.size(); ++i) {
-    if (!(time[i] > 0.0) || time[i] < first || !(value[i] + shift > 0.0)) continue;
-    const double x = std::log10(time[i]), y = std::log10(value[i] + shift);
-    const bool last = i + 1 == time.size();
-    const bool new_place = points.empty() || std::abs(x - points.back()[0]) > resolution
-                        || std::abs(y - points.back()[1]) > resolution;
-    if (std::isfinite(x) && std::isfinite(y) && (new_place || last)) points.push_back({x, y});
-  }
+  for (std::size_t i = 0; i < time.size(); ++i)
+    if (time[i] > 0.0 && time[i] >= first && std::isfinite(value[i]))
+      points.push_back({std::log10(time[i]), value[i] + shift});
   return points;
 }
 
-HistoryAxes history_axes(const std::vector<Points>& curves, const std::string& energy_name) {
+EnergyScale scale_for(const std::vector<Points>& curves) {
+  for (const Points& curve : curves)
+    for (const auto& point : curve)
+      if (!(point[1] > 0.0)) return EnergyScale::linear;
+  return EnergyScale::logarithmic;
+}
+
+Points on_scale(const Points& curve, EnergyScale scale, double height, double floor) {
+  constexpr double decades = 0.004, share = 0.002;  // what is told apart
+  const bool logarithmic = scale == EnergyScale::logarithmic;
+  const double resolution = logarithmic ? decades : share * height;
+  Points shown;
+  for (std::size_t i = 0; i < curve.size(); ++i) {
+    const double x = curve[i][0], y = logarithmic ? std::log10(curve[i][1]) : curve[i][1];
+    if (!std::isfinite(y) || (logarithmic && y < floor)) continue;
+    const bool new_place = shown.empty() || std::abs(x - shown.back()[0]) > decades
+                        || std::abs(y - shown.back()[1]) > resolution;
+    if (new_place || i + 1 == curve.size()) shown.push_back({x, y});
+  }
+  return shown;
+}
+
+HistoryAxes history_axes(const std::vector<Points>& curves, EnergyScale scale,
+                         const std::string& energy_name, double length, double text_size) {
   Range time, energy;
   for (const Points& curve : curves)
     for (const auto& point : curve) {
@@ -63,8 +80,18 @@ HistoryAxes history_axes(const std::vector<Points>& curves, const std::string& e
       energy.include(point[1]);
     }
   const double margin = 0.04 * energy.width();
+  const double low = energy.low - margin, high = energy.high + margin;
   return {decade_axis(time.low, time.high, "t"),
-          decade_axis(energy.low - margin, energy.high + margin, energy_name)};
+          scale == EnergyScale::logarithmic
+              ? decade_axis(low, high, energy_name)
+              : exact_axis(low, high, length, 3.0 * text_size, energy_name)};
+}
+
+Range energies_of(const std::vector<Points>& curves) {
+  Range range;
+  for (const Points& curve : curves)
+    for (const auto& point : curve) range.include(point[1]);
+  return range;
 }
 
 void draw_histories(Canvas& canvas, const Options& options, const Histories& all,
@@ -72,7 +99,9 @@ void draw_histories(Canvas& canvas, const Options& options, const Histories& all
   const std::vector<Colour> colours = line_colours(all.lengths.size());
   std::vector<Points> points;
   for (const Histories::Curve& curve : all.curves) points.push_back(curve.points);
-  const HistoryAxes axes = history_axes(points, options.energy_name());
+  const EnergyScale scale = scale_for(points);
+  const double energies = energies_of(points).width();
+  for (Points& curve : points) curve = on_scale(curve, scale, energies);
   const auto legend = legend_of(all, colours);
 
   const double text = options.text_size();
@@ -87,6 +116,8 @@ void draw_histories(Canvas& canvas, const Options& options, const Histories& all
   const double height =
       options.height(foot + rows * (below + above + layout.height_by_width * inner_width));
   const double row_height = (height - foot) / rows;
+  const HistoryAxes axes =
+      history_axes(points, scale, options.energy_name(), row_height - below - above, text);
   canvas.start(width, height);
   for (std::size_t panel = 0; panel < count; ++panel) {
     const std::size_t column = panel % layout.columns, row = panel / layout.columns;
@@ -99,15 +130,18 @@ void draw_histories(Canvas& canvas, const Options& options, const Histories& all
       std::ranges::fill(energy.labels, "");
     }
     Chart chart(canvas, inside, text, axes.time, energy);
-    for (const Histories::Curve& curve : all.curves) {
+    for (std::size_t i = 0; i < all.curves.size(); ++i) {
+      const Histories::Curve& curve = all.curves[i];
       if (curve.reduced_volume != all.reduced_volumes[panel]) continue;
       const auto length = std::ranges::find(all.lengths, curve.L) - all.lengths.begin();
       const Colour colour = colours[std::size_t(length)];
       if (curve.in_3d)
-        chart.markers(thinned(curve.points), curve.is_ssh ? Marker::hollow : Marker::full, colour,
+        chart.markers(thinned(points[i]), curve.is_ssh ? Marker::hollow : Marker::full, colour,
                       0.45 * text);
       else
-        chart.curve(curve.points, {.colour = colour, .width = line_width, .dashed = curve.is_ssh});
+        chart.curve(points[i], {.colour = colour,
+                                .width = line_width,
+                                .pattern = curve.is_ssh ? Pattern::dashed : Pattern::solid});
     }
     canvas.text(inside.centre_x(), inside.top() + 1.0 * text,
                 volume_title(all.reduced_volumes[panel]), {.size = text});

@@ -1,4 +1,4 @@
-// Energies over time on logarithmic axes.
+// Energies over time on a logarithmic axis.
 #pragma once
 
 #include "tools/picture/canvas/canvas.h"
@@ -10,24 +10,34 @@
 
 namespace sbeh::picture {
 
-/// Points (log₁₀ t, log₁₀(value + shift)); those where either is not positive are left out, so are points
-/// too close to tell apart and those in the first millionth of the time.
-Points log_log(const std::vector<double>& time, const std::vector<double>& value, double shift);
+/// Points (log₁₀ t, value + shift), but those in the first millionth of the time.
+Points over_time(const std::vector<double>& time, const std::vector<double>& value, double shift);
 
-/// Axes about all curves, with the same decades for all panels.
+/// Of energies: linear as soon as one is not positive.
+enum class EnergyScale { logarithmic, linear };
+EnergyScale scale_for(const std::vector<Points>& curves);
+
+/// As drawn: on a logarithmic scale log₁₀ of the values, those above 10^`floor`; without points too close to tell apart.
+/// `height`: of all energies shown.
+Points on_scale(const Points& curve, EnergyScale scale, double height, double floor = -1e300);
+
+/// Axes about all curves, as drawn, with the same ticks for all panels of `length` pixels.
 struct HistoryAxes {
   Axis time;
   Axis energy;
 };
 
-HistoryAxes history_axes(const std::vector<Points>& curves, const std::string& energy_name);
+Range energies_of(const std::vector<Points>& curves);
+
+HistoryAxes history_axes(const std::vector<Points>& curves, EnergyScale scale,
+                         const std::string& energy_name, double length, double text_size);
 
 /// Histories over reduced volumes and values of L.
 struct Histories {
   struct Curve {
     double reduced_volume, L;
     bool is_ssh, in_3d;
-    Points points;
+    Points points;  ///< see over_time
   };
   std::vector<double> reduced_volumes{}, lengths{};
   std::vector<Curve> curves{};

@@ -47,17 +47,18 @@ LegendEntry line_entry(const LineStyle& style, std::string text) {
 }
 
 LegendEntry coloured_line_entry(const ColourMap& map, double width, std::string text) {
-  return {[map, width](Canvas& canvas, const Rect& r) {
-            constexpr int pieces = 24;
-            for (int i = 0; i < pieces; ++i) {
-              const double value =
-                  map.scale().low + (i + 0.5) / pieces * (map.scale().high - map.scale().low);
-              canvas.fill(
-                  {r.x + i * r.width / pieces, r.centre_y() - 0.5 * width, r.width / pieces, width},
-                  map(value));
-            }
-          },
-          std::move(text)};
+  return {
+      [map, width](Canvas& canvas, const Rect& r) {
+        constexpr int pieces = 24;
+        const Rect place{r.x, r.centre_y() - 0.5 * width, r.width, width};
+        canvas.line(place.outline(), {.colour = dark_grey, .width = 1.6});
+        for (int i = 0; i < pieces; ++i) {
+          const double value =
+              map.scale().low + (i + 0.5) / pieces * (map.scale().high - map.scale().low);
+          canvas.fill({r.x + i * r.width / pieces, place.y, r.width / pieces, width}, map(value));
+        }
+      },
+      std::move(text)};
 }
 
 LegendEntry marker_entry(Marker marker, Colour colour, std::string text) {

@@ -22,25 +22,30 @@ studies::CurvedFile read(const std::filesystem::path& file) {
 // What the surface is coloured by.
 struct Quantity3d {
   Eigen::VectorXd values;
-  std::string title;
+  Field field;
 };
 
-Quantity3d quantity_of(const studies::CurvedFile& file) {
+Quantity3d quantity_of(const studies::CurvedFile& file, const Options& options) {
   const auto order = file.fields.find("order");
-  if (order != file.fields.end() && order->second.rows() == 1)
-    return {order->second.row(0).transpose(), "order β"};
-  return {meshing::node_mean_curvature(file.mesh), "mean curvature H = tr B"};
+  if (order != file.fields.end() && order->second.rows() == 1) {
+    Eigen::VectorXd values = order->second.row(0).transpose();
+    if (options.field_for({values.minCoeff(), values.maxCoeff()}) == Field::order)
+      return {std::move(values), Field::order};
+  } else if (options.field == Field::order) {
+    throw InputError("--field order: the mesh has no order");
+  }
+  return {meshing::node_mean_curvature(file.mesh), Field::curvature};
 }
 
 // The range without the last percent on either side: a few extreme values would take all colours.
-ColourMap colours_of(const Eigen::VectorXd& values) {
+Range shown_range(const Eigen::VectorXd& values) {
   std::vector<double> sorted(values.begin(), values.end());
   std::sort(sorted.begin(), sorted.end());
   const std::size_t cut = sorted.size() / 100;
   const double low = sorted[cut], high = sorted[sorted.size() - 1 - cut];
   const double room = std::max(high - low, 0.02 * std::max(std::abs(low), std::abs(high)));
   const double middle = (low + high) / 2;
-  return {Palette::surfaces, {middle - room / 2, middle + room / 2}};
+  return {middle - room / 2, middle + room / 2};
 }
 
 }  // namespace
@@ -49,8 +54,9 @@ void draw_mesh(Canvas& canvas, const Options& options) {
   const std::filesystem::path& path = options.directory;
   const studies::CurvedFile file = read(path);
   const meshing::CurvedMesh& mesh = file.mesh;
-  const Quantity3d quantity = quantity_of(file);
-  const ColourMap colours = colours_of(quantity.values);
+  const Quantity3d quantity = quantity_of(file, options);
+  const ColourMap colours =
+      options.colours(palette_of(quantity.field), shown_range(quantity.values), white_on_surfaces);
 
   const double text = options.text_size();
   const double width = options.width(1600.0), height = options.height(880.0);
@@ -75,7 +81,7 @@ void draw_mesh(Canvas& canvas, const Options& options) {
                   mesh.triangle_count(), mesh.order, area, meshing::reduced_volume(area, volume)),
       {.size = 1.15 * text});
   draw_short_bar(canvas, left + 2 * side + 0.4 * text, {bottom, bottom + side}, colours,
-                 quantity.title, text);
+                 title_of(quantity.field), text);
   canvas.write(std::filesystem::path(path).replace_extension(), false);
 }
 

@@ -9,8 +9,8 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
-#include <limits>
 #include <numeric>
 
 namespace sbeh::picture {
@@ -19,6 +19,7 @@ namespace {
 constexpr std::size_t most_shapes = 8;
 constexpr std::size_t most_in_a_row = 5;
 constexpr double shown_decades = 5;  // from the largest energy down: what is less is not seen in it
+constexpr double rounding = 1e-9;    // of the largest energy
 
 struct Part {
   std::string name;
@@ -36,47 +37,88 @@ std::vector<Part> parts_of(const Options& options) {
           {"thermotropic" + suffix,
            &Energy::thermotropic,
            shift,
-           {.colour = {0, 158, 115}, .width = 2.0, .dashed = true}},
-          {"bending", &Energy::bending, 0.0, {.colour = {213, 94, 0}, .width = 2.0}},
-          {"distortion", &Energy::distortion, 0.0, {.colour = {0, 114, 178}, .width = 2.0}}};
+           {.colour = {0, 158, 115}, .width = 2.0, .pattern = Pattern::dashed}},
+          {"bending", &Energy::bending, 0.0, {.colour = {240, 140, 40}, .width = 2.0}},
+          {"distortion",
+           &Energy::distortion,
+           0.0,
+           {.colour = {0, 114, 178}, .width = 2.0, .pattern = Pattern::dash_dotted}}};
+}
+
+struct Curve {
+  Part part;
+  Points points;
+};
+
+// The total first, and always; of the others those that are more than rounding.
+std::vector<Curve> read_curves(const Options& options) {
+  const auto series =
+      studies::read_rows(studies::series_columns(), options.directory / "series.csv");
+  std::vector<Curve> curves;
+  double largest = 0.0;
+  for (const Part& part : parts_of(options)) {
+    std::vector<double> time, value;
+    double own = 0.0;
+    for (const studies::SeriesRow& row : series) {
+      time.push_back(row.record.time);
+      value.push_back(part.of(row.record.energy));
+      own = std::max(own, std::abs(value.back() + part.shift));
+    }
+    largest = std::max(largest, own);
+    if (!curves.empty() && own < rounding * largest) continue;
+    curves.push_back({part, over_time(time, value, part.shift)});
+  }
+  return curves;
+}
+
+// A part that begins at 0 is that but for rounding, which is no reason for a linear scale.
+EnergyScale scale_of(const std::vector<Curve>& curves, double largest) {
+  std::vector<Points> points;
+  for (const Curve& curve : curves) {
+    points.push_back(curve.points);
+    if (points.size() > 1)
+      std::erase_if(points.back(),
+                    [&](const auto& p) { return std::abs(p[1]) < rounding * largest; });
+  }
+  return scale_for(points);
+}
+
+// As drawn. On a logarithmic scale only the total is shown where it is far below the largest.
+std::vector<Points> drawn(const std::vector<Curve>& curves, EnergyScale scale, const Range& range) {
+  const double floor = std::log10(range.high) - shown_decades;
+  std::vector<Points> all;
+  for (const Curve& curve : curves)
+    all.push_back(all.empty() ? on_scale(curve.points, scale, range.width())
+                              : on_scale(curve.points, scale, range.width(), floor));
+  return all;
 }
 
 }  // namespace
 
 void draw_evolution_energy(Canvas& canvas, const Options& options) {
-  const auto series =
-      studies::read_rows(studies::series_columns(), options.directory / "series.csv");
-  std::vector<Points> curves;
-  std::vector<LineStyle> styles;
-  std::vector<LegendEntry> legend;
-  double floor = -std::numeric_limits<double>::infinity();
-  for (const Part& part : parts_of(options)) {
-    std::vector<double> time, value;
-    for (const studies::SeriesRow& row : series) {
-      time.push_back(row.record.time);
-      value.push_back(part.of(row.record.energy));
-    }
-    Points points = log_log(time, value, part.shift);
-    for (const auto& point : points) floor = std::max(floor, point[1] - shown_decades);
-    std::erase_if(points, [&](const auto& point) { return point[1] < floor; });
-    if (points.size() < 2) continue;
-    curves.push_back(std::move(points));
-    styles.push_back(part.style);
-    legend.push_back(line_entry(part.style, part.name));
-  }
-  if (curves.empty()) {
-    fmt::print("no energy: {} is positive nowhere; set --energy-shift\n", options.energy_name());
+  std::vector<Curve> curves = read_curves(options);
+  if (curves.front().points.size() < 2) {
+    fmt::print("no energy: {} has no two times to draw\n",
+               (options.directory / "series.csv").string());
     return;
   }
-  const HistoryAxes axes = history_axes(curves, "energy");
+  Range range;
+  for (const Curve& curve : curves) range.include(energies_of({curve.points}));
+  const EnergyScale scale = scale_of(curves, std::max(std::abs(range.low), std::abs(range.high)));
+  const std::vector<Points> points = drawn(curves, scale, range);
+  std::vector<LegendEntry> legend;
+  for (std::size_t i = 0; i < curves.size(); ++i)
+    if (points[i].size() > 1)
+      legend.push_back(line_entry(curves[i].part.style, curves[i].part.name));
   const double text = options.text_size();
   const double width = options.width(1000.0), height = options.height(700.0);
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double below = below_axis(text) + 0.8 * text + legend_at;
   canvas.start(width, height);
-  Chart chart(canvas, {5.6 * text, below, width - 7.2 * text, height - below - 1.2 * text}, text,
-              axes.time, axes.energy);
-  for (std::size_t i = 0; i < curves.size(); ++i) chart.curve(curves[i], styles[i]);
+  const Rect inside{5.6 * text, below, width - 7.2 * text, height - below - 1.2 * text};
+  const HistoryAxes axes = history_axes(points, scale, "energy", inside.height, text);
+  Chart chart(canvas, inside, text, axes.time, axes.energy);
+  for (std::size_t i = 0; i < curves.size(); ++i) chart.curve(points[i], curves[i].part.style);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "energy");
 }
@@ -90,17 +132,17 @@ void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
   }
   std::vector<Cut> cuts;
   Extent extent;
-  OrderRange orders;
+  FieldRanges fields;
   for (const studies::FrameEntry& frame : frames) {
     cuts.push_back(mirrored(studies::read_profile(frame.file)));
     extent.include(cuts.back());
-    orders.include(cuts.back());
+    fields.include(cuts.back());
   }
-  const ColourMap colours = orders.colours();
+  const CutColours colours = colours_for(fields, options);
   const double text = options.text_size();
   const std::size_t count = cuts.size();
   const std::size_t columns = count <= most_in_a_row ? count : (count + 1) / 2;
-  const double right = 3.0 * text + colour_bar_margin(canvas, colours, true, text);
+  const double right = 3.0 * text + colour_bar_margin(canvas, colours.map, true, text);
   const double margins = text + right;
   const double width = options.width(std::min(1600.0, margins + 360.0 * double(columns)));
   const double cell_width = (width - margins) / double(columns);
@@ -130,8 +172,8 @@ void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
     canvas.text(cell.centre_x(), top - text, "t = " + short_number(frames[i].time), {.size = text});
     if ((i + 1) % columns == 0) top -= row_height;
   }
-  draw_short_bar(canvas, width - right + 1.4 * text, {1.5 * text, height - 1.5 * text}, colours,
-                 "order β", text);
+  draw_short_bar(canvas, width - right + 1.4 * text, {1.5 * text, height - 1.5 * text}, colours.map,
+                 colours.title, text);
   canvas.write(options.directory / "shapes");
 }
 

@@ -14,24 +14,24 @@ constexpr std::size_t most_shapes = 10, most_in_a_row = 5;
 
 struct Shown {
   std::vector<studies::CurvedFile> states;
-  std::string field, title;
+  Field field;
   Range range;
 };
 
-Shown read_states(const std::vector<studies::FrameEntry>& frames) {
+Range range_of(const std::vector<studies::CurvedFile>& states, Field field) {
+  Range range;
+  for (const auto& state : states) {
+    const Eigen::VectorXd values = field_of(state, field);
+    range.include({values.minCoeff(), values.maxCoeff()});
+  }
+  return range;
+}
+
+Shown read_states(const std::vector<studies::FrameEntry>& frames, const Options& options) {
   Shown shown;
   for (const studies::FrameEntry& frame : frames) shown.states.push_back(read_state(frame.file));
-  const auto set_range = [&](const char* field, const char* title) {
-    shown.field = field;
-    shown.title = title;
-    shown.range = {};
-    for (const auto& state : shown.states) {
-      shown.range.include(state.fields.at(field).minCoeff());
-      shown.range.include(state.fields.at(field).maxCoeff());
-    }
-  };
-  set_range("order", "order β");
-  if (shown.range.width() < 1e-6) set_range("mean_curvature", "mean curvature H = tr B");
+  shown.field = options.field_for(range_of(shown.states, Field::order));
+  shown.range = range_of(shown.states, shown.field);
   return shown;
 }
 
@@ -44,8 +44,9 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
     fmt::print("no shapes: {} lists no frame\n", (options.directory / "frames.csv").string());
     return;
   }
-  const Shown shown = read_states(frames);
-  const ColourMap colours{Palette::surfaces, shown.range};
+  const Shown shown = read_states(frames, options);
+  const ColourMap colours =
+      options.colours(palette_of(shown.field), shown.range, white_on_surfaces);
   const double text = options.text_size();
   const std::size_t count = frames.size();
   const std::size_t columns = count <= most_in_a_row ? count : (count + 1) / 2;
@@ -71,14 +72,14 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
                 {.size = text});
     top -= title;
     const studies::CurvedFile& state = shown.states[i];
-    const Eigen::VectorXd values = state.fields.at(shown.field).row(0).transpose();
+    const Eigen::VectorXd values = field_of(state, shown.field);
     for (const View& view : {side_view, top_view}) {
       top -= side;
       draw_surface(canvas, {x, top, side, side}, state.mesh, values, colours, view, half_width);
     }
   }
   draw_short_bar(canvas, width - right + 1.4 * text, {1.5 * text, height - 1.5 * text}, colours,
-                 shown.title, text);
+                 title_of(shown.field), text);
   canvas.write(options.directory / "shapes", false);
 }
 

@@ -38,7 +38,7 @@ void draw_figure_energy(Canvas& canvas, const Options& options) {
   for (const auto& [key, history] : histories) {
     const auto& [volume, L, is_ssh, in_3d] = key;
     all.curves.push_back(
-        {volume, L, is_ssh, in_3d, log_log(history.time, history.energy, options.energy_shift)});
+        {volume, L, is_ssh, in_3d, over_time(history.time, history.energy, options.energy_shift)});
   }
   draw_histories(canvas, options, all,
                  {.columns = volumes.size(),

@@ -12,7 +12,7 @@ namespace sbeh::picture {
 namespace {
 
 const LineStyle sbeh_style{.colour = {0, 84, 159}, .width = 2.6};
-const LineStyle ssh_style{.colour = red, .width = 2.6, .dashed = true};
+const LineStyle ssh_style{.colour = red, .width = 2.6, .pattern = Pattern::dashed};
 
 using studies::figures::MeasureRow;
 

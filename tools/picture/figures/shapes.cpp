@@ -28,7 +28,7 @@ struct Stationary {
   std::map<double, Cut> ssh;       // by V_r: the same for all L
   bool axisymmetric_cuts = false;  // of SBEH, where there is no 3D run
   double half_width = 0;
-  Range orders{1.0, 0.0};
+  Range orders;
   Extent extent;
 };
 
@@ -65,7 +65,7 @@ void read_cuts(const std::filesystem::path& file, Stationary& all) {
   for (const auto& [point, cut] : all.ssh) all.extent.include(cut);
 }
 
-const LineStyle ssh_style{.colour = red, .width = 1.8, .dashed = true};
+const LineStyle ssh_style{.colour = red, .width = 1.8, .pattern = Pattern::dashed};
 
 std::vector<LegendEntry> legend_of(const Stationary& all) {
   const std::size_t count = all.lengths.size();
@@ -107,7 +107,7 @@ void draw_figure_shapes(Canvas& canvas, const Options& options) {
   read_shapes(options.directory, all);
   read_cuts(options.directory / "cuts.csv", all);
   std::optional<ColourMap> colours;
-  if (!all.in_3d.empty()) colours.emplace(Palette::surfaces, all.orders);
+  if (!all.in_3d.empty()) colours = options.colours(order_palette, all.orders, white_on_surfaces);
 
   const double text = options.text_size();
   const double left = canvas.text_width(volume_title(0.65), text) + 1.8 * text;

@@ -1,5 +1,6 @@
 #include "studies/states/profile_file.h"
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/scan/quantity.h"
 #include "tools/picture/scan/scan.h"
 #include "tools/picture/section/cut.h"
 
@@ -7,7 +8,6 @@
 
 #include <algorithm>
 #include <map>
-#include <optional>
 
 namespace sbeh::picture {
 namespace {
@@ -19,20 +19,21 @@ constexpr double widest_picture = 1600.0;
 constexpr double highest_picture = 1600.0;
 constexpr double largest_share = 0.86;  // of the cell's width, for the widest cut
 
-LineStyle ssh_style(double text_size, bool with_sbeh) {
-  return {.colour = red, .width = std::max(1.2, 0.085 * text_size), .dashed = with_sbeh};
+LineStyle ssh_style(double text_size) {
+  return {.colour = red, .width = std::max(1.2, 0.085 * text_size), .pattern = Pattern::dashed};
 }
 
 // Which cuts of a scan are shown, and in which row and column: rows are reduced volumes, columns are values of L; a
 // larger scan is thinned out evenly. With a single L the reduced volumes stand side by side. Below follow the
 // overlays, all L of one reduced volume each. Reduced volumes and L are given by their index in the scan.
+// A state that is not at rest at the point, because it is at a fold with another L, say, is not shown.
 struct CutMatrix {
   struct Cell {
     std::size_t row, column, volume, length;
     std::string remark;  // about a point that is not simply stationary
   };
 
-  explicit CutMatrix(const ScanGrid& of);
+  CutMatrix(const ScanGrid& of, const Options& options);
 
   const ScanGrid& scan;
   std::vector<std::size_t> volumes;  // with an overlay for each
@@ -41,9 +42,11 @@ struct CutMatrix {
   std::size_t overlay_rows = 0;  // of at most as many cells as there are columns
   std::map<const PointResult*, Cut> cuts;
   Extent extent;
-  OrderRange orders;  // of the cuts of SBEH
-  std::string title = "Cross sections";
+  FieldRanges fields;                 // of the cuts that are coloured
+  std::map<Model, BranchMap> lowest;  // where there are several branches
+  std::string title;
 
+  Model coloured() const { return scan.has(Model::SBEH) ? Model::SBEH : Model::SSH; }
   std::size_t rows() const { return row_titles.size(); }
   std::size_t columns() const { return column_titles.size(); }
   // nullptr if there is none.
@@ -55,17 +58,22 @@ struct CutMatrix {
   std::vector<double> half_heights() const;
 };
 
-CutMatrix::CutMatrix(const ScanGrid& of)
+CutMatrix::CutMatrix(const ScanGrid& of, const Options& options)
     : scan(of), volumes(evenly_spread(of.reduced_volumes().size(), most_volumes)) {
   for (const std::size_t volume : volumes)
     for (std::size_t length = 0; length < scan.lengths().size(); ++length)
       for (const Model model : {Model::SBEH, Model::SSH}) {
         const PointResult* point = scan.find(model, volume, length);
-        if (!point || !std::filesystem::exists(scan.profile(*point))) continue;
+        if (!point || point->status != PointStatus::stationary
+            || !std::filesystem::exists(scan.profile(*point)))
+          continue;
         const Cut& cut = cuts[point] = mirrored(studies::read_profile(scan.profile(*point)));
         extent.include(cut);
-        if (model == Model::SBEH) orders.include(cut);
+        if (model == coloured()) fields.include(cut);
       }
+  if (options.branch.empty())
+    for (const Model model : {Model::SBEH, Model::SSH})
+      if (auto map = lowest_branches(scan, options.directory, model)) lowest.emplace(model, *map);
 
   const std::size_t all_volumes = scan.reduced_volumes().size(),
                     all_lengths = scan.lengths().size();
@@ -82,6 +90,7 @@ CutMatrix::CutMatrix(const ScanGrid& of)
     row_titles.swap(column_titles);
   else if (scan.has(Model::SBEH))
     overlay_rows = (volumes.size() + columns() - 1) / columns();
+  title = lowest.empty() ? "Cross sections" : "Cross sections of the lowest smooth states found";
   if (volumes.size() < all_volumes || lengths.size() < all_lengths)
     title += fmt::format(": {} of {} reduced volumes, {} of {} values of L", volumes.size(),
                          all_volumes, lengths.size(), all_lengths);
@@ -93,14 +102,15 @@ std::string CutMatrix::remark(std::size_t volume, std::size_t length) const {
     if (!scan.has(model)) continue;
     const char* name = sbeh::name(model);
     const PointResult* point = scan.find(model, volume, length);
+    const auto map = lowest.find(model);
     if (!point)
       remarks.push_back(fmt::format("no {}", name));
-    else if (point->status == PointStatus::failed)
-      remarks.push_back(fmt::format("{} failed", name));
+    else if (point->status != PointStatus::stationary)
+      remarks.push_back(fmt::format("{} {}", name, sbeh::name(point->status)));
     else if (!cut(model, volume, length))
       remarks.push_back(fmt::format("no {} profile", name));
-    else if (point->status == PointStatus::unresolved)
-      remarks.push_back(fmt::format("{} unresolved", name));
+    else if (map != lowest.end() && !map->second.is_lowest(volume, length))
+      remarks.push_back(fmt::format("{} not the lowest", name));
   }
   return fmt::format("{}", fmt::join(remarks, ", "));
 }
@@ -121,17 +131,15 @@ std::vector<double> CutMatrix::half_heights() const {
   return halves;
 }
 
-std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const std::optional<ColourMap>& colours,
+std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const CutColours& colours,
                                    double text_size) {
   const ScanGrid& scan = matrix.scan;
-  std::vector<LegendEntry> entries;
-  if (colours) {
-    entries.push_back(
-        coloured_line_entry(*colours, 0.32 * text_size, "SBEH, coloured by its order"));
-  }
-  if (scan.has(Model::SSH))
-    entries.push_back(line_entry(ssh_style(text_size, colours.has_value()), "SSH"));
-  if (colours && matrix.overlay_rows > 0) {
+  std::vector<LegendEntry> entries{coloured_line_entry(
+      colours.map, 0.32 * text_size,
+      fmt::format("{}, coloured by {}", name(matrix.coloured()), colours.title))};
+  if (matrix.coloured() == Model::SBEH && scan.has(Model::SSH))
+    entries.push_back(line_entry(ssh_style(text_size), "SSH"));
+  if (matrix.overlay_rows > 0) {
     const std::size_t last = scan.lengths().size() - 1;
     entries.push_back(line_entry(style_by_length(0, last + 1),
                                  "all L: SBEH from " + length_title(scan.lengths()[0])));
@@ -190,15 +198,14 @@ void stack_rows(Layout& at, const CutMatrix& matrix, const Options& options) {
 }
 
 Layout layout_of(const Canvas& canvas, const CutMatrix& matrix, const Options& options,
-                 const std::optional<ColourMap>& colours, const std::vector<LegendEntry>& entries) {
+                 const CutColours& colours, const std::vector<LegendEntry>& entries) {
   Layout at;
   at.text = options.text_size();
   double title = 0.0;
   for (std::size_t row = 0; row < matrix.rows(); ++row)
     title = std::max(title, canvas.text_width(matrix.row_titles[row], at.text));
   at.left = title + 1.8 * at.text;
-  at.right = 2.0 * at.text
-           + (colours ? 1.6 * at.text + colour_bar_margin(canvas, *colours, true, at.text) : 0.0);
+  at.right = 3.6 * at.text + colour_bar_margin(canvas, colours.map, true, at.text);
   const double margins = at.left + at.right;
   const auto columns = double(matrix.columns());
   at.width = options.width(std::min(widest_picture, margins + columns * widest_cell));
@@ -210,7 +217,9 @@ Layout layout_of(const Canvas& canvas, const CutMatrix& matrix, const Options& o
   if (options.size) return at;
 
   // High cuts leave narrower cells; title and legend want some width all the same.
-  const double needed = 2.0 * matrix.extent.half_width * at.scale / largest_share;
+  double needed = 2.0 * matrix.extent.half_width * at.scale / largest_share;
+  for (const std::string& column_title : matrix.column_titles)
+    needed = std::max(needed, canvas.text_width(column_title, at.text) + at.text);
   at.width = std::max(margins + columns * needed, 40.0 * at.text);
   at.cell_width = (at.width - margins) / columns;
   at.legend = legend_height(canvas, entries, at.width - 2.0 * at.text, at.text);
@@ -219,18 +228,20 @@ Layout layout_of(const Canvas& canvas, const CutMatrix& matrix, const Options& o
 }
 
 void draw_cell(Canvas& canvas, const CutMatrix& matrix, const CutMatrix::Cell& of, const Layout& at,
-               const std::optional<ColourMap>& colours) {
-  const Cut* sbeh = matrix.cut(Model::SBEH, of.volume, of.length);
+               const CutColours& colours) {
+  const Cut* coloured = matrix.cut(matrix.coloured(), of.volume, of.length);
   const Cut* ssh = matrix.cut(Model::SSH, of.volume, of.length);
   Rect cell = at.cell(double(of.column), of.row);
   cell.y += at.remarks;
   cell.height -= at.remarks;
   std::vector<CutLine> lines;
-  if (sbeh && colours)
-    lines.push_back({.cut = sbeh, .colours = &*colours, .style = {.width = 0.32 * at.text}});
-  if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text, colours.has_value())});
+  if (coloured)
+    lines.push_back({.cut = coloured, .colours = &colours, .style = {.width = 0.32 * at.text}});
+  if (ssh && ssh != coloured) lines.push_back({.cut = ssh, .style = ssh_style(at.text)});
   if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
-  canvas.text(cell.centre_x(), cell.y, of.remark, {.size = 0.8 * at.text, .colour = dark_grey});
+  canvas.text(cell.centre_x(), cell.y, of.remark,
+              {.size = fitted_size(canvas, {of.remark}, 0.94 * cell.width, 0.8 * at.text),
+               .colour = dark_grey});
 }
 
 void draw_overlay(Canvas& canvas, const CutMatrix& matrix, std::size_t index, const Layout& at) {
@@ -249,7 +260,7 @@ void draw_overlay(Canvas& canvas, const CutMatrix& matrix, std::size_t index, co
       lines.push_back({.cut = cut, .style = style_by_length(length, count)});
     if (!ssh) ssh = matrix.cut(Model::SSH, volume, length);
   }
-  if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text, true)});
+  if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text)});
   if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
   canvas.text(cell.centre_x(), cell.top() + 0.7 * at.text,
               volume_title(matrix.scan.reduced_volumes()[volume]), {.size = at.text});
@@ -261,10 +272,11 @@ void draw_titles(Canvas& canvas, const CutMatrix& matrix, const Layout& at) {
     canvas.text(at.left - 0.8 * at.text, at.rows[row].centre_y(), matrix.row_titles[row],
                 {.size = at.text, .align = Align::right});
   }
-  for (std::size_t column = 0; column < matrix.columns(); ++column) {
+  const double size =
+      fitted_size(canvas, matrix.column_titles, at.cell_width - 0.6 * at.text, at.text);
+  for (std::size_t column = 0; column < matrix.columns(); ++column)
     canvas.text(at.cell(double(column), 0).centre_x(), at.rows[0].top() + 0.8 * at.text,
-                matrix.column_titles[column], {.size = at.text});
-  }
+                matrix.column_titles[column], {.size = size});
   if (matrix.overlay_rows > 0) {
     const double y = at.rows[matrix.rows() - 1].y - 0.1 * at.text;
     canvas.line({{at.text, y}, {at.left + double(matrix.columns()) * at.cell_width, y}},
@@ -277,13 +289,13 @@ void draw_titles(Canvas& canvas, const CutMatrix& matrix, const Layout& at) {
 }  // namespace
 
 void draw_cuts_picture(Canvas& canvas, const ScanGrid& scan, const Options& options) {
-  const CutMatrix matrix(scan);
+  const CutMatrix matrix(scan, options);
   if (matrix.cuts.empty()) {
-    fmt::print("no cuts: there is no profile in {}\n", (options.directory / "points").string());
+    fmt::print("no cuts: there is no profile of a stationary state in {}\n",
+               (options.directory / "points").string());
     return;
   }
-  std::optional<ColourMap> colours;
-  if (scan.has(Model::SBEH)) colours = matrix.orders.colours();
+  const CutColours colours = colours_for(matrix.fields, options);
   const auto entries = legend_of(matrix, colours, options.text_size());
   const Layout at = layout_of(canvas, matrix, options, colours, entries);
 
@@ -293,9 +305,8 @@ void draw_cuts_picture(Canvas& canvas, const ScanGrid& scan, const Options& opti
   if (matrix.overlay_rows > 0) {
     for (std::size_t i = 0; i < matrix.volumes.size(); ++i) draw_overlay(canvas, matrix, i, at);
   }
-  if (colours)
-    draw_short_bar(canvas, at.width - at.right + 1.2 * at.text,
-                   {at.rows.back().y, at.rows.front().top()}, *colours, "order β", at.text);
+  draw_short_bar(canvas, at.width - at.right + 1.2 * at.text,
+                 {at.rows.back().y, at.rows.front().top()}, colours.map, colours.title, at.text);
   draw_legend(canvas, entries, {at.text, 0.4 * at.text, at.width - 2.0 * at.text, at.legend},
               at.text);
   canvas.write(options.directory / "cuts");

@@ -11,16 +11,19 @@ namespace {
 
 constexpr std::size_t most_table_cells = 30;
 
-std::vector<Quantity> quantities_of(const ScanGrid& scan) {
-  if (!scan.has(Model::SBEH)) {
-    fmt::print("diagram: no SBEH rows, so neither energy gap nor smallest order\n");
-    return {energy(scan, Model::SSH), largest_curvature(scan, Model::SSH)};
+std::vector<Quantity> quantities_of(const ScanGrid& scan, const std::optional<BranchMap>& lowest) {
+  const Model model = scan.has(Model::SBEH) ? Model::SBEH : Model::SSH;
+  std::vector<Quantity> all;
+  if (scan.has(Model::SBEH) && scan.has(Model::SSH)) {
+    all.push_back(energy_gap(scan, lowest));
+  } else {
+    fmt::print("diagram: no {} rows, so the energy itself in place of the energy gap\n",
+               model == Model::SBEH ? "SSH" : "SBEH");
+    all.push_back(energy(scan, model, lowest));
   }
-  if (!scan.has(Model::SSH)) {
-    fmt::print("diagram: no SSH rows, so the energy itself in place of the energy gap\n");
-    return {energy(scan, Model::SBEH), smallest_order(scan), largest_curvature(scan, Model::SBEH)};
-  }
-  return {energy_gap(scan), smallest_order(scan), largest_curvature(scan, Model::SBEH)};
+  if (model == Model::SBEH) all.push_back(smallest_order(scan, lowest));
+  all.push_back(largest_curvature(scan, model, lowest));
+  return all;
 }
 
 // What the picture shows: the map of branches where there are several, then the quantities.
@@ -44,15 +47,14 @@ bool is_within(const DiagramLine& line, const ScanGrid& scan) {
 }
 
 Contents contents_of(const ScanGrid& scan, const Options& options) {
-  Contents c{.quantities = quantities_of(scan),
-             .as_table = scan.reduced_volumes().size() * scan.lengths().size() <= most_table_cells};
   const bool ordered = scan.has(Model::SBEH);
+  Contents c{.quantities = {},
+             .as_table = scan.reduced_volumes().size() * scan.lengths().size() <= most_table_cells};
   if (options.branch.empty())
     c.branches = lowest_branches(scan, options.directory, ordered ? Model::SBEH : Model::SSH);
-  for (Quantity& quantity : c.quantities) {
-    if (c.branches) mark_not_found(*c.branches, quantity);
-    c.colours.emplace_back(Palette::viridis, quantity.range());
-  }
+  c.quantities = quantities_of(scan, c.branches);
+  for (const Quantity& quantity : c.quantities)
+    c.colours.emplace_back(quantity.palette, quantity.range());
   // A table's cells are full of numbers: there only the map of branches has lines.
   if (ordered && (c.branches || !c.as_table))
     c.lines = diagram_lines(options.directory, options.branch);
@@ -60,7 +62,7 @@ Contents contents_of(const ScanGrid& scan, const Options& options) {
   const auto add = [&](std::vector<LegendEntry> entries) {
     c.legend.insert(c.legend.end(), entries.begin(), entries.end());
   };
-  if (c.branches) add(branch_legend(c.branches->names));
+  if (c.branches) add(branch_legend(*c.branches));
   add(legend_of(c.lines));
   std::vector<Quantity> panels = c.quantities;
   if (c.branches) panels.push_back(c.branches->quantity);
@@ -105,7 +107,7 @@ void draw_heat_maps(Canvas& canvas, const ScanGrid& scan, const Options& options
   };
   if (contents.branches)
     panel(contents.branches->quantity.title, 0.0, false, [&](const Rect& inside) {
-      draw_branch_map(canvas, inside, contents.branches->quantity, grid, text);
+      draw_branch_map(canvas, inside, *contents.branches, grid, text);
     });
   for (std::size_t i = 0; i < contents.quantities.size(); ++i)
     panel(contents.quantities[i].title,

@@ -16,12 +16,21 @@ namespace fs = std::filesystem;
 
 constexpr Colour magenta{200, 0, 160};
 
-Colour fold_colour(axisym::Branch branch) {
-  if (branch == axisym::Branch::prolate) return {205, 95, 0};
-  return branch == axisym::Branch::stomatocyte ? Colour{0, 120, 70} : red;
+constexpr double line_width = 2.6, border = 2.0;
+
+// Told apart without colours too.
+LineStyle fold_style(axisym::Branch branch, bool whole) {
+  switch (branch) {
+    case axisym::Branch::oblate:
+      return {red, line_width, whole ? Pattern::dashed : Pattern::solid};
+    case axisym::Branch::prolate:
+      return {{0, 70, 190}, line_width, whole ? Pattern::dashed : Pattern::dash_dotted};
+    case axisym::Branch::stomatocyte:
+      return {{0, 110, 80}, line_width, whole ? Pattern::dashed : Pattern::dotted};
+  }
+  return {};
 }
 
-constexpr double line_width = 2.6, border = 2.0;
 constexpr double farthest = 2.0;  // ratio of L between neighbours on one line of folds
 
 template <class Row>
@@ -43,9 +52,7 @@ void add_folds(const std::vector<studies::FoldRow>& folds, const std::string& br
     if (!before || !goes_on(*before, fold)) {
       const std::string kind = fold.kind ? fmt::format(" ({})", name(*fold.kind)) : "";
       lines.push_back({fmt::format("fold, {}{}", name(fold.branch), kind),
-                       {.colour = fold_colour(fold.branch),
-                        .width = line_width,
-                        .dashed = fold.kind == axisym::FoldKind::whole},
+                       fold_style(fold.branch, fold.kind == axisym::FoldKind::whole),
                        {}});
     }
     before = &fold;
@@ -67,9 +74,11 @@ void add_equal_energies(const std::vector<studies::EqualEnergyRow>& rows, const 
   std::vector<std::string> pairs;
   for (const auto& [key, points] : meetings) {
     if (std::ranges::find(pairs, key.first) == pairs.end()) pairs.push_back(key.first);
-    const bool dashed = pairs.size() > 1;
+    constexpr Pattern patterns[] = {Pattern::solid, Pattern::dashed, Pattern::dash_dotted};
     lines.push_back({"equal energy, " + key.first,
-                     {.colour = black, .width = line_width, .dashed = dashed},
+                     {.colour = black,
+                      .width = line_width,
+                      .pattern = patterns[(pairs.size() - 1) % std::size(patterns)]},
                      points});
   }
 }
@@ -85,7 +94,9 @@ void add_sharp_rims(const std::vector<axisym::RimRecord>& states, std::vector<Di
       if (state.kind == kind) points.push_back({state.reduced_volume, state.L});
     lines.push_back(
         {name,
-         {.colour = magenta, .width = line_width, .dashed = kind == RimKind::second_fold},
+         {.colour = magenta,
+          .width = line_width,
+          .pattern = kind == RimKind::second_fold ? Pattern::dashed : Pattern::dash_dotted},
          points});
   }
 }

@@ -18,7 +18,7 @@ Points energy_over_time(const std::filesystem::path& series, double shift) {
     time.push_back(row.record.time);
     energy.push_back(row.record.energy.total());
   }
-  return log_log(time, energy, shift);
+  return over_time(time, energy, shift);
 }
 
 Histories read_histories(const ScanGrid& scan, double energy_shift) {
@@ -49,7 +49,7 @@ void draw_energy_picture(Canvas& canvas, const ScanGrid& scan, const Options& op
   }
   const Histories all = read_histories(scan, options.energy_shift);
   if (all.curves.empty()) {
-    fmt::print("no energy: {} is positive nowhere; set --energy-shift\n", options.energy_name());
+    fmt::print("no energy: no history has two rows\n");
     return;
   }
   const std::size_t count = all.reduced_volumes.size();

@@ -1,13 +1,15 @@
 #include "tools/picture/scan/heat_map.h"
 
+#include "tools/picture/scan/contours.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <functional>
 #include <limits>
 #include <set>
+#include <utility>
 
 namespace sbeh::picture {
 namespace {
@@ -20,14 +22,14 @@ double to_pixels(double value, const Axis& axis, double origin, double length) {
   return origin + axis.share(value) * length;
 }
 
-// The ends of parallel lines at 45° through the rectangle.
-void add_hatch(Points& ends, const Rect& r) {
+// The ends of parallel lines at 45° through the rectangle, or at −45°.
+void add_hatch(Points& ends, const Rect& r, bool falling = false) {
   const double distance = std::min(hatch_distance, 0.7 * std::min(r.width, r.height));
   for (double c = 0.5 * distance; c < r.width + r.height; c += distance) {
     // From the left or upper edge to the lower or right edge: x − r.x + (r.top − y) = c.
     const double from = std::max(0.0, c - r.height), to = std::min(r.width, c);
-    ends.push_back({r.x + from, r.top() - (c - from)});
-    ends.push_back({r.x + to, r.top() - (c - to)});
+    for (const double x : {from, to})
+      ends.push_back({r.x + x, falling ? r.y + (c - x) : r.top() - (c - x)});
   }
 }
 
@@ -39,12 +41,21 @@ void add_cross(Points& ends, const Rect& r) {
       {{x - half, y - half}, {x + half, y + half}, {x - half, y + half}, {x + half, y - half}});
 }
 
-// A diamond, closed by four segments.
+void add_polygon(Points& ends, const Points& corners) {
+  for (std::size_t k = 0; k < corners.size(); ++k)
+    ends.insert(ends.end(), {corners[k], corners[(k + 1) % corners.size()]});
+}
+
 void add_diamond(Points& ends, const Rect& r) {
   const double half = 0.32 * std::min(r.width, r.height);
   const double x = r.centre_x(), y = r.centre_y();
-  const Points corners{{x - half, y}, {x, y + half}, {x + half, y}, {x, y - half}};
-  for (std::size_t k = 0; k < 4; ++k) ends.insert(ends.end(), {corners[k], corners[(k + 1) % 4]});
+  add_polygon(ends, {{x - half, y}, {x, y + half}, {x + half, y}, {x, y - half}});
+}
+
+// In the corner of the cell, off its number.
+void add_small_square(Points& ends, const Rect& r) {
+  const double side = 0.3 * std::min(r.width, r.height), x = r.x + 0.3 * side, y = r.y + 0.3 * side;
+  add_polygon(ends, {{x, y}, {x + side, y}, {x + side, y + side}, {x, y + side}});
 }
 
 struct Cell {
@@ -52,20 +63,28 @@ struct Cell {
   Colour colour;
   Mark mark;
   double value;
+  bool striped = false;
 };
 
+constexpr Colour without_value{205, 205, 205};
+
 void draw_cells(Canvas& canvas, const std::vector<Cell>& cells) {
-  Points on_dark, on_light, signs;
+  Points hatch, stripes, signs, on_dark, on_light;
   for (const Cell& cell : cells) {
     canvas.fill(cell.rect, cell.colour);
+    if (cell.striped) add_hatch(stripes, cell.rect, true);
+    if (cell.mark == Mark::unresolved) add_hatch(hatch, cell.rect);
+    if (cell.mark == Mark::singular) add_hatch(stripes, cell.rect, true);
     if (cell.mark == Mark::failed) add_cross(signs, cell.rect);
     if (cell.mark == Mark::not_found) add_diamond(signs, cell.rect);
-    if (cell.mark != Mark::unresolved) continue;
-    add_hatch(ink_on(cell.colour).red == 0 ? on_light : on_dark, cell.rect);
+    if (cell.mark == Mark::limit)
+      add_small_square(ink_on(cell.colour).red == 0 ? on_light : on_dark, cell.rect);
   }
-  canvas.segments(on_dark, {.colour = white, .width = 1.0});
-  canvas.segments(on_light, {.colour = black, .width = 1.0});
+  canvas.segments(stripes, {.colour = dark_grey, .width = 1.2});
+  canvas.segments(hatch, {.colour = {150, 150, 150}, .width = 1.0});
   canvas.segments(signs, {.colour = dark_grey, .width = 1.0});
+  canvas.segments(on_dark, {.colour = white, .width = 1.2});
+  canvas.segments(on_light, {.colour = black, .width = 1.2});
 }
 
 // As many decimals as show three digits of the largest value and two of the differences.
@@ -91,7 +110,7 @@ void draw_contours(Canvas& canvas, const Rect& inside, const Quantity& quantity,
                    const ColourMap& colours, const HeatMapGrid& grid) {
   const auto values = values_in(quantity, region);
   for (const double level : colours.scale().ticks) {
-    for (const Points& line : contour_lines(grid.x.centres, grid.y.centres, values, level)) {
+    for (const Points& line : contours_of_cells(grid.x, grid.y, values, level)) {
       Points pixels;
       for (const auto& [x, y] : line)
         pixels.push_back({to_pixels(x, grid.x.axis, inside.x, inside.width),
@@ -108,14 +127,16 @@ void draw_number(Canvas& canvas, const Rect& cell, const std::string& text, Colo
   const double width = canvas.text_width(text, size);
   const double room = 0.92 * cell.width;
   if (width > room) size *= room / width;
-  const Rect box{cell.centre_x() - 0.53 * std::min(width, room), cell.centre_y() - 0.6 * size,
-                 1.06 * std::min(width, room), 1.2 * size};
-  canvas.fill(box, colour);  // keeps the hatching off the digits
   canvas.text(cell.centre_x(), cell.centre_y(), text, {.size = size, .colour = ink_on(colour)});
 }
 
+struct Look {
+  Colour colour;
+  bool striped = false;
+};
+
 std::vector<Cell> cells_of(const Rect& inside, const Quantity& quantity, const HeatMapGrid& grid,
-                           const std::function<Colour(double)>& colour) {
+                           const std::function<Look(double)>& look_of) {
   std::vector<Cell> cells;
   for (std::size_t i = 0; i < grid.x.centres.size(); ++i) {
     const double left = to_pixels(grid.x.edges[i], grid.x.axis, inside.x, inside.width);
@@ -125,20 +146,24 @@ std::vector<Cell> cells_of(const Rect& inside, const Quantity& quantity, const H
       const double top = to_pixels(grid.y.edges[j + 1], grid.y.axis, inside.y, inside.height);
       const double value = quantity.values[i][j];
       if (quantity.marks[i][j] == Mark::absent) continue;
+      const Look look = std::isfinite(value) ? look_of(value) : Look{without_value};
       cells.push_back({{left, bottom, right - left, top - bottom},
-                       std::isfinite(value) ? colour(value) : light_grey,
+                       look.colour,
                        quantity.marks[i][j],
-                       value});
+                       value,
+                       look.striped});
     }
   }
   return cells;
 }
 
-// Light, so that lines stand out.
-Colour branch_colour(std::size_t index) {
-  static constexpr std::array<Colour, 5> colours{
-      {{158, 202, 225}, {253, 190, 133}, {161, 217, 155}, {222, 190, 230}, {250, 225, 150}}};
-  return colours[index % colours.size()];
+// Light, so that lines stand out, and of different lightness. Limits are striped, in the colour of the branch they are
+// limits of.
+Look look_of_branch(const std::string& branch) {
+  if (branch == "oblate") return {{126, 172, 214}};
+  if (branch == "prolate") return {{252, 222, 168}};
+  if (branch == "sharp_oblate") return {{126, 172, 214}, true};
+  return {{104, 164, 132}, branch == "nested_spheres"};
 }
 
 std::string text_of(const std::string& branch) {
@@ -150,7 +175,7 @@ std::string text_of(const std::string& branch) {
 
 void draw_heat_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
                    const ColourMap& colours, const HeatMapGrid& grid, double text_size) {
-  const auto cells = cells_of(inside, quantity, grid, [&](double v) { return colours(v); });
+  const auto cells = cells_of(inside, quantity, grid, [&](double v) { return Look{colours(v)}; });
   draw_cells(canvas, cells);
   if (grid.as_table) {
     for (const Cell& cell : cells) {
@@ -169,18 +194,27 @@ void draw_heat_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
                   colours, "", text_size);
 }
 
-void draw_branch_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
+void draw_branch_map(Canvas& canvas, const Rect& inside, const BranchMap& map,
                      const HeatMapGrid& grid, double text_size) {
-  draw_cells(canvas, cells_of(inside, quantity, grid,
-                              [](double branch) { return branch_colour(std::size_t(branch)); }));
+  draw_cells(canvas, cells_of(inside, map.quantity, grid, [&](double branch) {
+               return look_of_branch(map.names[std::size_t(branch)]);
+             }));
   Chart(canvas, inside, text_size, grid.x.axis, grid.y.axis);
 }
 
-std::vector<LegendEntry> branch_legend(const std::vector<std::string>& branches) {
+std::vector<LegendEntry> branch_legend(const BranchMap& map) {
   std::vector<LegendEntry> entries;
-  for (std::size_t i = 0; i < branches.size(); ++i)
-    entries.push_back({[i](Canvas& canvas, const Rect& r) { canvas.fill(r, branch_colour(i)); },
-                       text_of(branches[i])});
+  for (std::size_t i = 0; i < map.names.size(); ++i) {
+    const auto shows = [&](const auto& row) {
+      return std::ranges::find(row, double(i)) != row.end();
+    };
+    if (std::ranges::none_of(map.quantity.values, shows)) continue;
+    const auto [colour, striped] = look_of_branch(map.names[i]);
+    entries.push_back({[=](Canvas& canvas, const Rect& r) {
+                         draw_cells(canvas, {{r, colour, Mark::none, 0.0, striped}});
+                       },
+                       text_of(map.names[i])});
+  }
   return entries;
 }
 
@@ -188,17 +222,19 @@ std::vector<LegendEntry> mark_legend(const std::vector<Quantity>& quantities, bo
   const auto any = [&](Mark mark) {
     return std::ranges::any_of(quantities, [&](const Quantity& q) { return q.has(mark); });
   };
-  const auto box = [](Mark mark, Colour colour) {
-    return [mark, colour](Canvas& canvas, const Rect& r) {
-      draw_cells(canvas, {{r, colour, mark, 0.0}});
-    };
-  };
+  constexpr std::pair<Mark, const char*> meanings[] = {
+      {Mark::unresolved, "unresolved"},
+      {Mark::failed, "failed"},
+      {Mark::not_found, "a lower state must exist"},
+      {Mark::singular, "no smooth shape"},
+      {Mark::limit, "limit: the neck has closed"}};
   std::vector<LegendEntry> entries;
-  if (any(Mark::unresolved))
-    entries.push_back({box(Mark::unresolved, {190, 200, 205}), "unresolved"});
-  if (any(Mark::failed)) entries.push_back({box(Mark::failed, light_grey), "failed"});
-  if (any(Mark::not_found))
-    entries.push_back({box(Mark::not_found, light_grey), "a lower state must exist"});
+  for (const auto& [mark, meaning] : meanings)
+    if (any(mark))
+      entries.push_back({[mark = mark](Canvas& canvas, const Rect& r) {
+                           draw_cells(canvas, {{r, without_value, mark, 0.0}});
+                         },
+                         meaning});
   if (any(Mark::absent)) {
     const auto frame = [](Canvas& canvas, const Rect& r) {
       canvas.line(r.outline(), {.colour = light_grey, .width = 1.5});

@@ -16,11 +16,11 @@ struct HeatMapGrid {
 void draw_heat_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
                    const ColourMap& colours, const HeatMapGrid& grid, double text_size);
 
-/// The same for the quantity of a BranchMap: a colour per branch, and no bar.
-void draw_branch_map(Canvas& canvas, const Rect& inside, const Quantity& quantity,
+/// A colour per branch, and no bar.
+void draw_branch_map(Canvas& canvas, const Rect& inside, const BranchMap& map,
                      const HeatMapGrid& grid, double text_size);
-/// The colours of the branches.
-std::vector<LegendEntry> branch_legend(const std::vector<std::string>& branches);
+/// The colours of the branches that are there.
+std::vector<LegendEntry> branch_legend(const BranchMap& map);
 
 /// Legend of the marks in use.
 std::vector<LegendEntry> mark_legend(const std::vector<Quantity>& quantities, bool as_table);

@@ -6,25 +6,30 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
+#include <optional>
 #include <utility>
 
 namespace sbeh::picture {
 namespace {
 
 const LineStyle sbeh_style{.colour = {0, 84, 159}, .width = 2.4};
-const LineStyle ssh_style{.colour = red, .width = 2.4, .dashed = true};
+const LineStyle ssh_style{.colour = red, .width = 2.4, .pattern = Pattern::dashed};
 
 // One curve: a quantity along the parameter that varies.
 struct Series {
   Quantity quantity;
   LineStyle style;
-  std::string name;
+  std::string name{};
 
   double value(std::size_t i) const {
     return quantity.values.size() > 1 ? quantity.values[i][0] : quantity.values[0][i];
   }
   Mark mark(std::size_t i) const {
     return quantity.marks.size() > 1 ? quantity.marks[i][0] : quantity.marks[0][i];
+  }
+  int region(std::size_t i) const {
+    return quantity.regions.size() > 1 ? quantity.regions[i][0] : quantity.regions[0][i];
   }
 };
 
@@ -33,39 +38,34 @@ struct Panel {
   std::vector<Series> series;
 };
 
-std::vector<Panel> panels_of(const ScanGrid& scan) {
-  const auto of_models = [&](Quantity (*quantity)(const ScanGrid&, Model)) {
-    std::vector<Series> all;
-    for (const Model model : {Model::SSH, Model::SBEH})
-      if (scan.has(model))
-        all.push_back({quantity(scan, model), model == Model::SBEH ? sbeh_style : ssh_style,
-                       sbeh::name(model)});
-    return all;
+// Of the lowest of several branches, or of the one that was chosen.
+std::vector<Panel> panels_of(const ScanGrid& scan, const Options& options) {
+  const auto lowest_of = [&](Model model) {
+    return options.branch.empty() ? lowest_branches(scan, options.directory, model)
+                                  : std::optional<BranchMap>();
   };
+  const auto of_models =
+      [&](Quantity (*quantity)(const ScanGrid&, Model, const std::optional<BranchMap>&)) {
+        std::vector<Series> all;
+        for (const Model model : {Model::SSH, Model::SBEH})
+          if (scan.has(model))
+            all.push_back({quantity(scan, model, lowest_of(model)),
+                           model == Model::SBEH ? sbeh_style : ssh_style, sbeh::name(model)});
+        return all;
+      };
   std::vector<Panel> panels;
   if (scan.has(Model::SBEH) && scan.has(Model::SSH)) {
-    const Quantity gap = energy_gap(scan);
-    panels.push_back({gap.title, {{gap, {.colour = black, .width = 2.4}, ""}}});
+    const Quantity gap = energy_gap(scan, lowest_of(Model::SBEH));
+    panels.push_back({gap.title, {{gap, {.colour = black, .width = 2.4}}}});
   } else {
     fmt::print("diagram: only one model, so the energy itself in place of the energy gap\n");
     panels.push_back({"energy U", of_models(energy)});
   }
   if (scan.has(Model::SBEH))
-    panels.push_back({"smallest order β", {{smallest_order(scan), sbeh_style, "SBEH"}}});
+    panels.push_back(
+        {"smallest order β", {{smallest_order(scan, lowest_of(Model::SBEH)), sbeh_style, "SBEH"}}});
   panels.push_back({"largest |H|", of_models(largest_curvature)});
   return panels;
-}
-
-// In all panels, of the lowest of several branches.
-void mark_not_found(const ScanGrid& scan, const Options& options, std::vector<Panel>& panels) {
-  if (!options.branch.empty()) return;
-  for (const Model model : {Model::SSH, Model::SBEH})
-    if (const auto lowest = lowest_branches(scan, options.directory, model))
-      for (Panel& panel : panels)
-        for (Series& series : panel.series)
-          // The gap, which has no name, is one of SBEH's lowest too.
-          if (series.name == sbeh::name(model) || (series.name.empty() && model == Model::SBEH))
-            mark_not_found(*lowest, series.quantity);
 }
 
 // Some room on either side, so that no marker is cut.
@@ -76,34 +76,40 @@ Axis roomy_axis(double low, double high, double length, double spacing, const ch
 
 Axis value_axis(const Panel& panel, double length, double spacing) {
   Range range;
-  for (const Series& series : panel.series) {
-    range.include(series.quantity.range().low);
-    range.include(series.quantity.range().high);
-  }
+  for (const Series& series : panel.series) range.include(series.quantity.range());
+  if (range.empty()) range = {0.0, 1.0};
   return roomy_axis(range.low, range.high, length, spacing, "");
 }
 
+struct MarkLook {
+  Mark mark;
+  Marker marker;
+  const char* meaning;
+};
+// All but the first and the second stand at the lower edge: they have no value.
+constexpr MarkLook mark_looks[] = {{Mark::none, Marker::full, nullptr},
+                                   {Mark::limit, Marker::circle, "limit: the neck has closed"},
+                                   {Mark::unresolved, Marker::plus, "unresolved"},
+                                   {Mark::failed, Marker::cross, "failed"},
+                                   {Mark::not_found, Marker::diamond, "a lower state must exist"},
+                                   {Mark::singular, Marker::hollow, "no smooth shape"}};
+
+// The curve is broken where the branch changes.
 void draw_series(Chart& chart, const Series& series, const std::vector<double>& x, const Axis& y,
                  double marker) {
-  Points line, good, unresolved, failed, not_found;
+  Points line;
+  std::map<Mark, Points> marked;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double value = series.value(i);
-    if (!std::isfinite(value)) {
-      const std::array<double, 2> below{x[i], y.low + 0.03 * (y.high - y.low)};
-      if (series.mark(i) == Mark::failed) failed.push_back(below);
-      if (series.mark(i) == Mark::not_found) not_found.push_back(below);
+    const bool shown = std::isfinite(value);
+    marked[series.mark(i)].push_back({x[i], shown ? value : y.low + 0.03 * (y.high - y.low)});
+    if (!shown || (i > 0 && series.region(i) != series.region(i - 1)))
       chart.curve(std::exchange(line, {}), series.style);
-      continue;
-    }
-    const double shown = std::clamp(value, y.low, y.high);
-    line.push_back({x[i], shown});
-    (series.mark(i) == Mark::none ? good : unresolved).push_back(line.back());
+    if (shown) line.push_back({x[i], value});
   }
   chart.curve(line, series.style);
-  chart.markers(good, Marker::full, series.style.colour, marker);
-  chart.markers(unresolved, Marker::hollow, series.style.colour, marker);
-  chart.markers(failed, Marker::cross, series.style.colour, marker);
-  chart.markers(not_found, Marker::diamond, series.style.colour, marker);
+  for (const MarkLook& look : mark_looks)
+    chart.markers(marked[look.mark], look.marker, series.style.colour, marker);
 }
 
 std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
@@ -117,11 +123,9 @@ std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
                                  [&](const Series& s) { return s.quantity.has(mark); });
     });
   };
-  if (marked(Mark::unresolved))
-    entries.push_back(marker_entry(Marker::hollow, dark_grey, "unresolved"));
-  if (marked(Mark::failed)) entries.push_back(marker_entry(Marker::cross, dark_grey, "failed"));
-  if (marked(Mark::not_found))
-    entries.push_back(marker_entry(Marker::diamond, dark_grey, "a lower state must exist"));
+  for (const MarkLook& look : mark_looks)
+    if (look.meaning && marked(look.mark))
+      entries.push_back(marker_entry(look.marker, dark_grey, look.meaning));
   return entries;
 }
 
@@ -130,8 +134,7 @@ std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
 void draw_line_diagram(Canvas& canvas, const ScanGrid& scan, const Options& options) {
   const bool over_volume = scan.lengths().size() == 1;
   const std::vector<double>& parameter = over_volume ? scan.reduced_volumes() : scan.lengths();
-  std::vector<Panel> panels = panels_of(scan);
-  mark_not_found(scan, options, panels);
+  const std::vector<Panel> panels = panels_of(scan, options);
   const auto legend = legend_of(panels);
   const double text = options.text_size();
   const auto count = double(panels.size());

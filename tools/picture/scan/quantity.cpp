@@ -16,9 +16,20 @@ constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 Mark mark_of(const PointResult* point) {
   if (!point) return Mark::absent;
-  if (point->status == PointStatus::stationary) return Mark::none;
-  return point->status == PointStatus::failed ? Mark::failed : Mark::unresolved;
+  switch (point->status) {
+    case PointStatus::stationary:
+      return Mark::none;
+    case PointStatus::limit:
+      return Mark::limit;
+    case PointStatus::unresolved:
+      return Mark::unresolved;
+    case PointStatus::failed:
+      return Mark::failed;
+  }
+  return Mark::failed;
 }
+
+bool has_value(Mark mark) { return mark == Mark::none || mark == Mark::limit; }
 
 struct Entry {
   double value;
@@ -27,25 +38,33 @@ struct Entry {
 };
 using Value = std::function<Entry(std::size_t volume, std::size_t length)>;
 
-// Index of the point's branch; −1 where there is no stationary state of it.
+// Index of the point's branch; −1 where there is no state of it.
 int branch_index(const ScanGrid& scan, const PointResult* point) {
-  if (mark_of(point) != Mark::none) return -1;
+  if (!has_value(mark_of(point))) return -1;
   return int(std::ranges::find(scan.branches(), sbeh::name(point->key.branch))
              - scan.branches().begin());
 }
 
-Quantity tabulate(const ScanGrid& scan, std::string title, const Value& value) {
-  Quantity quantity{.title = std::move(title)};
+// A quantity without values yet.
+struct Kind {
+  const char* name;
+  std::string title;
+  Palette palette;
+};
+
+Quantity tabulate(const ScanGrid& scan, Kind kind, const Value& value) {
+  Quantity quantity{.name = kind.name, .title = std::move(kind.title), .palette = kind.palette};
   for (std::size_t volume = 0; volume < scan.reduced_volumes().size(); ++volume) {
     auto& values = quantity.values.emplace_back();
     auto& marks = quantity.marks.emplace_back();
     auto& regions = quantity.regions.emplace_back();
     for (std::size_t length = 0; length < scan.lengths().size(); ++length) {
       auto [number, mark, region] = value(volume, length);
-      if (mark == Mark::none && !std::isfinite(number)) mark = Mark::failed;
-      values.push_back(mark == Mark::none || mark == Mark::unresolved ? number : none);
+      if (has_value(mark) && !std::isfinite(number))
+        mark = mark == Mark::limit ? Mark::singular : Mark::failed;
+      values.push_back(has_value(mark) ? number : none);
       marks.push_back(mark);
-      regions.push_back(mark == Mark::none ? region : -1);
+      regions.push_back(has_value(mark) ? region : -1);
     }
   }
   return quantity;
@@ -53,8 +72,8 @@ Quantity tabulate(const ScanGrid& scan, std::string title, const Value& value) {
 
 // A quantity of the points that have a state.
 template <class Value>
-Quantity of_model(const ScanGrid& scan, Model model, std::string title, Value value) {
-  return tabulate(scan, std::move(title), [&](std::size_t volume, std::size_t length) {
+Quantity of_model(const ScanGrid& scan, Model model, Kind kind, Value value) {
+  return tabulate(scan, std::move(kind), [&](std::size_t volume, std::size_t length) {
     const PointResult* point = scan.find(model, volume, length);
     return Entry{point && point->diagnostics ? std::invoke(value, *point->diagnostics) : none,
                  mark_of(point), branch_index(scan, point)};
@@ -73,84 +92,112 @@ bool Quantity::has(Mark mark) const {
 }
 
 Range Quantity::range() const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   Range range;
-  const auto include = [&](Mark wanted, double from, double to) {
-    for (std::size_t i = 0; i < values.size(); ++i)
-      for (std::size_t j = 0; j < values[i].size(); ++j)
-        if (const double value = values[i][j];
-            marks[i][j] == wanted && value >= from && value <= to)
-          range.include(value);
-  };
-  include(Mark::none, -infinity, infinity);
-  const auto [low, high] = range;
-  const double far = low <= high ? std::max(2.0 * (high - low), 0.5 * std::abs(high)) : infinity;
-  include(Mark::unresolved, low - far, high + far);
-  return range.low <= range.high ? range : Range{0.0, 1.0};
+  for (const auto& row : values)
+    for (const double value : row)
+      if (std::isfinite(value)) range.include(value);
+  return range;
 }
 
 std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
                                          const std::filesystem::path& directory, Model model) {
   const std::filesystem::path file = directory / "lowest.csv";
   if (!std::filesystem::exists(file)) return {};
-  BranchMap map{{}, scan.branches()};
-  constexpr int not_found = -1;
-  std::map<std::pair<double, double>, int> lowest;
+  BranchMap map{{}, scan.branches(), {}, scan.branches().size()};
+  std::map<std::pair<double, double>, std::pair<int, double>> lowest;  // branch, energy
   for (const studies::LowestRow& row : studies::read_rows(studies::lowest_columns(), file)) {
     if (row.model != model) continue;
-    int& index = lowest[{row.reduced_volume, row.L}] = not_found;
+    auto& [index, energy] = lowest[{row.reduced_volume, row.L}];
+    energy = row.energy;
+    index = -1;
     if (row.branch == studies::not_found) continue;
     const auto place = std::ranges::find(map.names, row.branch);
     index = int(place - map.names.begin());
     if (place == map.names.end()) map.names.push_back(row.branch);
   }
   if (map.names.size() < 2) return {};
+  map.energies.assign(scan.reduced_volumes().size(),
+                      std::vector<double>(scan.lengths().size(), none));
   map.quantity = tabulate(
-      scan, with_name("lowest branch", model), [&](std::size_t volume, std::size_t length) {
+      scan, {"lowest", with_name("lowest branch", model), energy_palette},
+      [&](std::size_t volume, std::size_t length) {
         const auto found = lowest.find({scan.reduced_volumes()[volume], scan.lengths()[length]});
-        if (found != lowest.end())
-          return Entry{double(found->second),
-                       found->second == not_found ? Mark::not_found : Mark::none, found->second};
-        return Entry{none, mark_of(scan.find(model, volume, length)), -1};
+        if (found == lowest.end())
+          return Entry{none, mark_of(scan.find(model, volume, length)), -1};
+        const auto [index, energy] = found->second;
+        map.energies[volume][length] = energy;
+        return Entry{double(index), index < 0 ? Mark::not_found : Mark::none, index};
       });
   return map;
 }
 
-void mark_not_found(const BranchMap& lowest, Quantity& quantity) {
+void show_lowest(
+    const BranchMap& lowest, Quantity& quantity,
+    const std::function<double(std::size_t volume, std::size_t length, double energy)>& of_limit) {
   for (std::size_t i = 0; i < quantity.marks.size(); ++i)
-    for (std::size_t j = 0; j < quantity.marks[i].size(); ++j)
-      if (lowest.quantity.marks[i][j] == Mark::not_found) {
-        quantity.values[i][j] = none;
-        quantity.marks[i][j] = Mark::not_found;
-        quantity.regions[i][j] = -1;
-      }
+    for (std::size_t j = 0; j < quantity.marks[i].size(); ++j) {
+      const double branch = lowest.quantity.values[i][j];
+      const bool is_limit = branch >= double(lowest.rows_of);
+      if (!is_limit && lowest.quantity.marks[i][j] != Mark::not_found) continue;
+      const double value = is_limit && of_limit ? of_limit(i, j, lowest.energies[i][j]) : none;
+      quantity.values[i][j] = value;
+      quantity.marks[i][j] = !is_limit            ? Mark::not_found
+                           : std::isfinite(value) ? Mark::none
+                                                  : Mark::singular;
+      // Apart from the regions of all pairs of branches with rows.
+      quantity.regions[i][j] =
+          std::isfinite(value) ? int(lowest.rows_of * lowest.rows_of) + int(branch) : -1;
+    }
 }
 
-Quantity energy_gap(const ScanGrid& scan) {
-  return tabulate(scan, "energy gap U(SSH) − U(SBEH)", [&](std::size_t volume, std::size_t length) {
-    const PointResult* ssh = scan.find(Model::SSH, volume, length);
-    const PointResult* sbeh = scan.find(Model::SBEH, volume, length);
-    Mark mark = std::max(mark_of(ssh), mark_of(sbeh));
-    if (mark == Mark::none && studies::is_below(energy_of(*ssh), energy_of(*sbeh)))
-      mark = Mark::not_found;
-    const int region =
-        branch_index(scan, sbeh) * int(scan.branches().size()) + branch_index(scan, ssh);
-    return Entry{ssh && sbeh ? energy_of(*ssh) - energy_of(*sbeh) : none, mark, region};
-  });
+Quantity energy_gap(const ScanGrid& scan, const std::optional<BranchMap>& lowest) {
+  const auto energy_at = [&](Model model, std::size_t volume, std::size_t length) {
+    const PointResult* point = scan.find(model, volume, length);
+    return has_value(mark_of(point)) ? energy_of(*point) : none;
+  };
+  Quantity gap = tabulate(scan, {"gap", "energy gap U(SSH) − U(SBEH)", energy_palette},
+                          [&](std::size_t volume, std::size_t length) {
+                            const PointResult* ssh = scan.find(Model::SSH, volume, length);
+                            const PointResult* sbeh = scan.find(Model::SBEH, volume, length);
+                            const double of_ssh = energy_at(Model::SSH, volume, length),
+                                         of_sbeh = energy_at(Model::SBEH, volume, length);
+                            Mark mark = std::max(mark_of(ssh), mark_of(sbeh));
+                            if (has_value(mark) && studies::is_below(of_ssh, of_sbeh))
+                              mark = Mark::not_found;
+                            const int region =
+                                branch_index(scan, sbeh) * int(scan.branches().size())
+                                + branch_index(scan, ssh);
+                            return Entry{of_ssh - of_sbeh, mark, region};
+                          });
+  if (lowest)
+    show_lowest(*lowest, gap, [&](std::size_t volume, std::size_t length, double energy) {
+      return energy_at(Model::SSH, volume, length) - energy;
+    });
+  return gap;
 }
 
-Quantity energy(const ScanGrid& scan, Model model) {
-  return of_model(scan, model, with_name("energy U", model),
-                  [](const axisym::Diagnostics& d) { return d.energy.total(); });
+Quantity energy(const ScanGrid& scan, Model model, const std::optional<BranchMap>& lowest) {
+  Quantity energy = of_model(scan, model, {"energy", with_name("energy U", model), energy_palette},
+                             [](const axisym::Diagnostics& d) { return d.energy.total(); });
+  if (lowest) show_lowest(*lowest, energy, [](std::size_t, std::size_t, double of) { return of; });
+  return energy;
 }
 
-Quantity smallest_order(const ScanGrid& scan) {
-  return of_model(scan, Model::SBEH, with_name("smallest order β", Model::SBEH),
-                  &axisym::Diagnostics::order_min);
+Quantity smallest_order(const ScanGrid& scan, const std::optional<BranchMap>& lowest) {
+  Quantity order = of_model(scan, Model::SBEH,
+                            {"order", with_name("smallest order β", Model::SBEH), order_palette},
+                            &axisym::Diagnostics::order_min);
+  if (lowest) show_lowest(*lowest, order);
+  return order;
 }
 
-Quantity largest_curvature(const ScanGrid& scan, Model model) {
-  return of_model(scan, model, with_name("largest |H|", model), &axisym::Diagnostics::H_abs_max);
+Quantity largest_curvature(const ScanGrid& scan, Model model,
+                           const std::optional<BranchMap>& lowest) {
+  Quantity curvature =
+      of_model(scan, model, {"curvature", with_name("largest |H|", model), curvature_palette},
+               &axisym::Diagnostics::H_abs_max);
+  if (lowest) show_lowest(*lowest, curvature);
+  return curvature;
 }
 
 }  // namespace sbeh::picture

@@ -11,10 +11,26 @@
 namespace sbeh::picture {
 namespace {
 
+// Those with a state of their own first.
+int rank_of(PointStatus status) {
+  switch (status) {
+    case PointStatus::stationary:
+      return 0;
+    case PointStatus::limit:
+      return 1;
+    case PointStatus::unresolved:
+      return 2;
+    case PointStatus::failed:
+      return 3;
+  }
+  return 3;
+}
+
 // Of two branches at one point; a later row of the same branch replaces the earlier one.
 bool preferred(const PointResult& candidate, const PointResult& current) {
   if (candidate.key.branch == current.key.branch) return true;
-  if (candidate.status != current.status) return candidate.status < current.status;
+  if (candidate.status != current.status)
+    return rank_of(candidate.status) < rank_of(current.status);
   return energy_of(candidate) < energy_of(current);
 }
 

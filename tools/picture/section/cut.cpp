@@ -1,5 +1,6 @@
 #include "tools/picture/section/cut.h"
 
+#include "axisym/curvature.h"
 #include "tools/picture/chart/chart.h"
 
 #include <algorithm>
@@ -10,10 +11,12 @@ namespace sbeh::picture {
 Cut mirrored(const axisym::State& profile) {
   const auto r = profile.X.row(0), z = profile.X.row(1);
   const double low = z.minCoeff(), high = z.maxCoeff(), middle = 0.5 * (low + high);
+  const axisym::Field H = axisym::mean_curvature(profile.X);
   Cut cut;
   const auto add = [&](Eigen::Index i, double sign) {
     cut.points.push_back({sign * r[i], z[i] - middle});
     cut.order.push_back(profile.beta[i]);
+    if (H.size()) cut.curvature.push_back(H[i]);
   };
   const Eigen::Index count = r.size();
   for (Eigen::Index i = 0; i < count; ++i) add(i, 1);
@@ -25,9 +28,17 @@ Cut mirrored(const axisym::State& profile) {
 
 Cut thinned(const Cut& cut, double spacing) {
   constexpr double largest_turn = 0.04;  // radian
-  Cut kept = cut;
-  kept.points.assign(1, cut.points.front());
-  kept.order.assign(1, cut.order.front());
+  Cut kept{.points = {},
+           .order = {},
+           .curvature = {},
+           .half_width = cut.half_width,
+           .half_height = cut.half_height};
+  const auto keep = [&](std::size_t i) {
+    kept.points.push_back(cut.points[i]);
+    kept.order.push_back(cut.order[i]);
+    if (!cut.curvature.empty()) kept.curvature.push_back(cut.curvature[i]);
+  };
+  keep(0);
   double travelled = 0.0, turned = 0.0;
   for (std::size_t i = 1; i < cut.points.size(); ++i) {
     const auto& [x, y] = cut.points[i];
@@ -40,8 +51,7 @@ Cut thinned(const Cut& cut, double spacing) {
     const bool last = i + 1 == cut.points.size();
     const bool turns = turned > largest_turn && travelled > 0.15 * spacing;
     if (last || travelled > spacing || turns) {
-      kept.points.push_back(cut.points[i]);
-      kept.order.push_back(cut.order[i]);
+      keep(i);
       travelled = turned = 0.0;
     }
   }
@@ -53,13 +63,19 @@ void Extent::include(const Cut& cut) {
   half_height = std::max(half_height, cut.half_height);
 }
 
-void OrderRange::include(const Cut& cut) {
-  for (const double order : cut.order)
-    if (std::isfinite(order)) Range::include(order);
+void FieldRanges::include(const Cut& cut) {
+  for (const double value : cut.order)
+    if (std::isfinite(value)) order.include(value);
+  for (const double value : cut.curvature)
+    if (std::isfinite(value)) curvature.include(value);
 }
 
-ColourMap OrderRange::colours() const {
-  return {Palette::lines, high > low ? Range(*this) : Range{0.0, 1.0}};
+CutColours colours_for(const FieldRanges& ranges, const Options& options) {
+  const Field field = options.field_for(ranges.order);
+  return {
+      field,
+      options.colours(palette_of(field), field == Field::order ? ranges.order : ranges.curvature),
+      title_of(field)};
 }
 
 LineStyle style_by_length(std::size_t length, std::size_t count) {
@@ -80,8 +96,9 @@ void draw_cuts(Canvas& canvas, const Rect& cell, double scale, const std::vector
       continue;
     }
     std::vector<Colour> colours;
-    for (const double order : cut.order)
-      colours.push_back(std::isfinite(order) ? (*line.colours)(order) : dark_grey);
+    for (const double value : line.colours->values(cut))
+      colours.push_back(std::isfinite(value) ? line.colours->map(value) : dark_grey);
+    if (colours.empty()) colours.assign(cut.points.size(), dark_grey);
     chart.coloured_curve(cut.points, colours, line.style.width);
   }
 }

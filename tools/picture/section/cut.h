@@ -3,15 +3,18 @@
 
 #include "axisym/curve.h"
 #include "tools/picture/chart/colours.h"
+#include "tools/picture/options.h"
 
+#include <string>
 #include <vector>
 
 namespace sbeh::picture {
 
 /// The cross section in a plane through the axis: closed (first point = last point) and centred in z.
 struct Cut {
-  Points points;              ///< (±r, z)
-  std::vector<double> order;  ///< β at each point
+  Points points;                  ///< (±r, z)
+  std::vector<double> order;      ///< β at each point
+  std::vector<double> curvature;  ///< H there; may be empty
   double half_width = 0.0;
   double half_height = 0.0;
 };
@@ -28,18 +31,29 @@ struct Extent {
   void include(const Cut& cut);
 };
 
-/// The range of β over cuts, for the colours.
-struct OrderRange : Range {
-  OrderRange() : Range{1.0, 0.0} {}
+/// Of β and H over cuts that are shown together.
+struct FieldRanges {
+  Range order, curvature;
   void include(const Cut& cut);
-  ColourMap colours() const;
 };
 
-/// One cut in a cell: coloured by its order if `colours` is set, otherwise as `style` says.
+/// How cuts are coloured: by their order; by their mean curvature where the order is uniform, unless options say
+/// otherwise.
+struct CutColours {
+  Field field;
+  ColourMap map;
+  std::string title;
+  const std::vector<double>& values(const Cut& cut) const {
+    return field == Field::order ? cut.order : cut.curvature;
+  }
+};
+CutColours colours_for(const FieldRanges& ranges, const Options& options);
+
+/// One cut in a cell: coloured by a field if `colours` is set, otherwise as `style` says.
 struct CutLine {
   const Cut* cut = nullptr;
-  const ColourMap* colours = nullptr;
-  LineStyle style;
+  const CutColours* colours = nullptr;
+  LineStyle style{};
 };
 
 /// Of the cut number `length` of `count` at ascending L: grey and thin at first, black and thicker at last.

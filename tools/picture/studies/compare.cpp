@@ -21,7 +21,7 @@ LineStyle style_of(Witness method) {
     case Witness::minimiser:
       return {.colour = {0, 92, 70}, .width = 1.6};
     case Witness::flow:
-      return {.colour = {138, 60, 220}, .width = 1.6, .dashed = true};
+      return {.colour = {138, 60, 220}, .width = 1.6, .pattern = Pattern::dashed};
     case Witness::surface3d:
       return {.colour = {0, 0, 0}, .width = 1.0};
     case Witness::harmonics:
@@ -39,6 +39,7 @@ struct Curve {
 
   // Nodes, which are no curve.
   bool is_marked() const { return method == Witness::surface3d || method == Witness::harmonics; }
+  Marker marker() const { return method == Witness::harmonics ? Marker::diamond : Marker::full; }
   LineStyle style() const { return style_of(method); }
 };
 
@@ -81,7 +82,8 @@ Points other_half(const Points& half) {
 
 void draw_curve(Chart& chart, const Curve& curve, const Points& points, double text) {
   if (curve.is_marked())
-    chart.markers(points, Marker::full, curve.style().colour, 0.18 * text);
+    chart.markers(points, curve.marker(), curve.style().colour,
+                  (curve.marker() == Marker::full ? 0.18 : 0.36) * text);
   else
     chart.curve(points, curve.style());
 }
@@ -132,7 +134,7 @@ void draw_compared_profiles(Canvas& canvas, const Options& options) {
   const double text = options.text_size();
   std::vector<LegendEntry> legend;
   for (const Curve& curve : curves)
-    legend.push_back(curve.is_marked() ? marker_entry(Marker::full, curve.style().colour,
+    legend.push_back(curve.is_marked() ? marker_entry(curve.marker(), curve.style().colour,
                                                       std::string(name(curve.method)) + " (nodes)")
                                        : line_entry(curve.style(), name(curve.method)));
   const Box box = box_of(curves);

@@ -11,6 +11,7 @@
 #include <map>
 #include <set>
 #include <tuple>
+#include <utility>
 
 namespace sbeh::picture {
 namespace {
@@ -26,7 +27,7 @@ struct Look {
 constexpr std::array<Look, 4> looks{
     Look{Verdict::stays, "stays: the perturbation decays", Marker::full, {0, 84, 159}},
     Look{Verdict::leaves, "leaves: it grows", Marker::hollow, {214, 28, 28}},
-    Look{Verdict::undecided, "undecided", Marker::hollow, {90, 90, 90}},
+    Look{Verdict::undecided, "undecided", Marker::diamond, {90, 90, 90}},
     Look{Verdict::failed, "failed", Marker::cross, {90, 90, 90}},
 };
 
@@ -80,9 +81,9 @@ void draw_map(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs, 
                     y.axis.low + up * (y.axis.high - y.axis.low)}},
                   look.marker, look.colour, 0.9 * text);
     const double px = inside.x + across * inside.width, py = inside.y + up * inside.height;
-    if (std::isfinite(run.reduced_rate))
-      canvas.text(px, py - 1.1 * text, signed_text(run.reduced_rate),
-                  {.size = 0.8 * text, .colour = look.colour});
+    canvas.text(px, py - 1.1 * text,
+                std::isfinite(run.reduced_rate) ? signed_text(run.reduced_rate) : "no rate",
+                {.size = 0.8 * text, .colour = look.colour});
     canvas.text(px, py + 1.1 * text, goal_of(run), {.size = 0.75 * text, .colour = look.colour});
   }
 }
@@ -92,8 +93,8 @@ void draw_rates(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs
   Range rates{0.0, 0.0};
   for (const Run& run : runs)
     if (std::isfinite(run.reduced_rate)) {
-      rates.include(run.reduced_rate - error_of(run));
-      rates.include(run.reduced_rate + error_of(run));
+      const double error = std::isfinite(error_of(run)) ? error_of(run) : 0.0;
+      rates.include({run.reduced_rate - error, run.reduced_rate + error});
     }
   const double room = 0.12 * rates.width() + 1e-6;
   const auto volumes = values_of(runs, &StabilityKey::reduced_volume);
@@ -103,15 +104,29 @@ void draw_rates(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs
   const Axis y =
       exact_axis(rates.low - room, rates.high + room, inside.height, 3.0 * text, "rate/κ");
   Chart chart(canvas, inside, text, x, y);
-  chart.curve({{left, 0.0}, {right, 0.0}}, {.colour = dark_grey, .width = 1.2, .dashed = true});
+  chart.curve({{left, 0.0}, {right, 0.0}},
+              {.colour = dark_grey, .width = 1.2, .pattern = Pattern::dashed});
   Points line;
-  for (const Run& run : runs)
-    if (std::isfinite(run.reduced_rate)) line.push_back({run.key.reduced_volume, run.reduced_rate});
-  chart.curve(line, {.colour = {170, 170, 170}, .width = 1.6});
+  const auto end_line = [&] {
+    chart.curve(std::exchange(line, {}), {.colour = {170, 170, 170}, .width = 1.6});
+  };
+  for (const Run& run : runs) {
+    if (std::isfinite(run.reduced_rate))
+      line.push_back({run.key.reduced_volume, run.reduced_rate});
+    else
+      end_line();
+  }
+  end_line();
   for (const Run& run : runs) {
     const Look& look = look_of(run);
     const double volume = run.key.reduced_volume, error = error_of(run);
-    const double rate = std::isfinite(run.reduced_rate) ? run.reduced_rate : 0.0;
+    if (!std::isfinite(run.reduced_rate)) {  // it has no place on the axis of rates
+      const double px = inside.x + x.share(volume) * inside.width;
+      canvas.text(px, inside.y + 0.9 * text, fmt::format("{}, no rate", name(run.verdict)),
+                  {.size = 0.75 * text, .colour = look.colour, .upward = false});
+      continue;
+    }
+    const double rate = run.reduced_rate;
     if (std::isfinite(error))
       chart.curve({{volume, rate - error}, {volume, rate + error}},
                   {.colour = look.colour, .width = 1.6});

@@ -1,7 +1,5 @@
 #include "tools/picture/surface/frames.h"
 
-#include "tools/picture/options.h"
-
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -45,6 +43,11 @@ studies::CurvedFile read_state(const std::filesystem::path& frame) {
     if (curved->fields.contains("order") && curved->fields.contains("mean_curvature"))
       return std::move(*curved);
   throw InputError(fmt::format("{}: is no frame of a run", frame.string()));
+}
+
+Eigen::VectorXd field_of(const studies::CurvedFile& state, Field field) {
+  const char* name = field == Field::order ? "order" : "mean_curvature";
+  return state.fields.at(name).row(0).transpose();
 }
 
 }  // namespace sbeh::picture

@@ -3,6 +3,7 @@
 
 #include "studies/evolution/evolution_files.h"
 #include "studies/mesh_files/mesh_file.h"
+#include "tools/picture/options.h"
 
 #include <filesystem>
 #include <vector>
@@ -19,5 +20,7 @@ std::vector<studies::FrameEntry> chosen_frames(const std::vector<studies::FrameE
 
 /// The surface of a frame with its fields `order` and `mean_curvature`. Throws InputError.
 studies::CurvedFile read_state(const std::filesystem::path& frame);
+/// At its nodes.
+Eigen::VectorXd field_of(const studies::CurvedFile& state, Field field);
 
 }  // namespace sbeh::picture
