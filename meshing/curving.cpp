@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <array>
+#include <cassert>
 #include <stdexcept>
 #include <vector>
 
@@ -158,6 +159,23 @@ CurvedMesh curved(const TriangleMesh& mesh, int order, const Placement& place) {
     return place(t, Vector3d::Constant(1. / 3));
   };
   return with_nodes(mesh, order, along_side, inside_of);
+}
+
+CurvedMesh of_order(const CurvedMesh& mesh, int order) {
+  assert(order >= mesh.order);
+  if (order == mesh.order) return mesh;
+  CurvedMesh result{.order = order, .triangles = numbered_nodes(corners(mesh), order), .nodes = {}};
+  result.nodes.resize(3, result.triangles.maxCoeff() + 1);
+  const model::TriangleElement element(mesh.order), finer(order);
+  const Eigen::Matrix2Xd places = finer.nodes();
+  for (Eigen::Index k = 0; k < places.cols(); ++k) {
+    const Eigen::VectorXd phi = element.values(places.col(k));
+    for (int t = 0; t < mesh.triangle_count(); ++t)
+      result.nodes.col(result.triangles(k, t)) =
+          mesh.nodes(Eigen::all, mesh.triangles.col(t)) * phi;
+  }
+  result.nodes.leftCols(mesh.vertex_count()) = mesh.nodes.leftCols(mesh.vertex_count());
+  return result;
 }
 
 TriangleMesh corners(const CurvedMesh& mesh) {

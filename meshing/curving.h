@@ -22,6 +22,9 @@ CurvedMesh curved(const TriangleMesh& mesh, int order, const Placement& place);
 /// The numbers alone: 3, 6 or 10 x triangles, the corners as in `mesh`. Throws as `curved` does.
 Eigen::MatrixXi numbered_nodes(const TriangleMesh& mesh, int order);
 
+/// The same surface in triangles of a higher order, up to 3.
+CurvedMesh of_order(const CurvedMesh& mesh, int order);
+
 /// The triangles between the corners.
 TriangleMesh corners(const CurvedMesh& mesh);
 

@@ -1,7 +1,7 @@
 // What keeps triangles from being a closed, outward oriented surface of the topology of a sphere.
 #pragma once
 
-#include "meshing/triangle_mesh.h"
+#include "meshing/names.h"
 
 #include <optional>
 #include <string>
@@ -12,6 +12,7 @@ enum class DefectKind {
   empty,                ///< no points or no triangles
   not_finite,           ///< a coordinate is no number
   no_such_point,        ///< a corner beyond the points
+  polygon,              ///< a face that is no triangle (of a file)
   degenerate,           ///< a triangle without area
   repeated,             ///< the same triangle twice
   unused_point,         ///< a point without triangles
@@ -23,14 +24,17 @@ enum class DefectKind {
   wrong_genus,          ///< a torus, …
   inward,               ///< the volume is negative
   self_intersecting,    ///< triangles pass through each other
+  sharp,                ///< no smooth surface goes through the points (`require_smooth`)
 };
 
 struct Defect {
   DefectKind kind;
-  std::string text;  ///< a sentence part that names the triangle, edge or point, counted from 0
+  std::string text;  ///< a sentence part that names the triangle, edge or point
 };
 
-/// The first defect in the order of the list above; none when the mesh is what the solver needs.
+/// The first defect in the order of the list above, up to `self_intersecting`; none when the mesh is what the solver needs.
+std::optional<Defect> find_defect(const TriangleMesh& mesh, const Names& names);
+/// With the mesh's own numbers.
 std::optional<Defect> find_defect(const TriangleMesh& mesh);
 
 }  // namespace sbeh::meshing

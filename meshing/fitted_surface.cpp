@@ -77,8 +77,11 @@ double mean_edge(const HalfEdgeMesh& mesh, int point) {
   return sum / count;
 }
 
+}  // namespace
+
 // No fit makes sense across a sharp edge: the icosahedron has 42 degrees between its triangles.
-void require_smooth(const HalfEdgeMesh& mesh) {
+void require_smooth(const TriangleMesh& plain, const Names& names) {
+  const HalfEdgeMesh mesh = half_edge_mesh(plain);
   constexpr double sharpest = 60;  // degrees between the normals
   const auto normal = [&](OpenMesh::SmartHalfedgeHandle h) {
     const Vector3d a = meshing::point(mesh, h.from());
@@ -91,18 +94,17 @@ void require_smooth(const HalfEdgeMesh& mesh) {
     const double angle = std::atan2(n.cross(m).norm(), n.dot(m)) * 180 / std::numbers::pi;
     if (angle > sharpest)
       throw std::invalid_argument(fmt::format(
-          "edge {}-{}: triangles {} and {} meet at {:.0f} degrees, more than {}: no smooth "
-          "surface can be put through them; more triangles there would help",
-          edge.v0().idx(), edge.v1().idx(), edge.h0().face().idx(), edge.h1().face().idx(), angle,
-          sharpest));
+          "{}: {} and {} meet at {:.0f} degrees, more than {}: no smooth surface can be put "
+          "through them; more triangles there would help",
+          edge_name(plain, edge.v0().idx(), edge.v1().idx(), names),
+          triangle_name(plain, edge.h0().face().idx(), names),
+          triangle_name(plain, edge.h1().face().idx(), names), angle, sharpest));
   }
 }
 
-}  // namespace
-
-FittedSurface::FittedSurface(const TriangleMesh& mesh) : mesh_(mesh) {
+FittedSurface::FittedSurface(const TriangleMesh& mesh, const Names& names) : mesh_(mesh) {
   const HalfEdgeMesh half_edges = half_edge_mesh(mesh);
-  require_smooth(half_edges);
+  require_smooth(mesh, names);
   const Eigen::Matrix3Xd normals = point_normals(mesh);
   Rings rings(half_edges);
   constexpr double same_side = 0.3;  // cosine between normals: beyond, a graph cannot follow

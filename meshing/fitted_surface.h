@@ -1,6 +1,7 @@
 // A smooth surface through the points of a plain triangle mesh.
 #pragma once
 
+#include "meshing/names.h"
 #include "meshing/smoothing.h"
 #include "meshing/triangle_mesh.h"
 
@@ -9,6 +10,10 @@
 
 namespace sbeh::meshing {
 
+/// Throws std::invalid_argument unless the mesh is closed and oriented, and where triangles meet at more than
+/// 60 degrees: they describe no smooth surface.
+void require_smooth(const TriangleMesh& mesh, const Names& names = {});
+
 /// At every point of the mesh a polynomial graph of degree 4 over the tangent plane goes through
 /// it and, by weighted least squares, near the points around (of lower degree where a coarse mesh
 /// has too few). A place on a triangle is moved onto the graphs of its corners and takes the mean
@@ -16,9 +21,8 @@ namespace sbeh::meshing {
 /// distances h, the result is within O(h⁵) of it.
 class FittedSurface {
  public:
-  /// Throws std::invalid_argument unless the mesh is closed and oriented, and where triangles meet
-  /// at more than 60 degrees: they describe no smooth surface.
-  explicit FittedSurface(const TriangleMesh& mesh);
+  /// Throws as `require_smooth` does.
+  explicit FittedSurface(const TriangleMesh& mesh, const Names& names = {});
 
   /// The place on the smooth surface for barycentric coordinates in a triangle.
   Eigen::Vector3d at(int triangle, const Eigen::Vector3d& barycentric) const;

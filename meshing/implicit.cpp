@@ -58,7 +58,7 @@ CurvedMesh implicit_surface(const ImplicitShape& shape, const Resolution& resolu
   TriangleMesh mesh = triangulate(shape, 0.5 * std::sqrt(4 / std::sqrt(3.) * guess / first));
   const Projection level = [&](const Vector3d& x) { return onto_level(shape, x); };
   project(mesh, level);
-  if (const auto defect = find_defect(mesh))
+  if (const auto defect = find_defect(mesh, {}))
     throw std::invalid_argument(fmt::format(
         "implicit surface: no closed surface of sphere topology was found: {}", defect->text));
   mesh = remeshed(mesh, resolution.triangles, level, resolution.grading);

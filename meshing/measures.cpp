@@ -67,13 +67,15 @@ double area(const CurvedMesh& mesh) {
   return sum;
 }
 
+// From the middle of the nodes: far from the surface the parts would be much larger than their sum.
 double volume(const CurvedMesh& mesh) {
   const ShapeTable table = tabulate(mesh.order, volume_degree(mesh.order));
+  const Eigen::Vector3d middle = mesh.nodes.rowwise().mean();
   ElementGeometry g;
   double sum = 0;
   for (int t = 0; t < mesh.triangle_count(); ++t) {
     g.evaluate(mesh, t, table);
-    sum += g.x.cwiseProduct(g.N).colwise().sum().dot(table.weight);
+    sum += (g.x.colwise() - middle).cwiseProduct(g.N).colwise().sum().dot(table.weight);
   }
   return sum / 3;
 }
@@ -88,10 +90,28 @@ double area(const TriangleMesh& mesh) {
 }
 
 double volume(const TriangleMesh& mesh) {
+  const Eigen::Vector3d middle = mesh.points.rowwise().mean();
   double sum = 0;
-  for (const auto c : mesh.triangles.colwise())
-    sum += mesh.points.col(c[0]).dot(mesh.points.col(c[1]).cross(mesh.points.col(c[2]))) / 6;
+  for (const auto c : mesh.triangles.colwise()) {
+    const Eigen::Matrix3d x = mesh.points(Eigen::all, c).colwise() - middle;
+    sum += x.col(0).dot(x.col(1).cross(x.col(2))) / 6;
+  }
   return sum;
+}
+
+Eigen::Vector3d centre(const CurvedMesh& mesh) {
+  const ShapeTable table = tabulate(mesh.order, area_degree);
+  const Eigen::Vector3d middle = mesh.nodes.rowwise().mean();
+  ElementGeometry g;
+  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
+  double area = 0;
+  for (int t = 0; t < mesh.triangle_count(); ++t) {
+    g.evaluate(mesh, t, table);
+    const Eigen::RowVectorXd dA = g.N.colwise().norm().cwiseProduct(table.weight.transpose());
+    sum += (g.x.colwise() - middle) * dA.transpose();
+    area += dA.sum();
+  }
+  return middle + sum / area;
 }
 
 double reduced_volume(const CurvedMesh& mesh) { return reduced_volume(area(mesh), volume(mesh)); }

@@ -17,6 +17,9 @@ double volume(const CurvedMesh& mesh);
 double area(const TriangleMesh& mesh);
 double volume(const TriangleMesh& mesh);
 
+/// Centre of the area, (1/A) ∫ X.
+Eigen::Vector3d centre(const CurvedMesh& mesh);
+
 using model::reduced_volume;
 double reduced_volume(const CurvedMesh& mesh);
 

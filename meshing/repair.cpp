@@ -1,18 +1,20 @@
 #include "meshing/repair.h"
 
+#include "meshing/face_soup.h"
 #include "meshing/measures.h"
 
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/Polygon_mesh_processing/border.h>
 #include <CGAL/Polygon_mesh_processing/orient_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/polygon_soup_to_polygon_mesh.h>
-#include <CGAL/Polygon_mesh_processing/repair_degeneracies.h>
-#include <CGAL/Polygon_mesh_processing/repair_polygon_soup.h>
 #include <CGAL/Polygon_mesh_processing/triangulate_hole.h>
 #include <CGAL/Surface_mesh.h>
+#include <CGAL/boost/graph/Euler_operations.h>
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <stdexcept>
 
 namespace sbeh::meshing {
@@ -22,116 +24,165 @@ namespace {
 namespace pmp = CGAL::Polygon_mesh_processing;
 using Point = CGAL::Epick::Point_3;
 using Mesh = CGAL::Surface_mesh<Point>;
+using Halfedge = Mesh::Halfedge_index;
 
-struct Soup {
-  std::vector<Point> points;
-  std::vector<std::vector<std::size_t>> triangles;
-};
-
-Soup soup_of(const TriangleMesh& mesh) {
-  Soup soup;
-  for (const auto x : mesh.points.colwise()) soup.points.emplace_back(x[0], x[1], x[2]);
-  for (const auto c : mesh.triangles.colwise()) {
-    if (c.minCoeff() < 0 || c.maxCoeff() >= mesh.point_count() || !mesh.points.allFinite())
-      throw std::invalid_argument("repair: the mesh has numbers that cannot be guessed");
-    soup.triangles.push_back({std::size_t(c[0]), std::size_t(c[1]), std::size_t(c[2])});
-  }
-  return soup;
+std::vector<Point> cgal_points(const Eigen::Matrix3Xd& points) {
+  std::vector<Point> result;
+  for (const auto x : points.colwise()) result.emplace_back(x[0], x[1], x[2]);
+  return result;
 }
 
-class Log {
- public:
-  void add(const char* what, std::size_t count) {
-    if (count > 0) done.push_back(fmt::format("{}: {}", what, count));
-  }
-  std::vector<std::string> done;
-};
-
-void clean_soup(Soup& s, Log& log) {
-  log.add("points merged with others of the same coordinates",
-          pmp::merge_duplicate_points_in_polygon_soup(s.points, s.triangles));
-  const auto is_triangle = [](const auto& t) {
-    return t[0] != t[1] && t[1] != t[2] && t[2] != t[0];
+void require_numbers(const PolygonMesh& mesh) {
+  const auto in_range = [&](const std::vector<int>& face) {
+    return std::ranges::all_of(face, [&](int i) { return i >= 0 && i < mesh.point_count(); });
   };
-  const auto first_bad = std::stable_partition(s.triangles.begin(), s.triangles.end(), is_triangle);
-  log.add("triangles with a repeated corner removed", std::size_t(s.triangles.end() - first_bad));
-  s.triangles.erase(first_bad, s.triangles.end());
-  log.add("repeated triangles removed",
-          pmp::merge_duplicate_polygons_in_polygon_soup(
-              s.points, s.triangles, CGAL::parameters::require_same_orientation(false)));
-  log.add("unused points removed",
-          pmp::remove_isolated_points_in_polygon_soup(s.points, s.triangles));
+  if (!mesh.points.allFinite() || !std::ranges::all_of(mesh.faces, in_range))
+    throw std::invalid_argument("repair: the mesh has numbers that cannot be guessed");
 }
 
-std::size_t count_inconsistent(const Soup& before, const Soup& after) {
-  std::size_t turned = 0;
-  for (std::size_t t = 0; t < before.triangles.size(); ++t) {
-    // A turned triangle has its corners in the other cyclic order.
-    auto a = before.triangles[t];
-    const auto& b = after.triangles[t];
-    for (int k = 0; k < 3 && a != b; ++k) std::rotate(a.begin(), a.begin() + 1, a.end());
-    if (a != b) ++turned;
+// Whether two triangles of the same corners go round in the other sense.
+bool is_turned(std::array<int, 3> a, const std::array<int, 3>& b) {
+  for (int k = 0; k < 3 && a != b; ++k) std::rotate(a.begin(), a.begin() + 1, a.end());
+  return a != b;
+}
+
+// Where surfaces touch in a point or an edge CGAL doubles the points there.
+void orient(FaceSoup& soup, RepairLog& log) {
+  std::vector<Point> points = cgal_points(soup.points);
+  std::vector<std::vector<std::size_t>> faces;
+  for (const auto& t : soup.triangles) faces.emplace_back(t.corner.begin(), t.corner.end());
+  pmp::orient_polygon_soup(points, faces);
+  const auto before = std::size_t(soup.points.cols());
+  log.add(points.size() - before, "points doubled where surfaces touch");
+  soup.points.conservativeResize(3, Eigen::Index(points.size()));
+  for (std::size_t i = before; i < points.size(); ++i) {
+    soup.points.col(Eigen::Index(i)) << points[i][0], points[i][1], points[i][2];
+    if (!soup.point_numbers.empty()) soup.point_numbers.push_back(-1);
   }
-  return turned;
+  std::size_t turned = 0;
+  for (std::size_t t = 0; t < faces.size(); ++t) {
+    auto& corner = soup.triangles[t].corner;
+    const std::array<int, 3> now{int(faces[t][0]), int(faces[t][1]), int(faces[t][2])};
+    if (points.size() == before && is_turned(corner, now)) ++turned;
+    corner = now;
+  }
+  log.add(std::min(turned, faces.size() - turned),
+          "triangles turned to the orientation of their neighbours");
 }
 
-void orient(Soup& s, Log& log) {
-  const Soup before = s;
-  pmp::orient_polygon_soup(s.points, s.triangles);
-  log.add("points doubled where surfaces touched", s.points.size() - before.points.size());
-  if (s.points.size() > before.points.size()) return;
-  const std::size_t turned = count_inconsistent(before, s);
-  log.add("triangles turned to the orientation of their neighbours",
-          std::min(turned, s.triangles.size() - turned));
+// Faces keep their numbers: nothing is ever removed from it.
+Mesh surface_of(const FaceSoup& soup) {
+  std::vector<std::vector<std::size_t>> faces;
+  for (const auto& t : soup.triangles) faces.emplace_back(t.corner.begin(), t.corner.end());
+  Mesh surface;
+  pmp::polygon_soup_to_polygon_mesh(cgal_points(soup.points), faces, surface);
+  return surface;
 }
 
-void close_holes(Mesh& mesh, Log& log) {
+void close_holes(Mesh& mesh, RepairLog& log) {
   constexpr std::size_t largest = 8;  // edges
-  std::size_t closed = 0;
-  std::vector<Mesh::Halfedge_index> cycles;
+  std::size_t closed = 0, added = 0;
+  std::vector<Halfedge> cycles;
   pmp::extract_boundary_cycles(mesh, std::back_inserter(cycles));
-  for (const Mesh::Halfedge_index h : cycles) {
+  for (const Halfedge h : cycles) {
     if (CGAL::halfedges_around_face(h, mesh).size() > largest) continue;
     std::vector<Mesh::Face_index> patch;
     pmp::triangulate_hole(mesh, h, std::back_inserter(patch));
     if (!patch.empty()) ++closed;
+    added += patch.size();
   }
-  log.add("holes closed", closed);
+  log.add(closed, "holes closed", fmt::format("{} triangles added", added));
 }
 
-TriangleMesh triangles_of(const Mesh& mesh) {
-  TriangleMesh result{Eigen::Matrix3Xd(3, mesh.number_of_vertices()),
-                      Eigen::Matrix3Xi(3, mesh.number_of_faces())};
-  for (const auto v : mesh.vertices()) {
-    const Point& x = mesh.point(v);
-    result.points.col(Eigen::Index(v)) << x[0], x[1], x[2];
+using Corners = std::array<Mesh::Vertex_index, 3>;
+
+// Height over the longest edge, over that edge; and the corner opposite of it.
+struct Flatness {
+  double height = 0;
+  int apex = 0;
+};
+Flatness flatness(const Mesh& mesh, const Corners& corner) {
+  std::array<Eigen::Vector3d, 3> x;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const Point& p = mesh.point(corner[k]);
+    x[k] = {p[0], p[1], p[2]};
   }
-  for (const auto f : mesh.faces()) {
-    int k = 0;
-    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(f), mesh))
-      result.triangles(k++, Eigen::Index(f)) = int(v);
+  double longest = 0;
+  Flatness result;
+  for (std::size_t k = 0; k < 3; ++k) {
+    const double length = (x[(k + 2) % 3] - x[(k + 1) % 3]).norm();
+    if (length <= longest) continue;
+    longest = length;
+    result.apex = int(k);
   }
+  if (longest > 0) result.height = (x[1] - x[0]).cross(x[2] - x[0]).norm() / (longest * longest);
   return result;
+}
+
+Corners corners_of(const Mesh& mesh, Halfedge h) {
+  return {mesh.source(h), mesh.target(h), mesh.target(mesh.next(h))};
+}
+
+// Whether the longest edge of a flat face was turned, which leaves no face as flat as it was.
+bool turn_longest_edge(Mesh& mesh, Mesh::Face_index face) {
+  Halfedge h = mesh.halfedge(face);
+  const Flatness flat = flatness(mesh, corners_of(mesh, h));
+  for (int k = 0; k <= flat.apex; ++k) h = mesh.next(h);  // from the corner after the apex
+  const Halfedge other = mesh.opposite(h);
+  if (mesh.is_border(other)) return false;
+  const auto [from, to, apex] = corners_of(mesh, h);
+  const Mesh::Vertex_index opposite = mesh.target(mesh.next(other));
+  if (mesh.halfedge(apex, opposite) != Mesh::null_halfedge()) return false;
+  const double before = std::min(flat.height, flatness(mesh, corners_of(mesh, other)).height),
+               after = std::min(flatness(mesh, {from, opposite, apex}).height,
+                                flatness(mesh, {opposite, to, apex}).height);
+  if (!(after > before)) return false;
+  CGAL::Euler::flip_edge(h, mesh);
+  return true;
+}
+
+// Several that lie on one edge are turned one after the other, from the outermost on.
+void turn_flat_faces(Mesh& mesh, RepairLog& log) {
+  std::size_t turned = 0;
+  for (bool changed = true; changed;) {
+    changed = false;
+    for (const auto face : mesh.faces())
+      if (flatness(mesh, corners_of(mesh, mesh.halfedge(face))).height < flat_height
+          && turn_longest_edge(mesh, face)) {
+        ++turned;
+        changed = true;
+      }
+  }
+  log.add(turned, "flat triangles made away with by turning their longest edge");
+}
+
+void take_from(FaceSoup& soup, const Mesh& mesh) {
+  soup.triangles.resize(mesh.number_of_faces(), {{}, -1});
+  for (const auto face : mesh.faces()) {
+    int k = 0;
+    for (const auto v : CGAL::vertices_around_face(mesh.halfedge(face), mesh))
+      soup.triangles[std::size_t(face)].corner[std::size_t(k++)] = int(v);
+  }
 }
 
 }  // namespace
 
-Repair repaired(const TriangleMesh& mesh) {
-  Soup soup = soup_of(mesh);
-  Log log;
-  clean_soup(soup, log);
+Repair repaired(const PolygonMesh& mesh) {
+  require_numbers(mesh);
+  RepairLog log;
+  FaceSoup soup = soup_of(mesh, log);
+  clean(soup, log);
+  remove_strays(soup, log);
+  remove_unused_points(soup, log);
   orient(soup, log);
-  Mesh surface;
-  pmp::polygon_soup_to_polygon_mesh(soup.points, soup.triangles, surface);
-  const std::size_t faces = surface.number_of_faces();
-  pmp::remove_degenerate_faces(surface);
-  log.add("triangles without area removed, neighbours adapted", faces - surface.number_of_faces());
+  Mesh surface = surface_of(soup);
   close_holes(surface, log);
-  surface.collect_garbage();
-  Repair repair{triangles_of(surface), {}};
+  turn_flat_faces(surface, log);
+  take_from(soup, surface);
+  Repair repair{triangle_mesh(soup), names_of(soup), {}};
   if (CGAL::is_closed(surface) && volume(repair.mesh) < 0) {
     repair.mesh.triangles.row(1).swap(repair.mesh.triangles.row(2));
-    log.add("triangles turned outward", surface.number_of_faces());
+    log.add(surface.number_of_faces(), "triangles turned outward");
   }
   repair.done = std::move(log.done);
   return repair;

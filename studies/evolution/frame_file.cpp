@@ -85,8 +85,7 @@ surface3d::StepperMemory memory_of(const CurvedFile& file, const std::filesystem
 }
 
 CurvedFile read_curved(const std::filesystem::path& path) {
-  MeshFile file = read_mesh(path);
-  auto* curved = std::get_if<CurvedFile>(&file);
+  auto curved = read_curved_mesh(path);
   if (!curved || curved->mesh.order != 3)
     throw InputError(
         fmt::format("{}: is no frame of a run: its triangles are not of order 3", path.string()));

@@ -1,12 +1,11 @@
 #include "studies/evolution/run_start.h"
 
 #include "meshing/curving.h"
-#include "meshing/defects.h"
-#include "meshing/fitted_surface.h"
 #include "meshing/measures.h"
 #include "meshing/revolution.h"
 #include "meshing/shapes.h"
 #include "studies/io/errors.h"
+#include "studies/mesh/file_surface.h"
 #include "studies/mesh/make_mesh.h"
 #include "studies/mesh_files/mesh_file.h"
 #include "studies/scan/scan_table.h"
@@ -32,16 +31,16 @@ struct Start {
 };
 
 // Throws std::invalid_argument for what no mesh maker has checked.
-void require_sound(const CurvedMesh& mesh) {
-  quality_of_sound(mesh);
+void require_sound(const CurvedMesh& mesh, const meshing::Names& names = {}) {
+  quality_of_sound(mesh, names);
   if (!(meshing::volume(mesh) > 0))
     throw std::invalid_argument("the surface is turned inside out: its volume is negative");
 }
 
 // The same for the mesh of a file.
-CurvedMesh sound(CurvedMesh mesh, const std::string& file) {
+CurvedMesh sound(CurvedMesh mesh, const std::string& file, const meshing::Names& names = {}) {
   try {
-    require_sound(mesh);
+    require_sound(mesh, names);
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}", file, error.what()));
   }
@@ -73,17 +72,18 @@ std::vector<std::string> left_behind(const CurvedFile& file, const std::string& 
 }
 
 Start make(const MeshFileStart& start, const RunInput&) {
-  MeshFile file = read_mesh(start.file);
-  if (auto* curved = std::get_if<CurvedFile>(&file); curved && curved->mesh.order == 3)
-    return {sound(std::move(curved->mesh), start.file), {}, left_behind(*curved, start.file)};
-  const meshing::TriangleMesh triangles = std::holds_alternative<CurvedFile>(file)
-                                            ? meshing::corners(std::get<CurvedFile>(file).mesh)
-                                            : std::get<meshing::TriangleMesh>(file);
-  if (const auto defect = meshing::find_defect(triangles))
-    throw InputError(fmt::format("{}: {}", start.file, defect->text));
-  const meshing::FittedSurface surface(triangles);
-  const auto at = [&](int t, const Eigen::Vector3d& x) { return surface.at(t, x); };
-  return {sound(meshing::curved(triangles, 3, at), start.file)};
+  FileSurface file = surface_of_file(start.file, false);
+  Start result;
+  if (const auto* curved_file = std::get_if<CurvedFile>(&file.surface)) {
+    result.mesh = meshing::of_order(curved_file->mesh, 3);
+    result.remarks = left_behind(*curved_file, start.file);
+  } else {
+    result.mesh = curved(*std::get<0>(file.surface), 3);
+  }
+  result.mesh = sound(std::move(result.mesh), start.file, file.names);
+  result.mesh.nodes.colwise() -= meshing::centre(result.mesh);
+  result.remarks.insert(result.remarks.begin(), file.notes.begin(), file.notes.end());
+  return result;
 }
 
 Start make(const ScanRow& row, const RunInput& input) {

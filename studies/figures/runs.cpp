@@ -98,8 +98,7 @@ std::string missing_run(const PlannedRun& plan, const std::optional<FoundRun>& f
 }
 
 Snapshot read_snapshot(const fs::path& frame) {
-  MeshFile file = read_mesh(frame);
-  if (const auto* curved = std::get_if<CurvedFile>(&file))
+  if (const auto curved = read_curved_mesh(frame))
     if (const auto order = curved->fields.find("order");
         order != curved->fields.end() && curved->mesh.order == 3)
       return {curved->mesh, order->second.row(0).transpose()};

@@ -3,6 +3,7 @@
 
 #include "axisym/start_shapes.h"
 #include "meshing/spherical_harmonics.h"
+#include "model/names.h"
 #include "model/parameter.h"
 #include "studies/io/errors.h"
 

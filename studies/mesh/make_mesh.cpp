@@ -2,14 +2,12 @@
 
 #include "meshing/curvature.h"
 #include "meshing/curving.h"
-#include "meshing/defects.h"
-#include "meshing/fitted_surface.h"
 #include "meshing/measures.h"
 #include "meshing/remeshing.h"
-#include "meshing/repair.h"
 #include "meshing/revolution.h"
 #include "meshing/shapes.h"
 #include "studies/io/errors.h"
+#include "studies/mesh/file_surface.h"
 #include "studies/states/profile_file.h"
 
 #include <fmt/format.h>
@@ -19,9 +17,6 @@
 #include <stdexcept>
 
 namespace sbeh::studies {
-
-using meshing::DefectKind;
-using meshing::TriangleMesh;
 
 namespace {
 
@@ -34,72 +29,21 @@ meshing::Resolution resolution_of(const MeshRequest& r) {
   return resolution;
 }
 
-bool is_repairable(DefectKind kind) {
-  switch (kind) {
-    case DefectKind::degenerate:
-    case DefectKind::repeated:
-    case DefectKind::unused_point:
-    case DefectKind::orientation_differs:
-    case DefectKind::inward:
-      return true;
-    default:
-      return false;
-  }
-}
-
-[[noreturn]] void refuse(const FileShape& shape, const meshing::Defect& defect) {
-  const char* advice = "";
-  if (shape.repair)
-    advice = "; --repair does not help there";
-  else if (is_repairable(defect.kind))
-    advice = "; --repair can mend that";
-  else if (defect.kind == DefectKind::open)
-    advice = "; --repair closes holes of at most 8 edges and joins points of equal coordinates";
-  throw InputError(fmt::format("{}: {}{}", shape.file.string(), defect.text, advice));
-}
-
-// Defects that leave nothing to repair with.
-bool is_hopeless(DefectKind kind) { return kind <= DefectKind::no_such_point; }
-
-TriangleMesh checked(const FileShape& shape, TriangleMesh mesh, MadeMesh& made) {
-  auto defect = find_defect(mesh);
-  if (defect && shape.repair && !is_hopeless(defect->kind)) {
-    const meshing::Repair repair = meshing::repaired(mesh);
-    for (const std::string& what : repair.done) made.notes.push_back("repaired: " + what);
-    mesh = repair.mesh;
-    defect = find_defect(mesh);
-  }
-  if (defect) refuse(shape, *defect);
-  return mesh;
-}
-
-std::shared_ptr<const meshing::FittedSurface> fitted(const std::filesystem::path& file,
-                                                     const TriangleMesh& plain) {
-  try {
-    return std::make_shared<const meshing::FittedSurface>(plain);
-  } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {}", file.string(), error.what()));
-  }
-}
-
-void curve(const MeshRequest& request, const std::filesystem::path& file, const TriangleMesh& plain,
+void curve(const MeshRequest& request, std::shared_ptr<const meshing::FittedSurface> surface,
            MadeMesh& made) {
   const meshing::Resolution resolution = resolution_of(request);
   if (request.grading > 0 && !request.triangles)
     throw InputError(
         "grading: the triangles of a file stay as they are unless their number is given");
-  const auto surface = fitted(file, plain);
-  if (request.triangles) {
-    const meshing::Projection onto_surface = meshing::onto(surface);
-    made.mesh = meshing::curved(
-        meshing::remeshed(plain, resolution.triangles, onto_surface, resolution.grading),
-        resolution.order, onto_surface);
-  } else {
-    made.mesh = meshing::curved(plain, resolution.order,
-                                meshing::Placement([&](int t, const Eigen::Vector3d& barycentric) {
-                                  return surface->at(t, barycentric);
-                                }));
+  if (!request.triangles) {
+    made.mesh = curved(*surface, resolution.order);
+    return;
   }
+  made.names = {};
+  const meshing::Projection onto_surface = meshing::onto(surface);
+  made.mesh = meshing::curved(
+      meshing::remeshed(surface->mesh(), resolution.triangles, onto_surface, resolution.grading),
+      resolution.order, onto_surface);
 }
 
 void make(const SphereShape&, const MeshRequest& request, MadeMesh& made) {
@@ -136,26 +80,22 @@ void make(const ProfileShape& shape, const MeshRequest& request, MadeMesh& made)
 }
 
 void make(const FileShape& shape, const MeshRequest& request, MadeMesh& made) {
-  const MeshFile file = read_mesh(shape.file);
-  if (const auto* plain = std::get_if<TriangleMesh>(&file))
-    return curve(request, shape.file, checked(shape, *plain, made), made);
-  const CurvedFile& curved = std::get<CurvedFile>(file);
+  FileSurface file = surface_of_file(shape.file, shape.repair);
+  made.notes = std::move(file.notes);
+  made.names = std::move(file.names);
+  if (const auto* plain = std::get_if<0>(&file.surface)) return curve(request, *plain, made);
+  CurvedFile& curved = std::get<CurvedFile>(file.surface);
   if (request.triangles || request.grading > 0
       || request.order.value_or(curved.mesh.order) != curved.mesh.order)
     throw InputError(
         fmt::format("{}: has curved triangles of order {}, which stay as they are: their number "
                     "and order cannot be chosen",
                     shape.file.string(), curved.mesh.order));
-  if (!curved.mesh.nodes.allFinite())
-    throw InputError(
-        fmt::format("{}: a coordinate of a node is no finite number", shape.file.string()));
-  if (const auto defect = find_defect(meshing::corners(curved.mesh)))
-    throw InputError(fmt::format("{}: {}", shape.file.string(), defect->text));
-  made.mesh = curved.mesh;
-  made.fields = curved.fields;
+  made.mesh = std::move(curved.mesh);
+  made.fields = std::move(curved.fields);
 }
 
-void scale(const MeshRequest& request, MadeMesh& made) {
+void scale_about_origin(const MeshRequest& request, MadeMesh& made) {
   if (request.area && !(*request.area > 0 && std::isfinite(*request.area)))
     throw InputError(fmt::format("area {}: must be > 0", *request.area));
   const double area = request.area.value_or(meshing::area(made.mesh));
@@ -174,6 +114,17 @@ void scale(const MeshRequest& request, MadeMesh& made) {
                     meshing::reduced_volume(made.mesh)));
 }
 
+// The surface of a file keeps its place.
+void scale(const MeshRequest& request, MadeMesh& made) {
+  if (!std::holds_alternative<FileShape>(request.shape)
+      || (!request.area && !request.reduced_volume))
+    return scale_about_origin(request, made);
+  const Eigen::Vector3d place = meshing::centre(made.mesh);
+  made.mesh.nodes.colwise() -= place;
+  scale_about_origin(request, made);
+  made.mesh.nodes.colwise() += place;
+}
+
 std::string name_of(const MeshRequest& request) {
   if (const auto* profile = std::get_if<ProfileShape>(&request.shape))
     return profile->file.string();
@@ -183,20 +134,20 @@ std::string name_of(const MeshRequest& request) {
 
 }  // namespace
 
-meshing::Quality quality_of_sound(const meshing::CurvedMesh& mesh) {
+meshing::Quality quality_of_sound(const meshing::CurvedMesh& mesh, const meshing::Names& names) {
   if (!mesh.nodes.allFinite())
     throw std::invalid_argument("a coordinate of a node is no finite number");
   meshing::Quality q = meshing::quality_of(mesh);
+  const auto name = [&](int t) { return triangle_name(meshing::corners(mesh), t, names); };
   if (!(q.min_jacobian > 0))
     throw std::invalid_argument(fmt::format(
-        "triangle {} folds over when it is curved; take more triangles, or the surface is not "
-        "smooth there",
-        q.worst_triangle));
+        "{} folds over when it is curved; take more triangles, or the surface is not smooth there",
+        name(q.worst_triangle)));
   if (q.self_intersections > 0)
     throw std::invalid_argument(fmt::format(
-        "the curved triangles {} and {} pass through each other ({} such pairs); take more "
-        "triangles, or the surface itself does so",
-        q.first_pair[0], q.first_pair[1], q.self_intersections));
+        "{} and {}, curved, pass through each other ({} such pairs); take more triangles, or the "
+        "surface itself does so",
+        name(q.first_pair[0]), name(q.first_pair[1]), q.self_intersections));
   return q;
 }
 
@@ -209,7 +160,7 @@ MadeMesh make_mesh(const MeshRequest& request) {
   }
   scale(request, made);
   try {
-    made.quality = quality_of_sound(made.mesh);
+    made.quality = quality_of_sound(made.mesh, made.names);
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}", name_of(request), error.what()));
   }

@@ -1,6 +1,7 @@
 // A mesh as a user asks for it: a shape, how fine, how large; made, checked and reported.
 #pragma once
 
+#include "meshing/names.h"
 #include "meshing/quality.h"
 #include "meshing/resolution.h"
 #include "meshing/spherical_harmonics.h"
@@ -47,6 +48,7 @@ struct MadeMesh {
   meshing::CurvedMesh mesh;
   NodeFields fields;  ///< "mean_curvature" for order > 1; "order" of a profile; those of the file
   meshing::Quality quality;
+  meshing::Names names;            ///< of the triangles as a file has them
   std::vector<std::string> notes;  ///< what the user should know, such as what was repaired
 };
 
@@ -56,7 +58,8 @@ MadeMesh make_mesh(const MeshRequest& request);
 
 /// The quality of a mesh whose curved triangles neither fold over nor pass through each other. Throws
 /// std::invalid_argument that names the triangle for any other.
-meshing::Quality quality_of_sound(const meshing::CurvedMesh& mesh);
+meshing::Quality quality_of_sound(const meshing::CurvedMesh& mesh,
+                                  const meshing::Names& names = {});
 
 /// `name: value` lines.
 std::string report(const meshing::Quality& quality);

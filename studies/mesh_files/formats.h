@@ -8,10 +8,10 @@
 
 namespace sbeh::studies {
 
-meshing::TriangleMesh parse_obj(std::string_view text, const std::string& file);
-meshing::TriangleMesh parse_off(std::string_view text, const std::string& file);
-meshing::TriangleMesh parse_ply(std::string_view text, const std::string& file);
-meshing::TriangleMesh parse_stl(std::string_view text, const std::string& file);
+MeshFile parse_obj(std::string_view text, const std::string& file);
+MeshFile parse_off(std::string_view text, const std::string& file);
+MeshFile parse_ply(std::string_view text, const std::string& file);
+MeshFile parse_stl(std::string_view text, const std::string& file);
 /// By VTK's readers; `poly_data` for VTP.
 MeshFile read_vtk(const std::string& file, bool poly_data);
 

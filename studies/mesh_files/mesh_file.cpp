@@ -40,10 +40,10 @@ std::string text_of(const fs::path& path) {
   }
 }
 
-// Of plain triangles.
+// Of plain faces.
 struct Format {
   std::string_view suffix;
-  meshing::TriangleMesh (*parse)(std::string_view text, const std::string& file);
+  MeshFile (*parse)(std::string_view text, const std::string& file);
   std::string (*text)(const meshing::TriangleMesh& mesh);
 };
 const Format* format_of(std::string_view suffix) {
@@ -53,11 +53,6 @@ const Format* format_of(std::string_view suffix) {
                                        {".stl", parse_stl, stl_text}};
   const auto* found = std::ranges::find(formats, suffix, &Format::suffix);
   return found == std::end(formats) ? nullptr : found;
-}
-
-int triangle_count(const MeshFile& mesh) {
-  if (const auto* plain = std::get_if<meshing::TriangleMesh>(&mesh)) return plain->triangle_count();
-  return std::get<CurvedFile>(mesh).mesh.triangle_count();
 }
 
 }  // namespace
@@ -82,13 +77,45 @@ MeshFile read_mesh(const fs::path& path) {
         "{}: unknown suffix \"{}\"; meshes can be read from .obj, .off, .ply, .stl, .vtu, .vtp",
         file, suffix));
   }
-  if (triangle_count(mesh) == 0) throw InputError(fmt::format("{}: has no triangles", file));
-  if (triangle_count(mesh) > meshing::most_triangles)
+  const int faces = mesh.face_count();
+  if (faces == 0) throw InputError(fmt::format("{}: has no triangles", file));
+  if (faces > meshing::most_triangles)
     throw InputError(
         fmt::format("{}: has {} triangles, more than {}: make it coarser with the program it comes "
                     "from",
-                    file, triangle_count(mesh), meshing::most_triangles));
+                    file, faces, meshing::most_triangles));
+  for (std::string& note : mesh.notes) note = fmt::format("{}: {}", file, note);
   return mesh;
+}
+
+std::vector<std::string> left_out(int count, std::string_view what) {
+  if (count == 0) return {};
+  return {fmt::format("{} {} left out: only faces make a surface", count, what)};
+}
+
+int MeshFile::face_count() const {
+  if (const auto* plain = std::get_if<PlainFile>(&mesh)) return plain->mesh.face_count();
+  return int(std::get<CurvedCellsFile>(mesh).cells.cells.cols());
+}
+
+CurvedFile joined(const CurvedCellsFile& file) {
+  const meshing::JoinedCells cells = meshing::joined(file.cells);
+  CurvedFile result{cells.mesh, {}, {}};
+  for (const auto& [name, values] : file.fields)
+    result.fields[name] = values(Eigen::all, cells.points);
+  for (const auto& [name, values] : file.globals) result.globals[name] = values.reshaped();
+  return result;
+}
+
+std::optional<CurvedFile> read_curved_mesh(const fs::path& path) {
+  const MeshFile file = read_mesh(path);
+  const auto* cells = std::get_if<CurvedCellsFile>(&file.mesh);
+  if (!cells) return {};
+  try {
+    return joined(*cells);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("{}: {}", path.string(), error.what()));
+  }
 }
 
 void require_mesh_suffix(const fs::path& path) {

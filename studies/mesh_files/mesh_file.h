@@ -5,13 +5,16 @@
 // OBJ, OFF, PLY and STL hold the plain triangles between the corners; VTU holds curved ones.
 #pragma once
 
-#include "meshing/curved_mesh.h"
-#include "meshing/triangle_mesh.h"
+#include "meshing/curved_cells.h"
+#include "meshing/polygon_mesh.h"
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
+#include <string_view>
 #include <variant>
+#include <vector>
 
 namespace sbeh::studies {
 
@@ -21,19 +24,41 @@ using NodeFields = std::map<std::string, Eigen::MatrixXd>;
 /// Numbers that belong to the whole, by name.
 using Globals = std::map<std::string, Eigen::VectorXd>;
 
+/// Plain faces.
+struct PlainFile {
+  meshing::PolygonMesh mesh;
+};
+/// Curved triangles of order 2 or 3 and what lives on their points.
+struct CurvedCellsFile {
+  meshing::CurvedCells cells;
+  NodeFields fields;   ///< components x points
+  NodeFields globals;  ///< components x tuples
+};
+
+/// What a file has: corners are in range, the rest is unchecked. Points of STL with equal coordinates
+/// are one point.
+struct MeshFile {
+  std::variant<PlainFile, CurvedCellsFile> mesh;
+  std::vector<std::string> notes;  ///< what was left out of it
+
+  int face_count() const;
+};
+/// Throws InputError that names the file and the line, face or point.
+MeshFile read_mesh(const std::filesystem::path& path);
+
+/// The note of so many things that make no surface; none for 0.
+std::vector<std::string> left_out(int count, std::string_view what);
+
 /// A curved surface and what lives on it.
 struct CurvedFile {
   meshing::CurvedMesh mesh;
   NodeFields fields;
   Globals globals;
 };
-
-/// Plain triangles as the file has them, unchecked; or curved ones (VTU with triangles of order 2
-/// or 3), which are checked to be closed, of sphere topology and conforming. Points of STL with
-/// equal coordinates are one point. Throws InputError that names the file and the line, triangle
-/// or point.
-using MeshFile = std::variant<meshing::TriangleMesh, CurvedFile>;
-MeshFile read_mesh(const std::filesystem::path& path);
+/// With its nodes numbered as CurvedMesh says. Throws std::invalid_argument as `meshing::joined` does.
+CurvedFile joined(const CurvedCellsFile& file);
+/// Curved triangles of a file that are a surface as they are; none: they are plain. Throws InputError.
+std::optional<CurvedFile> read_curved_mesh(const std::filesystem::path& path);
 
 /// Throws InputError unless the suffix is one that `write_mesh` knows.
 void require_mesh_suffix(const std::filesystem::path& path);

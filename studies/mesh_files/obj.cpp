@@ -1,4 +1,5 @@
 // Wavefront OBJ: `v x y z`, `f a/… b/… c/…` counted from 1, or backwards from −1.
+#include "studies/io/errors.h"
 #include "studies/mesh_files/formats.h"
 #include "studies/mesh_files/text_lines.h"
 
@@ -11,6 +12,7 @@ namespace sbeh::studies {
 
 namespace {
 
+// An index >= 0, which may be that of a point to come.
 int corner(const TextLines& lines, std::string_view word, long points) {
   const std::string_view digits = word.substr(0, word.find('/'));
   long index = 0;
@@ -23,23 +25,49 @@ int corner(const TextLines& lines, std::string_view word, long points) {
   return int(point);
 }
 
+// The words of a line; a last word \ makes the next line part of it.
+std::vector<std::string_view> whole_line(TextLines& lines) {
+  std::vector<std::string_view> words = lines.words();
+  while (words.back() == "\\") {
+    lines.require_next("a line");
+    words.pop_back();
+    words.insert(words.end(), lines.words().begin(), lines.words().end());
+  }
+  return words;
+}
+
+void require_points(const MeshBuilder& mesh, const std::string& file) {
+  for (std::size_t f = 0; f < mesh.faces().size(); ++f)
+    for (const int point : mesh.faces()[f])
+      if (point >= mesh.point_count())
+        throw InputError(fmt::format("{}: face {}: corner {}: there are only {} points", file, f,
+                                     point + 1L, mesh.point_count()));
+}
+
 }  // namespace
 
-meshing::TriangleMesh parse_obj(std::string_view text, const std::string& file) {
+MeshFile parse_obj(std::string_view text, const std::string& file) {
   TextLines lines(text, file);
   MeshBuilder mesh;
+  int others = 0;
   while (lines.next()) {
-    const auto& words = lines.words();
-    if (words[0] == "v") {
+    const std::string_view first = lines.words()[0];
+    if (first == "v") {
       mesh.add_point(lines.number(1), lines.number(2), lines.number(3));
-    } else if (words[0] == "f") {
-      if (words.size() != 4)
-        lines.fail(fmt::format("a face with {} corners: must be a triangle", words.size() - 1));
-      const auto at = [&](std::size_t k) { return corner(lines, words[k], mesh.point_count()); };
-      mesh.add_triangle(at(1), at(2), at(3));
+    } else if (first == "f") {
+      const auto words = whole_line(lines);
+      if (words.size() < 4)
+        lines.fail(fmt::format("a face with {} corners: must have three", words.size() - 1));
+      std::vector<int> corners;
+      for (std::size_t k = 1; k < words.size(); ++k)
+        corners.push_back(corner(lines, words[k], mesh.point_count()));
+      mesh.add_face(std::move(corners));
+    } else if (first == "l" || first == "p") {
+      ++others;
     }
   }
-  return mesh.mesh();
+  require_points(mesh, file);
+  return {PlainFile{mesh.mesh()}, left_out(others, "points or lines")};
 }
 
 std::string obj_text(const meshing::TriangleMesh& mesh) {

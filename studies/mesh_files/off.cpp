@@ -4,42 +4,85 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <array>
+
 namespace sbeh::studies {
 
-meshing::TriangleMesh parse_off(std::string_view text, const std::string& file) {
+namespace {
+
+// How many numbers a point has: x y z, then those which letters before OFF tell of, in any order.
+std::size_t numbers_of_a_point(const TextLines& lines) {
+  std::string_view letters = lines.words()[0];
+  if (letters == "off") return 3;
+  if (!letters.ends_with("OFF")) lines.fail("must begin with OFF");
+  letters.remove_suffix(3);
+  struct Part {
+    std::string_view letters;
+    std::size_t numbers;
+  };
+  // Texture; colour, with or without a fourth number; normal.
+  constexpr std::array parts{Part{"ST", 2}, Part{"C", 3}, Part{"N", 3}};
+  std::size_t count = 3;
+  while (!letters.empty()) {
+    if (letters[0] == '4' || letters[0] == 'n')
+      lines.fail("points with another number of coordinates than three: must be points in space");
+    const auto* part =
+        std::ranges::find_if(parts, [&](const Part& p) { return letters.starts_with(p.letters); });
+    if (part == parts.end()) lines.fail("must begin with OFF");
+    letters.remove_prefix(part->letters.size());
+    count += part->numbers;
+  }
+  return count;
+}
+
+void read_face(TextLines& lines, long points, const std::string& where, MeshBuilder& mesh) {
+  const long count = lines.integer(0);
+  if (count < 3) lines.fail(fmt::format("a face with {} corners: must have three", count));
+  lines.require_words(std::size_t(std::min(count, points)) + 1, where);
+  std::vector<int> corners;
+  for (long k = 0; k < count; ++k) {
+    const long index = lines.integer(std::size_t(k) + 1);
+    if (index < 0 || index >= points)
+      lines.fail(fmt::format("corner {}: must be in 0 ... {}", index, points - 1));
+    corners.push_back(int(index));
+  }
+  mesh.add_face(std::move(corners));
+}
+
+}  // namespace
+
+MeshFile parse_off(std::string_view text, const std::string& file) {
   TextLines lines(text, file);
   lines.require_next("the header");
-  std::size_t first = 0;
-  if (lines.words()[0] == "OFF" || lines.words()[0] == "COFF") {
-    first = 1;
-    if (lines.words().size() == 1) {
-      lines.require_next("the header");
-      first = 0;
-    }
-  } else {
-    lines.fail("must begin with OFF");
+  const std::size_t numbers = numbers_of_a_point(lines);
+  if (lines.words().size() > 1 && is_word(lines.words()[1], "binary"))
+    lines.fail("binary OFF cannot be read: save it as text, or as PLY");
+  std::size_t first = 1;
+  if (lines.words().size() == 1) {
+    lines.require_next("the header");
+    first = 0;
   }
+  lines.require_words(first + 2, "the header");
   const long points = lines.integer(first), faces = lines.integer(first + 1);
   if (points < 0 || faces < 0) lines.fail("the counts of points and faces must be >= 0");
   MeshBuilder mesh;
   for (long i = 0; i < points; ++i) {
-    lines.require_next(fmt::format("the points: {} of {}", i, points));
+    const std::string where = fmt::format("the points: {} of {}", i, points);
+    lines.require_next(where);
+    lines.require_words(numbers, where);
     mesh.add_point(lines.number(0), lines.number(1), lines.number(2));
   }
+  int others = 0;
   for (long t = 0; t < faces; ++t) {
-    lines.require_next(fmt::format("the faces: {} of {}", t, faces));
-    if (lines.integer(0) != 3)
-      lines.fail(fmt::format("a face with {} corners: must be a triangle", lines.integer(0)));
-    std::array<int, 3> corner{};
-    for (std::size_t k = 0; k < 3; ++k) {
-      const long index = lines.integer(k + 1);
-      if (index < 0 || index >= points)
-        lines.fail(fmt::format("corner {}: must be in 0 ... {}", index, points - 1));
-      corner[k] = int(index);
-    }
-    mesh.add_triangle(corner[0], corner[1], corner[2]);
+    const std::string where = fmt::format("the faces: {} of {}", t, faces);
+    lines.require_next(where);
+    if (const long count = lines.integer(0); count == 1 || count == 2)
+      ++others;
+    else
+      read_face(lines, points, where, mesh);
   }
-  return mesh.mesh();
+  return {PlainFile{mesh.mesh()}, left_out(others, "points or lines")};
 }
 
 std::string off_text(const meshing::TriangleMesh& mesh) {

@@ -6,32 +6,54 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <cctype>
 #include <charconv>
 
 namespace sbeh::studies {
 
-bool TextLines::next() {
+TextLines::TextLines(std::string_view text, std::string file)
+    : text_(text), file_(std::move(file)) {
+  if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff"))
+    throw InputError(
+        fmt::format("{}: is text of two bytes a letter (UTF-16): save it as UTF-8 or "
+                    "ASCII",
+                    file_));
+  if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
+}
+
+bool TextLines::append_next() {
+  const std::size_t before = words_.size();
   while (position_ < text_.size()) {
-    const std::size_t end = std::min(text_.find('\n', position_), text_.size());
+    const std::size_t end = std::min(text_.find_first_of("\r\n", position_), text_.size());
     std::string_view line = text_.substr(position_, end - position_);
     position_ = std::min(end + 1, text_.size());
+    if (position_ < text_.size() && text_[end] == '\r' && text_[position_] == '\n') ++position_;
     ++line_;
     line = line.substr(0, line.find('#'));
-    words_.clear();
-    constexpr std::string_view space = " \t\r\v\f";
+    constexpr std::string_view space = " \t\v\f";
     for (std::size_t at = line.find_first_not_of(space); at != std::string_view::npos;) {
       const std::size_t stop = std::min(line.find_first_of(space, at), line.size());
       words_.push_back(line.substr(at, stop - at));
       at = line.find_first_not_of(space, stop);
     }
-    if (!words_.empty()) return true;
+    if (words_.size() > before) return true;
   }
-  words_.clear();
   return false;
+}
+
+bool TextLines::next() {
+  words_.clear();
+  return append_next();
 }
 
 void TextLines::require_next(std::string_view what) {
   if (!next()) fail(fmt::format("the file ends here, in the middle of {}", what));
+}
+
+void TextLines::require_words(std::size_t count, std::string_view what) {
+  while (words_.size() < count)
+    if (!append_next()) fail(fmt::format("the file ends here, in the middle of {}", what));
 }
 
 double TextLines::number(std::size_t word) const {
@@ -58,9 +80,15 @@ void TextLines::fail(std::string_view what) const {
   throw InputError(fmt::format("{}:{}: {}", file_, line_, what));
 }
 
-meshing::TriangleMesh MeshBuilder::mesh() const {
+bool is_word(std::string_view word, std::string_view small_letters) {
+  return std::ranges::equal(word, small_letters,
+                            [](unsigned char a, unsigned char b) { return std::tolower(a) == b; });
+}
+
+meshing::PolygonMesh MeshBuilder::mesh() const {
   return {Eigen::Map<const Eigen::Matrix3Xd>(points_.data(), 3, point_count()),
-          Eigen::Map<const Eigen::Matrix3Xi>(triangles_.data(), 3, triangle_count())};
+          faces_,
+          {meshing::counted(int(point_count())), meshing::counted(int(faces_.size()))}};
 }
 
 }  // namespace sbeh::studies

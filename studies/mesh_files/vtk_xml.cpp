@@ -1,5 +1,4 @@
 // Reading VTU and VTP with VTK's own readers: all their encodings and compressions.
-#include "meshing/curving.h"
 #include "studies/io/errors.h"
 #include "studies/mesh_files/formats.h"
 
@@ -18,7 +17,6 @@
 #include <vtkXMLPolyDataReader.h>
 #include <vtkXMLUnstructuredGridReader.h>
 
-#include <algorithm>
 #include <vector>
 
 namespace sbeh::studies {
@@ -44,34 +42,91 @@ auto read(Reader* reader, const std::string& file) {
   throw InputError(fmt::format("{}: is damaged or cut off: VTK cannot read it", file));
 }
 
-// Cell by cell, by their points' numbers alone, which may be anything in a damaged file.
-Eigen::MatrixXi cells_of(vtkDataSet& data, const std::string& file) {
-  Eigen::MatrixXi cells;
+// Cells by their points' numbers alone, which may be anything in a damaged file.
+struct Cells {
+  std::vector<std::vector<int>> points;
+  std::vector<int> numbers;  // in the file
+  int left_out = 0;          // points and lines
+};
+
+bool is_point_or_line(int type) {
+  for (const int known : {VTK_EMPTY_CELL, VTK_VERTEX, VTK_POLY_VERTEX, VTK_LINE, VTK_POLY_LINE,
+                          VTK_QUADRATIC_EDGE, VTK_CUBIC_LINE, VTK_LAGRANGE_CURVE})
+    if (type == known) return true;
+  return false;
+}
+
+bool is_triangle(int type) {
+  return type == VTK_TRIANGLE || type == VTK_QUADRATIC_TRIANGLE || type == VTK_LAGRANGE_TRIANGLE;
+}
+
+// As faces, which are several where the cell is a strip; none for cells of other kinds.
+std::vector<std::vector<int>> faces_of(int type, const std::vector<int>& p) {
+  if (is_triangle(type) && (p.size() == 3 || p.size() == 6 || p.size() == 10)) return {p};
+  if (type == VTK_PIXEL && p.size() == 4) return {{p[0], p[1], p[3], p[2]}};
+  if ((type == VTK_QUAD || type == VTK_POLYGON) && p.size() >= 3) return {p};
+  std::vector<std::vector<int>> faces;
+  if (type == VTK_TRIANGLE_STRIP)
+    for (std::size_t i = 2; i < p.size(); ++i)
+      faces.push_back({p[i - (i % 2 == 0 ? 2 : 1)], p[i - (i % 2 == 0 ? 1 : 2)], p[i]});
+  return faces;
+}
+
+std::vector<int> points_of_cell(vtkDataSet& data, vtkIdType cell, const std::string& file) {
   vtkNew<vtkIdList> ids;
+  data.GetCellPoints(cell, ids);
+  std::vector<int> points;
+  for (vtkIdType k = 0; k < ids->GetNumberOfIds(); ++k) {
+    const vtkIdType point = ids->GetId(k);
+    if (point < 0 || point >= data.GetNumberOfPoints())
+      throw InputError(fmt::format("{}: cell {}: point {}: there are only {}", file, cell, point,
+                                   data.GetNumberOfPoints()));
+    points.push_back(int(point));
+  }
+  return points;
+}
+
+Cells cells_of(vtkDataSet& data, const std::string& file) {
+  Cells cells;
   for (vtkIdType t = 0; t < data.GetNumberOfCells(); ++t) {
     const int type = data.GetCellType(t);
-    data.GetCellPoints(t, ids);
-    const vtkIdType size = ids->GetNumberOfIds();
-    const bool triangle =
-        type == VTK_TRIANGLE || type == VTK_QUADRATIC_TRIANGLE || type == VTK_LAGRANGE_TRIANGLE;
-    if (!triangle || (size != 3 && size != 6 && size != 10))
+    const std::vector<int> points = points_of_cell(data, t, file);
+    if (is_point_or_line(type)) {
+      ++cells.left_out;
+      continue;
+    }
+    const auto faces = faces_of(type, points);
+    if (faces.empty())
       throw InputError(fmt::format(
-          "{}: cell {} (VTK's type {}, {} points): must be a triangle of order 1, 2 or 3", file, t,
-          type, size));
-    if (t == 0) cells.resize(size, data.GetNumberOfCells());
-    if (size != cells.rows())
-      throw InputError(fmt::format(
-          "{}: cell {} has {} points, cell 0 has {}: all triangles must be of one order", file, t,
-          size, cells.rows()));
-    for (vtkIdType k = 0; k < size; ++k) {
-      const vtkIdType point = ids->GetId(k);
-      if (point < 0 || point >= data.GetNumberOfPoints())
-        throw InputError(fmt::format("{}: cell {}: point {}: there are only {}", file, t, point,
-                                     data.GetNumberOfPoints()));
-      cells(k, t) = int(point);
+          "{}: cell {} (VTK's type {}, {} points): must be a triangle of order 1, 2 or 3, or a "
+          "plain polygon: export the surface alone",
+          file, t, type, points.size()));
+    for (const auto& face : faces) {
+      cells.points.push_back(face);
+      cells.numbers.push_back(int(t));
     }
   }
   return cells;
+}
+
+bool is_curved(const Cells& cells, vtkDataSet& data) {
+  return !cells.points.empty() && is_triangle(data.GetCellType(cells.numbers[0]))
+      && cells.points[0].size() > 3;
+}
+
+// All of one order.
+Eigen::MatrixXi matrix_of(const Cells& cells, const std::string& file) {
+  const std::size_t size = cells.points[0].size();
+  Eigen::MatrixXi matrix(Eigen::Index(size), Eigen::Index(cells.points.size()));
+  for (std::size_t t = 0; t < cells.points.size(); ++t) {
+    if (cells.points[t].size() != size)
+      throw InputError(fmt::format(
+          "{}: cell {} has {} points, cell {} has {}: all triangles must be of one order", file,
+          cells.numbers[t], cells.points[t].size(), cells.numbers[0], size));
+    matrix.col(Eigen::Index(t)) =
+        Eigen::Map<const Eigen::VectorXi>(cells.points[t].data(), Eigen::Index(size));
+  }
+  return matrix;
 }
 
 Eigen::Matrix3Xd points_of(vtkDataSet& data) {
@@ -94,55 +149,6 @@ NodeFields arrays_of(vtkFieldData& data) {
   return fields;
 }
 
-// The numbering of the file becomes that of CurvedMesh; `place[i]` is the file's number of node i.
-std::vector<int> renumber(const Eigen::MatrixXi& cells, const meshing::TriangleMesh& corners,
-                          const std::vector<int>& corner_points, int order, Eigen::MatrixXi& nodes,
-                          const std::string& file) {
-  nodes = meshing::numbered_nodes(corners, order);
-  std::vector<int> place(std::size_t(nodes.maxCoeff()) + 1, -1);
-  std::copy(corner_points.begin(), corner_points.end(), place.begin());
-  for (Eigen::Index t = 0; t < cells.cols(); ++t)
-    for (Eigen::Index k = 3; k < cells.rows(); ++k) {
-      int& known = place[std::size_t(nodes(k, t))];
-      if (known >= 0 && known != cells(k, t))
-        throw InputError(
-            fmt::format("{}: cell {}: its point {} on an edge is not that of the neighbour, {}",
-                        file, t, cells(k, t), known));
-      known = cells(k, t);
-    }
-  return place;
-}
-
-CurvedFile curved_file(vtkDataSet& data, const Eigen::MatrixXi& cells, int order,
-                       const std::string& file) {
-  const Eigen::Matrix3Xd points = points_of(data);
-  const auto of_corners = cells.topRows<3>().reshaped();
-  std::vector<int> corner_points(of_corners.begin(), of_corners.end());
-  std::sort(corner_points.begin(), corner_points.end());
-  corner_points.erase(std::unique(corner_points.begin(), corner_points.end()), corner_points.end());
-  std::vector<int> vertex(std::size_t(points.cols()), -1);
-  for (std::size_t v = 0; v < corner_points.size(); ++v)
-    vertex[std::size_t(corner_points[v])] = int(v);
-  const meshing::TriangleMesh corners{
-      points(Eigen::all, corner_points),
-      cells.topRows<3>().unaryExpr([&](int p) { return vertex[std::size_t(p)]; })};
-
-  CurvedFile result;
-  result.mesh.order = order;
-  try {
-    const std::vector<int> place =
-        renumber(cells, corners, corner_points, order, result.mesh.triangles, file);
-    result.mesh.nodes = points(Eigen::all, place);
-    for (const auto& [name, values] : arrays_of(*data.GetPointData()))
-      result.fields[name] = values(Eigen::all, place);
-    for (const auto& [name, values] : arrays_of(*data.GetFieldData()))
-      result.globals[name] = values.reshaped();
-  } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {}", file, error.what()));
-  }
-  return result;
-}
-
 }  // namespace
 
 MeshFile read_vtk(const std::string& file, bool poly_data) {
@@ -153,11 +159,17 @@ MeshFile read_vtk(const std::string& file, bool poly_data) {
     data = read(poly_reader.Get(), file);
   else
     data = read(grid_reader.Get(), file);
-  const Eigen::MatrixXi cells = cells_of(*data, file);
-  if (cells.size() == 0) return meshing::TriangleMesh{};
-  const int order = cells.rows() == 10 ? 3 : cells.rows() == 6 ? 2 : 1;
-  if (order > 1) return curved_file(*data, cells, order, file);
-  return meshing::TriangleMesh{points_of(*data), cells};
+  const Cells cells = cells_of(*data, file);
+  MeshFile result{{}, left_out(cells.left_out, "points or lines")};
+  const Eigen::Matrix3Xd points = points_of(*data);
+  const meshing::Names names{meshing::counted(int(points.cols())), cells.numbers};
+  if (is_curved(cells, *data))
+    result.mesh = CurvedCellsFile{.cells = {points, matrix_of(cells, file), names},
+                                  .fields = arrays_of(*data->GetPointData()),
+                                  .globals = arrays_of(*data->GetFieldData())};
+  else
+    result.mesh = PlainFile{{points, cells.points, names}};
+  return result;
 }
 
 }  // namespace sbeh::studies

@@ -4,7 +4,7 @@
 #include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/mesh_files/formats.h"
-#include "tests/temporary_folder.h"
+#include "tests/studies/mesh_files/mesh_file_fixture.h"
 
 #include <gtest/gtest.h>
 
@@ -16,30 +16,11 @@ namespace {
 using meshing::CurvedMesh;
 using meshing::TriangleMesh;
 namespace fs = std::filesystem;
+using test::MeshFileTest;
 
-class MeshFileTest : public testing::Test {
- protected:
-  fs::path path(const std::string& name) const { return folder_.path() / name; }
-  fs::path write(const std::string& name, std::string_view text) const {
-    write_file(path(name), text);
-    return path(name);
-  }
-  /// What is said about a file, after its name.
-  std::string refusal(const std::string& name, std::string_view text) const {
-    const fs::path file = write(name, text);
-    try {
-      read_mesh(file);
-    } catch (const InputError& error) {
-      const std::string what = error.what();
-      EXPECT_TRUE(what.starts_with(file.string())) << what;
-      return what.substr(file.string().size());
-    }
-    return "was not refused";
-  }
-
- private:
-  sbeh::test::TemporaryFolder folder_;
-};
+TriangleMesh plain_mesh(const fs::path& file) {
+  return triangle_mesh(std::get<PlainFile>(read_mesh(file).mesh).mesh);
+}
 
 CurvedMesh example(int order = 3) {
   return meshing::ellipsoid({1, 1.3, 0.7}, {.triangles = 320, .order = order});
@@ -50,7 +31,7 @@ TEST_F(MeshFileTest, keeps_every_bit_in_all_formats_but_stl) {
   const TriangleMesh plain = meshing::corners(mesh);
   for (const char* name : {"m.obj", "m.off", "m.ply", "M.OBJ"}) {
     write_mesh(path(name), mesh);
-    const auto back = std::get<TriangleMesh>(read_mesh(path(name)));
+    const auto back = plain_mesh(path(name));
     EXPECT_EQ(back.points, plain.points) << name;
     EXPECT_EQ(back.triangles, plain.triangles) << name;
   }
@@ -59,7 +40,7 @@ TEST_F(MeshFileTest, keeps_every_bit_in_all_formats_but_stl) {
 TEST_F(MeshFileTest, keeps_seven_digits_in_stl) {
   const TriangleMesh plain = meshing::corners(example());
   write_mesh(path("m.stl"), example());
-  const auto back = std::get<TriangleMesh>(read_mesh(path("m.stl")));
+  const auto back = plain_mesh(path("m.stl"));
   ASSERT_EQ(back.point_count(), plain.point_count());
   for (int t = 0; t < plain.triangle_count(); ++t)
     for (int k = 0; k < 3; ++k) {
@@ -75,14 +56,14 @@ TEST_F(MeshFileTest, keeps_curved_triangles_and_fields_in_vtu) {
         {"order", Eigen::MatrixXd::Random(1, mesh.node_count())},
         {"velocity & <\"more\">", Eigen::MatrixXd::Random(3, mesh.node_count())}};
     write_mesh(path("m.vtu"), mesh, fields);
-    const auto back = std::get<CurvedFile>(read_mesh(path("m.vtu")));
+    const auto back = *read_curved_mesh(path("m.vtu"));
     EXPECT_EQ(back.mesh.order, order);
     EXPECT_EQ(back.mesh.triangles, mesh.triangles);
     EXPECT_EQ(back.mesh.nodes, mesh.nodes);
     EXPECT_EQ(back.fields, fields);
   }
   write_mesh(path("m.vtu"), example(1));
-  EXPECT_EQ(std::get<TriangleMesh>(read_mesh(path("m.vtu"))).points, example(1).nodes);
+  EXPECT_EQ(plain_mesh(path("m.vtu")).points, example(1).nodes);
 }
 
 TEST_F(MeshFileTest, numbers_the_nodes_of_foreign_curved_triangles_anew) {
@@ -92,7 +73,7 @@ TEST_F(MeshFileTest, numbers_the_nodes_of_foreign_curved_triangles_anew) {
   foreign.nodes = mesh.nodes.rowwise().reverse().eval();
   foreign.triangles = last - mesh.triangles.array();
   write_mesh(path("m.vtu"), foreign);
-  const auto back = std::get<CurvedFile>(read_mesh(path("m.vtu")));
+  const auto back = *read_curved_mesh(path("m.vtu"));
   EXPECT_LT(back.mesh.triangles.topRows(3).maxCoeff(), mesh.vertex_count());
   for (int t = 0; t < mesh.triangle_count(); ++t)
     for (int k = 0; k < 10; ++k)
@@ -101,27 +82,27 @@ TEST_F(MeshFileTest, numbers_the_nodes_of_foreign_curved_triangles_anew) {
 }
 
 TEST_F(MeshFileTest, reads_what_other_programs_write) {
-  const auto obj = std::get<TriangleMesh>(read_mesh(
+  const auto obj = plain_mesh(
       write("a.obj",
             "# comment\r\nmtllib x.mtl\r\nv 0 0 0 1\r\nv +1 0 0\r\nv 0 1e0 0\r\nvn 0 0 1\r\n"
-            "g part\r\nf 1/1/1 2//1 -1\r\n")));
+            "g part\r\nf 1/1/1 2//1 -1\r\n"));
   EXPECT_EQ(obj.triangles, Eigen::Vector3i(0, 1, 2));
   EXPECT_EQ(obj.points(0, 1), 1);
-  const auto off = std::get<TriangleMesh>(
-      read_mesh(write("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n# here\n\n0 1 0\n3 0 1 2 255 0 0\n")));
+  const auto off =
+      plain_mesh(write("a.off", "OFF 3 1 0\n0 0 0\n1 0 0\n# here\n\n0 1 0\n3 0 1 2 255 0 0\n"));
   EXPECT_EQ(off.triangles, Eigen::Vector3i(0, 1, 2));
-  const auto ply = std::get<TriangleMesh>(
-      read_mesh(write("a.ply",
-                      "ply\nformat ascii 1.0\ncomment x\nelement vertex 3\nproperty float x\n"
-                      "property float y\nproperty float z\nproperty uchar red\nelement face 1\n"
-                      "property list uchar uint vertex_index\nproperty float quality\nend_header\n"
-                      "0 0 0 9\n1 0 0 9\n0 1 0.1 9\n3 0 1 2 0.5\n")));
+  const auto ply =
+      plain_mesh(write("a.ply",
+                       "ply\nformat ascii 1.0\ncomment x\nelement vertex 3\nproperty float x\n"
+                       "property float y\nproperty float z\nproperty uchar red\nelement face 1\n"
+                       "property list uchar uint vertex_index\nproperty float quality\nend_header\n"
+                       "0 0 0 9\n1 0 0 9\n0 1 0.1 9\n3 0 1 2 0.5\n"));
   EXPECT_EQ(ply.triangles, Eigen::Vector3i(0, 1, 2));
   EXPECT_EQ(ply.points(2, 2), 0.1);
-  const auto stl = std::get<TriangleMesh>(
-      read_mesh(write("a.stl",
-                      "solid a b\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
-                      "vertex 0 1 0.1\nendloop\nendfacet\nendsolid a b\n")));
+  const auto stl =
+      plain_mesh(write("a.stl",
+                       "solid a b\nfacet normal 0 0 1\nouter loop\nvertex 0 0 0\nvertex 1 0 0\n"
+                       "vertex 0 1 0.1\nendloop\nendfacet\nendsolid a b\n"));
   EXPECT_EQ(stl.triangles, Eigen::Vector3i(0, 1, 2));
   EXPECT_EQ(stl.points(2, 2), 0.1);  // text keeps its digits
 }
@@ -139,7 +120,7 @@ TEST_F(MeshFileTest, reads_ply_of_either_byte_order) {
   for (const double x : {0., 0., 0., 1., 0., 0., 0., 1., 1. / 3}) add(x);
   big += char(3);
   for (const int corner : {0, 1, 2}) add(corner);
-  const auto ply = std::get<TriangleMesh>(read_mesh(write("b.ply", big)));
+  const auto ply = plain_mesh(write("b.ply", big));
   EXPECT_EQ(ply.points(2, 2), 1. / 3);
   EXPECT_EQ(ply.triangles, Eigen::Vector3i(0, 1, 2));
 }
@@ -152,7 +133,8 @@ TEST_F(MeshFileTest, refuses_what_is_none_where_it_is_wrong) {
       {"a.obj", "v 0 0 x\n", ":1: \"x\": must be a number"},
       {"a.obj", "v 0 0 0\nf 1 2 0\n", ":2: corner \"0\": must be an index, counted from 1"},
       {"a.obj", "v 0 0 0\nf 1 -2 1\n", ":2: corner -2: there are only 1 points before it"},
-      {"a.obj", "v 0 0 0\nf 1 1 1 1\n", ":2: a face with 4 corners: must be a triangle"},
+      {"a.obj", "v 0 0 0\nf 1 1\n", ":2: a face with 2 corners: must have three"},
+      {"a.obj", "v 0 0 0\nf 1 2 3\n", ": face 0: corner 2: there are only 1 points"},
       {"a.off", "3 1 0\n", ":1: must begin with OFF"},
       {"a.off", "OFF\n3 1 0\n0 0 0\n",
        ":3: the file ends here, in the middle of the points: 1 of 3"},
@@ -164,7 +146,7 @@ TEST_F(MeshFileTest, refuses_what_is_none_where_it_is_wrong) {
       {"a.stl", "hello", ": is too short for STL"},
       {"a.stl", std::string(200, 'x'), ": has 200 bytes, but 2021161080 triangles of binary STL"},
       {"a.stl", "solid\nfacet\nvertex 0 0 0\nendfacet\n",
-       ":4: a facet with 1 corners: must be a triangle"},
+       ":4: a facet with 1 corners: must have three"},
       {"a.stl", "solid\n", ":1: the file ends here, without endsolid"},
       {"a.vtu", "hello", ": is no XML file of VTK"},
       {"a.vtu", "<VTKFile type=\"UnstructuredGrid\">",

@@ -13,8 +13,7 @@ namespace sbeh::picture {
 namespace {
 
 studies::CurvedFile read(const std::filesystem::path& file) {
-  studies::MeshFile mesh = studies::read_mesh(file);
-  if (auto* curved = std::get_if<studies::CurvedFile>(&mesh)) return std::move(*curved);
+  if (auto curved = studies::read_curved_mesh(file)) return std::move(*curved);
   throw InputError(fmt::format("{}: has plain triangles; sbeh mesh file makes curved ones of them",
                                file.string()));
 }

@@ -38,8 +38,7 @@ std::vector<FrameEntry> chosen_frames(const std::vector<FrameEntry>& frames, std
 }
 
 studies::CurvedFile read_state(const std::filesystem::path& frame) {
-  studies::MeshFile file = studies::read_mesh(frame);
-  if (auto* curved = std::get_if<studies::CurvedFile>(&file))
+  if (auto curved = studies::read_curved_mesh(frame))
     if (curved->fields.contains("order") && curved->fields.contains("mean_curvature"))
       return std::move(*curved);
   throw InputError(fmt::format("{}: is no frame of a run", frame.string()));

@@ -1,0 +1,146 @@
+// What is wrong with a user's mesh is told in the file's numbers, and a repair is promised where it helps.
+#include "studies/mesh/file_surface.h"
+
+#include "meshing/icosphere.h"
+#include "meshing/measures.h"
+#include "tests/studies/mesh_files/mesh_file_fixture.h"
+
+#include <fmt/format.h>
+
+namespace sbeh::studies {
+namespace {
+
+namespace fs = std::filesystem;
+using Points = std::vector<Eigen::Vector3d>;
+using Faces = std::vector<std::vector<int>>;
+
+struct Shape {
+  Points points;
+  Faces faces;
+};
+
+Shape sphere() {
+  const meshing::TriangleMesh mesh = meshing::icosphere(4);
+  Shape shape;
+  for (const auto x : mesh.points.colwise()) shape.points.emplace_back(x);
+  for (const auto c : mesh.triangles.colwise()) shape.faces.push_back({c[0], c[1], c[2]});
+  return shape;
+}
+
+std::string obj(const Shape& shape) {
+  std::string text;
+  for (const auto& x : shape.points) text += fmt::format("v {} {} {}\n", x[0], x[1], x[2]);
+  for (const auto& face : shape.faces) {
+    text += 'f';
+    for (const int i : face) text += fmt::format(" {}", i + 1);
+    text += '\n';
+  }
+  return text;
+}
+
+class FileSurfaceTest : public test::MeshFileTest {
+ protected:
+  /// What is said after the name of the file; empty: nothing is wrong.
+  std::string said(const Shape& shape, bool repair) const {
+    const fs::path file = write("a.obj", obj(shape));
+    try {
+      surface_of_file(file, repair);
+      return {};
+    } catch (const InputError& error) {
+      return std::string(error.what()).substr(file.string().size());
+    }
+  }
+};
+
+bool ends_with_promise(const std::string& text) {
+  return text.find("; --repair can mend that: sbeh mesh file ") != std::string::npos;
+}
+
+struct Wrong {
+  const char* words;  ///< what is said of it begins so
+  void (*change)(Shape&);
+  bool mendable;
+};
+
+const std::vector<Wrong> cases{
+    {": face 0 has 4 corners: must be a triangle",
+     [](Shape& s) {
+       s.faces[0].insert(s.faces[0].begin() + 1, int(s.points.size()));
+       s.points.push_back(
+           (s.points[std::size_t(s.faces[0][0])] + s.points[std::size_t(s.faces[0][2])]) / 2);
+       for (auto& f : s.faces)
+         for (std::size_t k = 0; k < 3 && f.size() == 3; ++k)
+           if (f[k] == s.faces[0][2] && f[(k + 1) % 3] == s.faces[0][0]) {
+             f.insert(f.begin() + long(k) + 1, s.faces[0][1]);
+             break;
+           }
+     },
+     true},
+    {": edge ", [](Shape& s) { s.faces.pop_back(); }, true},
+    {": point ", [](Shape& s) { s.faces.resize(200); }, false},
+    {": edge ", [](Shape& s) { std::swap(s.faces[7][0], s.faces[7][1]); }, true},
+    {": triangle 0 (points ",
+     [](Shape& s) {
+       for (auto& f : s.faces) std::swap(f[0], f[1]);
+     },
+     true},
+    {": triangle 320 (points ", [](Shape& s) { s.faces.push_back(s.faces[3]); }, true},
+    {": point 162: belongs to no triangle", [](Shape& s) { s.points.emplace_back(3, 3, 3); }, true},
+    {": triangle 320 (points ",
+     [](Shape& s) {
+       const Shape other = sphere();
+       const int n = int(s.points.size());
+       for (const auto& x : other.points) s.points.emplace_back(x + Eigen::Vector3d(3, 0, 0));
+       for (auto f : other.faces) s.faces.push_back({f[0] + n, f[1] + n, f[2] + n});
+     },
+     false},
+    {": triangle ", [](Shape& s) { s.points[0] = Eigen::Vector3d(0, 0, -1.5); }, false},
+    {": edge ", [](Shape& s) { s.points[0] = Eigen::Vector3d(0, 0, 1.6); }, false},
+    {": point 5 (inf, ", [](Shape& s) { s.points[5][0] = INFINITY; }, false},
+};
+
+TEST_F(FileSurfaceTest, promises_a_repair_where_and_only_where_it_helps) {
+  EXPECT_EQ(said(sphere(), false), "");
+  for (const Wrong& wrong : cases) {
+    Shape shape = sphere();
+    wrong.change(shape);
+    const std::string plainly = said(shape, false), repaired = said(shape, true);
+    EXPECT_TRUE(plainly.starts_with(wrong.words)) << plainly;
+    EXPECT_EQ(ends_with_promise(plainly), wrong.mendable) << plainly;
+    EXPECT_EQ(repaired.empty(), wrong.mendable) << repaired;
+  }
+}
+
+TEST_F(FileSurfaceTest, names_what_a_repair_leaves_by_the_numbers_of_the_file) {
+  Shape shape = sphere();
+  shape.faces.insert(shape.faces.begin(), {0, 0, 1});  // goes first: all numbers move by one
+  shape.points[0] = Eigen::Vector3d(0, 0, -1.5);
+  const std::string text = said(shape, true);
+  EXPECT_TRUE(text.starts_with(": triangle 1 (points 0, ")) << text;
+  EXPECT_NE(said(shape, false).find("--repair mends that, but not this: triangle 1 (points 0, "),
+            std::string::npos);
+}
+
+TEST_F(FileSurfaceTest, has_no_numbers_for_the_points_of_stl) {
+  std::string text = "solid\n";
+  const Shape shape = sphere();
+  for (std::size_t t = 1; t < shape.faces.size(); ++t) {
+    text += "facet\n";
+    for (const int i : shape.faces[t]) {
+      const auto& x = shape.points[std::size_t(i)];
+      text += fmt::format("vertex {} {} {}\n", x[0], x[1], x[2]);
+    }
+    text += "endfacet\n";
+  }
+  const fs::path file = write("a.stl", text + "endsolid\n");
+  try {
+    surface_of_file(file, false);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find(": the edge from ("), std::string::npos)
+        << error.what();
+  }
+}
+
+}  // namespace
+}  // namespace sbeh::studies

@@ -1,0 +1,204 @@
+// One tetrahedron in the many ways in which programs write it.
+#include "meshing/defects.h"
+#include "meshing/measures.h"
+#include "tests/studies/mesh_files/mesh_file_fixture.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <cstdint>
+
+namespace sbeh::studies {
+namespace {
+
+using meshing::TriangleMesh;
+namespace fs = std::filesystem;
+using MeshDialects = test::MeshFileTest;
+
+// Four points and four faces in one way of writing or another.
+void expect_a_tetrahedron(const fs::path& file) {
+  const MeshFile read = read_mesh(file);
+  const auto* plain = std::get_if<PlainFile>(&read.mesh);
+  ASSERT_TRUE(plain) << file;
+  EXPECT_EQ(plain->mesh.point_count(), 4) << file;
+  EXPECT_EQ(first_polygon(plain->mesh), -1) << file;
+  const TriangleMesh mesh = triangle_mesh(plain->mesh);
+  EXPECT_FALSE(meshing::find_defect(mesh)) << file << meshing::find_defect(mesh)->text;
+  EXPECT_NEAR(meshing::volume(mesh), 1. / 6, 1e-15) << file;
+}
+
+std::string replaced(std::string text, std::string_view from, std::string_view to) {
+  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
+    text.replace(at, from.size(), to);
+  return text;
+}
+
+TEST_F(MeshDialects, reads_off_with_whatever_a_point_has_besides) {
+  const std::string faces = "3 0 2 1\n3 0 1 3 0.5 0 0\n3 0 3 2\n3 1 2 3\n";
+  const auto points = [](std::string_view besides) {
+    std::string text;
+    for (const char* x : {"0 0 0", "1 0 0", "0 1 0", "0 0 1"})
+      text += x + std::string(besides) + '\n';
+    return text;
+  };
+  for (const auto& [header, besides] :
+       std::vector<std::pair<std::string, std::string>>{{"OFF", ""},
+                                                        {"off", ""},
+                                                        {"OFF", " 9 9 9"},
+                                                        {"NOFF", " 0 0 1"},
+                                                        {"COFF", " 255 0 0"},
+                                                        {"COFF", " 1 0 0 1"},
+                                                        {"STOFF", " 0.5 0.5"},
+                                                        {"CNOFF", " 0 0 1 1 0 0 1"},
+                                                        {"STCNOFF", " 0 0 1 1 0 0 1 0.5 0.5"},
+                                                        {"NCSTOFF", " 0 0 1 1 0 0 1 0.5 0.5"}}) {
+    expect_a_tetrahedron(write("a.off", header + "\n4 4 6\n" + points(besides) + faces));
+    expect_a_tetrahedron(
+        write("b.off", "# by\n" + header + " 4 4 6 # counts\n" + points(besides) + faces));
+    expect_a_tetrahedron(write("c.off", header + "\n4\n4 6\n\n" + points(besides) + faces));
+    if (header == "OFF" || besides.ends_with(" 1") || besides.ends_with("0 1 0.5 0.5")) continue;
+    // Every word on a line of its own: where the header tells how many there are.
+    expect_a_tetrahedron(write("d.off", header + "\n4 4 6\n"
+                                            + replaced(points(besides), " ", "\n  ")
+                                            + "3 0 2 1\n3\n0 1\n3\n3 0 3\n2\n3 1 2 3\n"));
+  }
+  for (const char* header : {"4OFF", "nOFF", "ST4OFF"})
+    EXPECT_TRUE(refusal("a.off", std::string(header) + "\n4 4 6\n")
+                    .starts_with(":1: points with another number of coordinates than three"));
+  EXPECT_TRUE(refusal("a.off", "OFF BINARY\n").starts_with(":1: binary OFF cannot be read"));
+  EXPECT_TRUE(refusal("a.off", "XOFF\n").starts_with(":1: must begin with OFF"));
+}
+
+TEST_F(MeshDialects, reads_ply_with_its_elements_in_any_order) {
+  const std::string points = "0 0 0\n1 0 0\n0 1 0\n0 0 1\n",
+                    faces = "3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3\n", edges = "0 1 255\n1 2 0\n",
+                    point =
+                        "element vertex 4\nproperty double x\nproperty double y\n"
+                        "property double z\n",
+                    face = "element face 4\nproperty list uchar int vertex_indices\n",
+                    edge =
+                        "element edge 2\nproperty int vertex1\nproperty int vertex2\n"
+                        "property uchar red\n",
+                    empty = "element mesh_edge 7\n";
+  const auto ply = [&](const std::string& header, const std::string& body) {
+    return write("a.ply", "ply\nformat ascii 1.0\ncomment #1\n" + header + "end_header\n" + body);
+  };
+  expect_a_tetrahedron(ply(point + face, points + faces));
+  expect_a_tetrahedron(ply(face + point, faces + points));
+  expect_a_tetrahedron(ply(edge + face + empty + point, edges + faces + points));
+  expect_a_tetrahedron(ply(point + empty + edge + face, points + edges + faces));
+  expect_a_tetrahedron(ply(replaced(point + face, "vertex_indices", "corners"), points + faces));
+  expect_a_tetrahedron(
+      ply(replaced(point, "vertex", "vertices") + replaced(face, "face", "faces"), points + faces));
+  expect_a_tetrahedron(
+      ply("element vertex 4\nproperty float nx\nproperty double X\nproperty double Y\n"
+          "property double Z\nproperty list uchar int more\nelement face 4\nproperty uchar flags\n"
+          "property list uchar int vertex_index\nproperty list uchar float uv\n",
+          "9 0 0 0 2 5 6\n9 1 0 0 0\n9 0 1 0 1 3\n9 0 0 1 2 1 1\n"
+          "7 3 0 2 1 0\n7 3 0 1 3 2 .5 .5\n7 3 0 3 2 1 .5\n7 3 1 2 3 0\n"));
+  expect_a_tetrahedron(ply(point + "element tristrips 1\nproperty list int int vertex_indices\n",
+                           points + "9 0 2 1 3 0 2 -1 -1 -1\n"));
+  EXPECT_TRUE(refusal("a.ply",
+                      "ply\nformat ascii 1.0\nelement vertex 4\nproperty double x\n"
+                      "property double y\nend_header\n"
+                          + points)
+                  .starts_with(":6: the points must have one property z"));
+  EXPECT_TRUE(refusal("a.ply", "ply\nformat ascii 1.0\n" + point
+                                   + "element face 1\nproperty int material\nend_header\n" + points
+                                   + "0\n")
+                  .starts_with(":9: face: must have a list vertex_indices"));
+}
+
+TEST_F(MeshDialects, reads_the_dialects_of_stl) {
+  std::string text = "solid part #1\n";
+  std::string binary(80, ' ');
+  const auto add = [&](auto value) {
+    binary.append(reinterpret_cast<const char*>(&value), sizeof(value));
+  };
+  add(std::uint32_t(4));
+  const std::array<std::array<int, 3>, 4> points{{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}, {0, 0, 1}}};
+  for (const auto& face : {std::array{0, 2, 1}, {0, 1, 3}, {0, 3, 2}, {1, 2, 3}}) {
+    text += "  facet normal nan nan nan\n    outer loop\n";
+    for (int k = 0; k < 3; ++k) add(0.f);
+    for (const int i : face) {
+      const auto& x = points[std::size_t(i)];
+      text += fmt::format("      vertex {} {} {}\n", x[0], x[1], x[2]);
+      for (const int c : x) add(float(c));
+    }
+    text += "    endloop\n  endfacet\n";
+    add(std::uint16_t(7));
+  }
+  text += "endsolid part #1\n";
+  std::string capitals = text;
+  std::ranges::transform(capitals, capitals.begin(),
+                         [](unsigned char c) { return char(std::toupper(c)); });
+  for (const std::string& dialect :
+       {text, capitals, "\n  " + text, replaced(text, "end", "end "), replaced(text, "\n", "\r\n"),
+        replaced(text, "\n", "\r"), "\xef\xbb\xbf" + text, text + "\n\n"})
+    expect_a_tetrahedron(write("a.stl", dialect));
+  std::string named = binary, uncounted = binary;
+  named.replace(0, 10, "solid part");
+  uncounted.replace(80, 4, std::string(4, '\0'));
+  for (const std::string& dialect : {binary, named, binary + "trailing", uncounted})
+    expect_a_tetrahedron(write("a.stl", dialect));
+  EXPECT_TRUE(read_mesh(write("a.stl", binary)).notes.empty());
+  EXPECT_NE(read_mesh(write("a.stl", binary + "trailing")).notes.at(0).find("8 bytes"),
+            std::string::npos);
+  EXPECT_NE(read_mesh(write("a.stl", uncounted)).notes.at(0).find("holds 4"), std::string::npos);
+  EXPECT_TRUE(refusal("a.stl", named.substr(0, 200)).starts_with(": has 200 bytes, but 4 tri"));
+  EXPECT_TRUE(refusal("a.stl", replaced(text, "endsolid", "")).starts_with(":"));
+}
+
+TEST_F(MeshDialects, reads_texts_of_all_systems) {
+  const std::string
+      off = "OFF\n4 4 6\n0 0 0\n1 0 0\n0 1 0\n0 0 1\n3 0 2 1\n3 0 1 3\n3 0 3 2\n3 1 2 3",
+      obj = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4";
+  for (const auto& [name, text] : {std::pair("a.off", off), {"a.obj", obj}})
+    for (const std::string& variant :
+         {text, text + "\n", replaced(text, "\n", "\r\n"), replaced(text, "\n", "\r"),
+          "\xef\xbb\xbf" + text, replaced(text, " ", "\t "), replaced(text, "\n", " # x\n\n")})
+      expect_a_tetrahedron(write(name, variant));
+  EXPECT_TRUE(refusal("a.obj", std::string("\xff\xfev\0 \0", 6)).starts_with(": is text of two"));
+  // A line that goes on, faces before their points, points and lines beside.
+  expect_a_tetrahedron(write("b.obj", replaced(obj, "f 1 3 2", "f 1 \\\n3 2\nl 1 2\np 3")));
+  expect_a_tetrahedron(
+      write("b.obj", obj.substr(obj.find('f')) + '\n' + obj.substr(0, obj.find('f'))));
+  EXPECT_NE(read_mesh(write("b.obj", obj + "\nl 1 2\np 3\n")).notes.at(0).find("2 points or lines"),
+            std::string::npos);
+}
+
+// A file of VTK with these cells of the tetrahedron's points.
+std::string vtu(std::string_view connectivity, std::string_view offsets, std::string_view types,
+                int cells) {
+  return fmt::format(
+      "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\"><UnstructuredGrid>"
+      "<Piece NumberOfPoints=\"4\" NumberOfCells=\"{}\"><Points><DataArray type=\"Float64\" "
+      "NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 0 0 "
+      "1</DataArray></Points><Cells>"
+      "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">{}</DataArray>"
+      "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">{}</DataArray>"
+      "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">{}</DataArray>"
+      "</Cells></Piece></UnstructuredGrid></VTKFile>",
+      cells, connectivity, offsets, types);
+}
+
+TEST_F(MeshDialects, reads_the_faces_of_vtk_and_says_what_it_leaves_out) {
+  const fs::path plain = write("a.vtu", vtu("0 2 1 0 1 3 0 3 2 1 2 3", "3 6 9 12", "5 5 5 5", 4));
+  expect_a_tetrahedron(plain);
+  EXPECT_TRUE(read_mesh(plain).notes.empty());
+  const fs::path mixed = write("b.vtu", vtu("0 0 1 0 2 1 1 2 0 1 3 0 3 2 1 2 3 0 1 2",
+                                            "1 3 6 8 11 14 17 20", "1 3 5 3 7 5 5 4", 8));
+  expect_a_tetrahedron(mixed);
+  EXPECT_NE(read_mesh(mixed).notes.at(0).find("4 points or lines left out"), std::string::npos);
+  EXPECT_EQ(std::get<PlainFile>(read_mesh(mixed).mesh).mesh.names.triangles,
+            (std::vector{2, 4, 5, 6}));
+  expect_a_tetrahedron(write("c.vtu", vtu("0 2 1 3 0 2", "6", "6", 1)));  // a strip
+  EXPECT_TRUE(refusal("d.vtu", vtu("0 1 2 3", "4", "10", 1))
+                  .starts_with(": cell 0 (VTK's type 10, 4 points): must be a triangle"));
+  EXPECT_TRUE(refusal("e.vtu", vtu("0 1 1 2", "2 4", "3 3", 2)).starts_with(": has no triangles"));
+}
+
+}  // namespace
+}  // namespace sbeh::studies
