@@ -66,12 +66,16 @@ Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& x) {
   return C;
 }
 
-// The friction of a velocity, in parts of the larger coefficient; the velocity itself where there is none.
+// The friction of a velocity, in parts of the larger coefficient; the velocity itself where there is none. A
+// body of revolution turns without normal friction but for what the mesh adds, of some 1e-6, and where
+// friction is to find what is left of a turn it finds nothing but errors. So a share along the surface always counts.
 Eigen::Matrix3d relative_friction(const model::Material& m, const Eigen::Vector3d& nu) {
   if (m.frictionless()) return Eigen::Matrix3d::Identity();
-  const double across = m.friction_normal - m.friction_tangential;
-  return (m.friction_tangential * Eigen::Matrix3d::Identity() + across * nu * nu.transpose())
-       / std::max(m.friction_tangential, m.friction_normal);
+  constexpr double least_share = 1e-4;
+  const double larger = std::max(m.friction_tangential, m.friction_normal);
+  const double along = std::max(m.friction_tangential / larger, least_share);
+  return along * Eigen::Matrix3d::Identity()
+       + (m.friction_normal / larger - along) * nu * nu.transpose();
 }
 
 void add_constraints(const model::Material& m, const SurfacePoint& x, const Shapes& phi,

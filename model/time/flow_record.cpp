@@ -10,7 +10,9 @@ std::string describe(FlowFault fault) {
       return "";
     case FlowFault::linear_solve:
       return "the linear system of a step could not be solved: it is singular, as for a shape that "
-             "cannot move within its area and volume, or the mesh is too coarse or degenerate";
+             "cannot move within its area and volume, or where nothing resists a flow along the "
+             "surface "
+             "(η(β) = 0 without friction_tangential), or the mesh is too coarse or degenerate";
     case FlowFault::degenerate:
       return "a step turns a triangle over or leaves the surface degenerate, however small: the "
              "mesh is too coarse for the shape; a finer mesh may help";

@@ -170,9 +170,12 @@ TEST(HelfrichFlow, has_no_velocity_at_rest) {
     numerics.tolerance = 1e-3;
     const FlowResult run =
         run_flow(m, Model::SSH, start.moment(), numerics, {.end_time = 5, .output_times = {}});
-    std::printf("viscosity %g: speed %.1e at rest, t = %.3g, %d steps, %d rejected\n", viscosity,
-                run.last.speed_max, run.last.time, run.steps, run.last.rejected);
+    const Dissipation& d = run.last.dissipation;
+    std::printf("viscosity %g: speed %.1e at rest, dissipation %.1e %.1e, t = %.3g, %d steps\n",
+                viscosity, run.last.speed_max, d.friction, d.viscous, run.last.time, run.steps);
     EXPECT_LT(run.last.speed_max, 1e-4);
+    EXPECT_LT(d.friction, 1e-8);
+    EXPECT_LT(d.viscous, 1e-8);
   }
 }
 

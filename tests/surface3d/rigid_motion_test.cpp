@@ -120,6 +120,46 @@ TEST(Frictionless, flow_is_the_limit_of_small_friction) {
   EXPECT_NEAR(table.print(), 1, 0.05);
 }
 
+// A body of revolution turns about its axis at no cost, a sphere about any; what the normal friction of its
+// mesh finds of a turn is nothing but errors.
+TEST(NormalFriction, does_not_turn_what_it_cannot_hold) {
+  Material m = paper_material(0.05);
+  m.friction_tangential = 0;
+  const std::vector surfaces{uniform_sphere(model::full_order, 80),
+                             uniform_sphere(model::full_order, 320), ordered_spheroid(0.99, 320),
+                             ordered_spheroid(0.8, 80), ordered_spheroid(0.8, 320)};
+  for (const Surface& s : surfaces)
+    for (const Scheme scheme : {Scheme::split, Scheme::monolithic}) {
+      TimeStepper stepper(s.mesh, m, Model::SBEH, numerics_of(scheme));
+      ASSERT_TRUE(stepper.step(s.state, s.target(), 1e-5).ok());
+      const Moments of = moments(s, stepper.fields().V);
+      const double size = of.rest.colwise().norm().maxCoeff();
+      std::printf("%d triangles: turn %.1e, shift %.1e, speed without %.1e\n", s.mesh->count(),
+                  of.turn, of.shift, size);
+      EXPECT_LT(of.turn, 0.1 * size);  // solver_tolerance over the least share
+    }
+}
+
+// Also near a sphere, where this friction resists turns no more than along the surface it could.
+TEST(NormalFriction, is_the_limit_of_small_tangential_friction) {
+  const std::vector<meshing::Harmonic> modes{{2, 1, 0.02}, {3, -2, 0.015}, {4, 3, 0.01}};
+  for (const Surface& s :
+       {bumpy(80), surface_of(meshing::harmonic_sphere(modes, {.triangles = 80}))}) {
+    const auto energy_with = [&](double friction) {
+      Material m = paper_material(0.05);
+      m.friction_tangential = friction;
+      Surface start = s;
+      start.state = run_of_equal_steps(s, m, Model::SBEH, 0.01, 5, Method::two_halves).state;
+      return energy_of(*s.mesh, m, start.state);
+    };
+    const double limit = energy_with(0);
+    OrderTable table("difference of energies", "friction");
+    for (const double friction : {1e-2, 1e-3})  // of 0.1 along the normals
+      table.add(friction, energy_with(friction) - limit);
+    EXPECT_NEAR(table.print(), 1, 0.15);
+  }
+}
+
 TEST(Frictionless, sphere_stays) {
   const Surface s = uniform_sphere(model::full_order, 320);
   TimeStepper stepper(s.mesh, with_friction(0), Model::SSH);
