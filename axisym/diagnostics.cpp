@@ -1,6 +1,8 @@
 #include "axisym/diagnostics.h"
 
+#include "axisym/circles.h"
 #include "axisym/curvature.h"
+#include "axisym/shape_class.h"
 #include "model/energy_density.h"
 
 #include <Eigen/QR>
@@ -79,7 +81,6 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
   const auto [north, south] = pole_curvatures(state.X, H);
   d.H_pole = north;
   d.H_abs_max = std::max(std::abs(north), std::abs(south));
-  d.radius_equator = 0;
   for (int e = 0; e < elements; ++e)
     for (int k = 0; k <= 12; ++k) {
       static const auto samples = [] {
@@ -89,15 +90,15 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
       }();
       const ShapeValues& s = samples[std::size_t(k)];
       const double beta = value_at(state.beta, e, s), h = value_at(H, e, s);
-      const double r = curve_point(state.X, e, s).x[0];
       d.order_min = std::min(d.order_min, beta);
       d.order_max = std::max(d.order_max, beta);
       if (e > 0 && e < elements - 1) d.H_abs_max = std::max(d.H_abs_max, std::abs(h));
-      if (r > d.radius_equator) {
-        d.radius_equator = r;
-        d.H_rim = h;
-      }
     }
+  const Circle widest = widest_circle(state.X, H);
+  const ShapeClass shape = classify(state.X);
+  const bool is_symmetric = shape == ShapeClass::oblate || shape == ShapeClass::prolate;
+  d.radius_equator = is_symmetric ? middle_circle(state.X, H).radius : widest.radius;
+  d.H_rim = widest.H;
   d.resolution = resolution(state.X, H);
   d.thickness_pole = state.X(1, 0) - state.X(1, state.X.cols() - 1);
   d.mesh_quality = length.minCoeff() / length.maxCoeff();

@@ -26,9 +26,10 @@ struct Diagnostics {
   double order_variance;  ///< (1/A)∫(β − mean)² dS
   double order_std;       ///< its root
   double H_pole;          ///< at the north pole, see pole_curvatures
-  double H_rim;           ///< where r is largest
+  double H_rim;           ///< on the widest circle
   double H_abs_max;       ///< largest |H|
-  double radius_equator;  ///< largest r
+  double
+      radius_equator;  ///< in the plane of symmetry, of a dumbbell the waist; without one the widest circle's
   double thickness_pole;  ///< distance of the poles along the axis
   double resolution;    ///< largest curvature of the generating curve times the node spacing: above
                         ///< about 0.35 a rim or a neck is not resolved

@@ -131,8 +131,9 @@ std::optional<double> newton_step(const RimProblem& problem, RimState& s, const 
   return newton_step(problem, s, row, row.head(n).dot(from.y) + row[n] * from.L + ds);
 }
 
-double cosine(const RimPathState& a, const RimPathState& b) {
-  return weighted(b.tangent).dot(a.tangent);
+bool continues(const RimProblem& /*problem*/, const RimPathState& from, const RimPathState& next,
+               double /*ds*/) {
+  return weighted(next.tangent).dot(from.tangent) > model::least_cosine;
 }
 
 namespace {

@@ -21,7 +21,8 @@ struct RimState {
 /// A critical point with the direction of its branch: (y, L), of unit length (root mean square over y,
 /// and L).
 struct RimPathState : RimState {
-  Eigen::VectorXd tangent;                                      // unknowns + 1
+  Eigen::VectorXd tangent;  // unknowns + 1
+  double parameter() const { return L; }
   double slope() const { return tangent[tangent.size() - 1]; }  ///< the tangent's L
 };
 
@@ -66,7 +67,8 @@ std::optional<RimPathState> with_tangent(const RimProblem& problem, const RimSta
 std::optional<RimState> predicted(const RimProblem& problem, const RimPathState& from, double ds);
 std::optional<double> newton_step(const RimProblem& problem, RimState& s, const RimPathState& from,
                                   double ds);
-double cosine(const RimPathState& a, const RimPathState& b);
+bool continues(const RimProblem& problem, const RimPathState& from, const RimPathState& next,
+               double ds);
 using model::advance, model::arc_step, model::locate_fold;
 
 /// Number of axisymmetric directions, symmetric top to bottom or not, in which U falls to second order,

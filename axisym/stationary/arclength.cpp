@@ -74,7 +74,6 @@ NewtonSystem system_at(const Line& line, const LineState& state) {
 // grown to another state.
 std::optional<PathState> on_path(const Line& line, LineState state, Increment t, int sign) {
   if (line.symmetric) {
-    if (asymmetry(state.X) > broken_symmetry) return {};
     t = symmetric_part(t, node_normals(state.X));
     static_cast<StationaryState&>(state) = symmetric_part(state);
   }
@@ -83,12 +82,35 @@ std::optional<PathState> on_path(const Line& line, LineState state, Increment t,
   return PathState{state, std::move(t), std::move(weights), sign};
 }
 
-}  // namespace
-
 double cosine(const PathState& p, const PathState& q) {
   const Increment &a = p.tangent, &b = q.tangent;
   const double square = a.d.cwiseProduct(b.d).dot(p.weights) + a.beta.dot(b.beta);
   return square / double(a.d.size()) + a.mu * b.mu;
+}
+
+// The largest change from one state to the other, and how far the mean of their tangents is from it.
+struct Chord {
+  double change, miss;
+};
+Chord chord(const PathState& from, const PathState& next, double ds) {
+  const Nodes mean_motion = (node_normals(from.X) * from.tangent.d.asDiagonal()
+                             + node_normals(next.X) * next.tangent.d.asDiagonal())
+                          / 2;
+  const Field mean_order = (from.tangent.beta + next.tangent.beta) / 2;
+  const Nodes moved = next.X - from.X;
+  const Field ordered = next.beta - from.beta;
+  const auto largest = [](const auto& nodal) { return nodal.cwiseAbs().maxCoeff(); };
+  return {std::max(largest(moved), largest(ordered)),
+          std::max(largest(moved - ds * mean_motion), largest(ordered - ds * mean_order))};
+}
+
+}  // namespace
+
+bool continues(const Line& /*line*/, const PathState& from, const PathState& next, double ds) {
+  // A neck or a rim that jumps is a small part of the cosine, but not of the chord.
+  constexpr double share = 1. / 3, always = 1e-3;
+  const Chord c = chord(from, next, ds);
+  return cosine(from, next) > model::least_cosine && c.miss < std::max(always, share * c.change);
 }
 
 std::optional<PathState> with_tangent(const Line& line, const LineState& state,
@@ -119,15 +141,23 @@ std::optional<LineState> predicted(const Line& line, const PathState& from, doub
 }
 
 std::optional<double> newton_step(const Line& line, LineState& state, const PathState& from,
-                                  double /*ds*/) {
+                                  double ds) {
   NewtonSystem system = system_at(line, state);
   const PathEquation path = across(line, line.gradient_rate(state), from.tangent, from.weights);
   Increment step;
   if (!system.linearise(state) || !system.newton_step(line.target(state.mu), path, 0, step))
     return {};
+  if (line.symmetric) step = symmetric_part(step, node_normals(state.X));
+  if (ds != 0 && largest_change(step) > largest_correction(ds * largest_change(from.tangent)))
+    return {};
   displace(step, 1, state);
   state.mu += step.mu;
   return largest_change(step);
+}
+
+double largest_correction(double predicted_change) {
+  constexpr double share = 0.5, always = 1e-3;
+  return std::max(always, share * std::abs(predicted_change));
 }
 
 PathState with_fresh_nodes(const Line& line, const PathState& state, const Numerics& numerics) {

@@ -28,6 +28,7 @@ struct PathState : LineState {
   Field weights;  ///< of lengths here
   int determinant_sign;
 
+  double parameter() const { return mu; }
   double slope() const { return tangent.mu; }
 };
 
@@ -66,11 +67,15 @@ double largest_change(const Increment& step);
 std::optional<PathState> with_tangent(const Line& line, const LineState& state,
                                       const Increment* forward = nullptr);
 
+/// The largest change that Newton's method may make to a prediction by a tangent: where it is of the prediction's own
+/// size the branch bends, and what is found may be another part of it, beyond two folds.
+double largest_correction(double predicted_change);
+
 // What model::ContinuationSystem asks for.
 std::optional<LineState> predicted(const Line& line, const PathState& from, double ds);
 std::optional<double> newton_step(const Line& line, LineState& state, const PathState& from,
                                   double ds);
-double cosine(const PathState& a, const PathState& b);
+bool continues(const Line& line, const PathState& from, const PathState& next, double ds);
 using model::advance, model::arc_step, model::locate_fold;
 
 /// `follow` along a line.

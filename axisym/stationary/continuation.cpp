@@ -31,11 +31,10 @@ namespace {
 constexpr int direct_iterations = 6;  // more than these: the prediction was not on the branch
 
 std::optional<BranchState> solve_near(const Line& line, double mu, const StationaryState& guess,
-                                      int determinant_sign) {
-  auto solved = solve_at(line.material_at(mu), line.model, line.at(mu), guess,
-                         {.most_iterations = direct_iterations});
-  if (solved && determinant_sign != 0 && solved->determinant_sign != determinant_sign) return {};
-  if (solved && line.symmetric && asymmetry(solved->X) > broken_symmetry) return {};
+                                      double far = NewtonOptions{}.far) {
+  const NewtonOptions options{
+      .most_iterations = direct_iterations, .far = far, .symmetric = line.symmetric};
+  auto solved = solve_at(line.material_at(mu), line.model, line.at(mu), guess, options);
   if (solved && line.symmetric) static_cast<StationaryState&>(*solved) = symmetric_part(*solved);
   return solved;
 }
@@ -48,7 +47,7 @@ bool outgrows_nodes(const StationaryState& here, const StationaryState& next) {
 
 // With the nodes where the curvature is, if that succeeds.
 FollowResult arrived(const Line& line, BranchState state, const Numerics& numerics) {
-  const auto placed = solve_near(line, 1, fitted(state, numerics), 0);
+  const auto placed = solve_near(line, 1, fitted(state, numerics));
   state.iterations = placed ? placed->iterations : 0;
   if (placed) static_cast<StationaryState&>(state) = *placed;
   return {Arrival::reached, state};
@@ -69,10 +68,11 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
   const int sign = here->determinant_sign;
 
   const double whole = 1 / here->slope();  // arc length to μ = 1 along the tangent
-  if (whole * largest_change(here->tangent) < 0.3) {
+  if (const double change = whole * largest_change(here->tangent); change < 0.3) {
     StationaryState guess = from;
     displace(here->tangent, whole, guess);
-    if (const auto solved = solve_near(line, 1, guess, sign))
+    const auto solved = solve_near(line, 1, guess, largest_correction(change));
+    if (solved && (sign == 0 || solved->determinant_sign == sign))
       return arrived(line, *solved, numerics);
   }
 
@@ -92,7 +92,7 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
       const double share = (1 - here->mu) / (next->mu - here->mu);
       const auto close = arc_step(line, *here, ds * share);
       // A different sign here is a branch crossing this one, not another branch.
-      const auto solved = solve_near(line, 1, close ? *close : *next, 0);
+      const auto solved = solve_near(line, 1, close ? *close : *next);
       if (solved) return arrived(line, *solved, numerics);
       ds /= 2;
       continue;

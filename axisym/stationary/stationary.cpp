@@ -2,6 +2,7 @@
 
 #include "axisym/curvature.h"
 #include "axisym/stationary/newton_system.h"
+#include "axisym/stationary/symmetry.h"
 
 #include <Eigen/Dense>
 
@@ -50,9 +51,11 @@ NewtonResult solve_stationary(const model::Material& material, model::Model mode
       result.status = NewtonStatus::singular;
       return result;
     }
+    if (options.symmetric) step = symmetric_part(step, node_normals(state.X));
     ++result.iterations;
     result.determinant_sign = system.determinant_sign();
     const double change = std::max(step.d.cwiseAbs().maxCoeff(), step.beta.cwiseAbs().maxCoeff());
+    if (change > options.far) return result;
     displace(step, std::min(1., options.longest_step / change), state);
     if (change < options.tolerance) {
       result.status = NewtonStatus::converged;

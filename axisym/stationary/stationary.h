@@ -12,6 +12,8 @@
 
 #include "axisym/time_step.h"
 
+#include <limits>
+
 namespace sbeh::axisym {
 
 enum class NewtonStatus { converged, diverged, singular };
@@ -28,6 +30,10 @@ struct NewtonOptions {
   double tolerance = 1e-8;     ///< on the largest change of position and order; as Newton converges
                                ///< quadratically, the error left is about its square
   double longest_step = 0.15;  ///< larger displacements are shortened to it
+  double far =
+      std::numeric_limits<double>::infinity();  ///< a larger change leaves the neighbourhood
+  bool symmetric =
+      false;  ///< the guess is symmetric top to bottom, and only such states are looked for
 };
 
 /// Completes position and order to a guess: H from the curve, Λ from H, tension and pressure by least

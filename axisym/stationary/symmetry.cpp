@@ -24,13 +24,6 @@ bool is_symmetric(const Nodes& X) {
       && ((X.row(1) + X.row(1).reverse()).array() - height).abs().maxCoeff() < 1e-6;
 }
 
-double asymmetry(const Nodes& X) {
-  const double height = X(1, 0) + X(1, X.cols() - 1);
-  Nodes difference = X - X.rowwise().reverse();
-  difference.row(1) = (X.row(1) + X.row(1).reverse()).array() - height;
-  return difference.cwiseProduct(node_normals(X)).colwise().sum().cwiseAbs().maxCoeff();
-}
-
 StationaryState symmetric_part(const StationaryState& state) {
   StationaryState mean = state;
   const double middle = (state.X(1, 0) + state.X(1, state.X.cols() - 1)) / 2;
@@ -43,13 +36,12 @@ StationaryState symmetric_part(const StationaryState& state) {
 }
 
 Increment symmetric_part(const Increment& step, const Nodes& normals) {
-  // Free of the translation that holds the north pole, both poles move outwards as far. Only what is odd of that
-  // is taken out: along the normals a finite translation would not leave the curve as it is.
+  // Without the translation that holds the north pole both poles move outwards as far.
   const Field along_axis = normals.row(1);
   const Eigen::Index south = step.d.size() - 1;
   const Field centred = step.d - step.d[south] / (2 * along_axis[south]) * along_axis;
   Increment mean = step;
-  mean.d -= centred - even(centred);
+  mean.d = even(centred);
   mean.beta = even(step.beta);
   mean.H = even(step.H);
   mean.Lambda = even(step.Lambda);

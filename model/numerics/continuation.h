@@ -15,24 +15,28 @@ struct ContinuationLimits {
   double far;           ///< a larger change leaves the neighbourhood
   double fold;          ///< a smaller |slope| is that of a fold
   double growth = 2;    ///< a change so much larger than the one before does not converge
-  double least_cosine = 0.6;  ///< between the tangents of a step: more turning means a jump
 };
 
 /// A problem whose solutions form branches. `System::Solution` holds the parameter too; `System::Point` is
-/// a Solution with the unit tangent of its branch, and slope() the parameter's part of it, 0 at a fold.
+/// a Solution with the unit tangent of its branch; slope() is the parameter's part of it, 0 at a fold.
 ///   predicted     at distance ds along the tangent of p; empty where there is nothing to look for
 ///   newton_step   moves x on the hyperplane there, across the tangent: the largest change, empty where it fails
 ///   with_tangent  pointing forward as that of p
-///   cosine        of the tangents; both of unit length
+///   continues     whether the second can be ds further on the part of the first, and is no other that Newton's
+///                 method has jumped to; a weak test is least_cosine between their tangents
 template <class System>
 concept ContinuationSystem = requires(const System& system, const typename System::Point& p,
                                       typename System::Solution& x, double ds) {
   { predicted(system, p, ds) } -> std::same_as<std::optional<typename System::Solution>>;
   { newton_step(system, x, p, ds) } -> std::same_as<std::optional<double>>;
   { with_tangent(system, x, &p.tangent) } -> std::same_as<std::optional<typename System::Point>>;
-  { cosine(p, p) } -> std::same_as<double>;
+  { continues(system, p, p, ds) } -> std::same_as<bool>;
+  { p.parameter() } -> std::same_as<double>;
   { p.slope() } -> std::same_as<double>;
 };
+
+/// Between the tangents of a step: more turning means a jump.
+inline constexpr double least_cosine = 0.6;
 
 /// Repeats steps that return their largest change. False unless they converge.
 template <class Solution, class Step>
@@ -47,8 +51,23 @@ bool converges(Solution& x, const ContinuationLimits& limits, Step&& step) {
   return false;
 }
 
-/// The point ds further. Empty when Newton's method does not converge in a few iterations, or arrives with
-/// a tangent so different that it must have jumped to another part.
+/// Whether the parameter may turn back and forth again between two points ds apart: by the cubic through them with
+/// their slopes, whose own slope falls to a quarter of those at the ends. Folds much nearer to each other than ds are
+/// not seen.
+template <class Point>
+bool may_hide_folds(const Point& from, const Point& next, double ds) {
+  constexpr double share = 0.25, noise = 1e-9;  // of the parameter
+  if (from.slope() * next.slope() <= 0) return false;
+  const double first = std::abs(from.slope()), last = std::abs(next.slope());
+  const double mean = std::abs((next.parameter() - from.parameter()) / ds);
+  const double bend = 3 * (first + last - 2 * mean), rise = last - first - bend;
+  if (bend <= 0 || rise >= 0 || rise <= -2 * bend) return false;  // the least slope is at an end
+  const double least = first - rise * rise / (4 * bend);
+  return least < share * std::min(first, last) - noise / std::abs(ds);
+}
+
+/// The point ds further. Empty when Newton's method does not converge in a few iterations, or jumps, and where
+/// the step may hide two folds.
 template <ContinuationSystem System>
 std::optional<typename System::Point> arc_step(const System& system,
                                                const typename System::Point& from, double ds) {
@@ -57,7 +76,8 @@ std::optional<typename System::Point> arc_step(const System& system,
       || !converges(*x, System::limits, [&](auto& s) { return newton_step(system, s, from, ds); }))
     return {};
   auto next = with_tangent(system, *x, &from.tangent);
-  return next && cosine(*next, from) > System::limits.least_cosine ? next : std::nullopt;
+  if (!next || !continues(system, from, *next, ds) || may_hide_folds(from, *next, ds)) return {};
+  return next;
 }
 
 /// The point at the longest of ds, ds/2, … > shortest that leads to one; ds becomes that length.

@@ -116,6 +116,24 @@ TEST(FoldLine, is_of_another_kind_where_the_whole_surface_melts_or_a_pole) {
                                              "pole"}));
 }
 
+// Near V_r = 0.855 the branch turns back for less than a percent of L.
+TEST(FoldLine, is_its_first_fold_wherever_the_scan_ends) {
+  ScanInput input;
+  input.reduced_volume = {0.83, 0.84, 0.85, 0.855};
+  input.models = {model::Model::SBEH};
+  input.branches = {axisym::Branch::oblate};
+  std::vector<std::vector<double>> found;  // by V_r, with each of the largest L
+  for (const double L : {0.02, 0.05, 0.1, 0.145, 0.155}) {
+    input.L = {L};
+    const auto folds = lines_of(input, 48).folds;
+    ASSERT_EQ(folds.size(), 4u);
+    found.resize(4);
+    for (std::size_t k = 0; k < 4; ++k) found[k].push_back(folds[k].L);
+  }
+  for (const auto& at_one_volume : found)
+    for (const double L : at_one_volume) EXPECT_NEAR(L, at_one_volume[0], 1e-7);
+}
+
 TEST(EqualEnergies, of_oblate_and_prolate_start_at_the_classical_point_and_are_exact) {
   ScanInput input;
   input.reduced_volume = {0.6, 0.65, 0.7, 0.75};
