@@ -199,7 +199,10 @@ std::vector<std::string> write_shapes(const Sources& sources) {
                     .order_min_radius = order_min_radius(*sbeh),
                     .distance_from_SSH = distance(own, classical),
                     .SSH_distance = distance(classical, Meridian(*first).centred()),
-                    .in_3d = rest ? std::optional(rest->shape) : std::nullopt});
+                    .in_3d = rest ? std::optional(rest->shape) : std::nullopt,
+                    .lacks = rest  ? ""
+                           : found ? found->ending
+                                   : "not begun"});
     CutRow cut{Model::SBEH, Solver::axisymmetric, key.reduced_volume, key.L};
     CutRow cut_3d = cut, cut_ssh = cut;
     cut_3d.solver = Solver::in_3d;

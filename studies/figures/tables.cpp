@@ -56,6 +56,7 @@ const Columns<ShapeRow>& shape_columns() {
       in_3d("H_abs_max_3d", &ShapeIn3d::H_abs_max),
       in_3d("distance_3d", &ShapeIn3d::distance, "{:.3g}"),
       in_3d("frame", &ShapeIn3d::frame),
+      column("lacks_3d", &Row::lacks),
   };
   return columns;
 }

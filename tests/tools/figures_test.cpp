@@ -132,6 +132,23 @@ TEST_F(Figures, refuses_what_it_does_not_know) {
   EXPECT_EQ(sbeh(figures({"--triangles", "3"})).exit_code, 2);
 }
 
+// One of two runs has broken off; both are missing.
+TEST_F(Figures, says_which_shapes_are_missing_and_draws_the_others) {
+  must(figures({"shapes", "--no-pictures"}));
+  fs::remove_all(path("out/oblates_3d/SBEH_v0.9_L0.05"));
+  const Ended one = sbeh(figures({"shapes", "--draw-only"}));
+  EXPECT_EQ(one.exit_code, 0) << one.err;
+  EXPECT_NE(one.err.find("figure 2 (shapes) lacks oblates_3d/SBEH_v0.9_L0.05"), std::string::npos)
+      << one.err;
+  EXPECT_NE(one.out.find("shapes: 1 of 2 are drawn in 3D"), std::string::npos) << one.out;
+  const Table shapes = table("out/shapes.csv");
+  EXPECT_EQ(shapes.text(0, "lacks_3d"), "");
+  EXPECT_EQ(shapes.text(1, "lacks_3d"), "not begun");
+  fs::remove_all(path("out/oblates_3d"));
+  const Ended none = sbeh(figures({"shapes", "--draw-only"}));
+  EXPECT_NE(none.out.find("shapes: 0 of 2 are drawn in 3D"), std::string::npos) << none.out;
+}
+
 // Width and height of a PNG, which follow its signature and the name of the first chunk.
 std::pair<int, int> size_of_png(const std::string& png) {
   const auto number = [&](std::size_t at) {

@@ -24,6 +24,7 @@ using Point = std::pair<double, double>;  // V_r, L
 struct Stationary {
   std::vector<double> volumes, lengths;
   std::map<Point, studies::CurvedFile> in_3d;
+  std::map<Point, std::string> lacks;  // what there is instead of a shape in 3D
   std::map<Point, Cut> sbeh;
   std::map<double, Cut> ssh;       // by V_r: the same for all L
   bool axisymmetric_cuts = false;  // of SBEH, where there is no 3D run
@@ -38,7 +39,10 @@ void read_shapes(const std::filesystem::path& folder, Stationary& all) {
        studies::read_rows(studies::figures::shape_columns(), folder / "shapes.csv")) {
     volumes.insert(row.reduced_volume);
     lengths.insert(row.L);
-    if (!row.in_3d) continue;
+    if (!row.in_3d) {
+      all.lacks[{row.reduced_volume, row.L}] = row.lacks;
+      continue;
+    }
     studies::CurvedFile& state = all.in_3d[{row.reduced_volume, row.L}] =
         read_state(folder / row.in_3d->frame);
     all.half_width = std::max(all.half_width, 1.12 * radius_of(state.mesh));
@@ -69,11 +73,15 @@ const LineStyle ssh_style{.colour = red, .width = 1.8, .pattern = Pattern::dashe
 
 std::vector<LegendEntry> legend_of(const Stationary& all) {
   const std::size_t count = all.lengths.size();
-  const char* solver = all.axisymmetric_cuts ? "" : " in 3D";
-  return {line_entry(style_by_length(0, count),
-                     fmt::format("SBEH{}, {}", solver, length_title(all.lengths.front()))),
-          line_entry(style_by_length(count - 1, count), "to " + length_title(all.lengths.back())),
-          line_entry(ssh_style, "SSH")};
+  const bool some_in_3d = !all.in_3d.empty();
+  const char* others =
+      some_in_3d && all.axisymmetric_cuts ? " (axisymmetric without a shape in 3D)" : "";
+  return {
+      line_entry(style_by_length(0, count), fmt::format("SBEH{}, {}", some_in_3d ? " in 3D" : "",
+                                                        length_title(all.lengths.front()))),
+      line_entry(style_by_length(count - 1, count),
+                 "to " + length_title(all.lengths.back()) + others),
+      line_entry(ssh_style, "SSH")};
 }
 
 void draw_cut_cell(Canvas& canvas, const Stationary& all, double volume, const Rect& cell,
@@ -91,8 +99,13 @@ void draw_shape_cell(Canvas& canvas, const Stationary& all, const Point& point, 
                      const std::optional<ColourMap>& colours, double text) {
   const auto state = all.in_3d.find(point);
   if (state == all.in_3d.end()) {
-    canvas.text(cell.centre_x(), cell.centre_y(), "no run in 3D",
-                {.size = 0.9 * text, .colour = dark_grey});
+    const auto lacks = all.lacks.find(point);
+    const std::vector<std::string> lines{"no shape in 3D:",
+                                         lacks == all.lacks.end() ? "" : lacks->second};
+    const double size = fitted_size(canvas, lines, 0.94 * cell.width, 0.8 * text);
+    for (std::size_t k = 0; k < lines.size(); ++k)
+      canvas.text(cell.centre_x(), cell.centre_y() - 1.4 * size * double(k), lines[k],
+                  {.size = size, .colour = dark_grey});
     return;
   }
   draw_surface(canvas, cell, state->second.mesh,
@@ -106,6 +119,9 @@ void draw_figure_shapes(Canvas& canvas, const Options& options) {
   Stationary all;
   read_shapes(options.directory, all);
   read_cuts(options.directory / "cuts.csv", all);
+  if (!all.lacks.empty())
+    fmt::print("shapes: {} of {} are drawn in 3D\n", all.in_3d.size(),
+               all.in_3d.size() + all.lacks.size());
   std::optional<ColourMap> colours;
   if (!all.in_3d.empty()) colours = options.colours(order_palette, all.orders, white_on_surfaces);
 
