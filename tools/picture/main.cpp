@@ -2,6 +2,7 @@
 // study of stability or of a mesh, and the paper's figures, from the files they leave.
 #include "studies/io/output.h"
 #include "tools/picture/canvas/virtual_display.h"
+#include "tools/picture/command_line.h"
 #include "tools/picture/evolution/evolution.h"
 #include "tools/picture/figures/figures.h"
 #include "tools/picture/scan/scan.h"
@@ -15,20 +16,6 @@ namespace {
 
 constexpr int exit_failed = 1;
 constexpr int exit_bad_input = 2;
-
-Size parse_size(const std::string& text) {
-  Size size;
-  char rest = 0;
-  const int found = std::sscanf(text.c_str(), "%dx%d%c", &size.width, &size.height, &rest);
-  const auto possible = [](int length) { return length >= 300 && length <= 8000; };
-  if (found != 2 || !possible(size.width) || !possible(size.height)) {
-    throw InputError(
-        fmt::format("--size {}: give width and height in pixels, each 300 to 8000, "
-                    "as in 1600x1200.",
-                    text));
-  }
-  return size;
-}
 
 void draw_scan(Canvas& canvas, const Options& options) {
   const ScanGrid scan(options.directory, options.branch);
@@ -50,14 +37,17 @@ struct Picture {
 struct Command {
   const char *name, *description;
   std::vector<Picture> pictures;
+  Has has{};
 };
 const Command commands[] = {
     {"relax",
      "energy, shapes from DIR/series.csv, profiles.csv",
-     {{"energy", draw_evolution_energy}, {"shapes", draw_relaxation_shapes}}},
+     {{"energy", draw_evolution_energy}, {"shapes", draw_relaxation_shapes}},
+     {.energies = true, .fields = true, .frames = true}},
     {"run",
      "energy, shapes from DIR/series.csv, frames.csv",
-     {{"energy", draw_evolution_energy}, {"shapes", draw_run_shapes}}},
+     {{"energy", draw_evolution_energy}, {"shapes", draw_run_shapes}},
+     {.energies = true, .fields = true, .views = true, .frames = true}},
     {"seifert",
      "the classical diagram from DIR/branches.csv, points.csv",
      {{"branches", draw_classical_diagram}}},
@@ -69,53 +59,49 @@ const Command commands[] = {
      {{"energy", draw_figure_energy},
       {"shapes", draw_figure_shapes},
       {"evolution", draw_figure_evolution},
-      {"measures", draw_figure_measures}}},
+      {"measures", draw_figure_measures}},
+     {.energies = true, .fields = true, .views = true}},
     {"stability",
      "which states are stable in 3D, from DIR/stability.csv",
      {{"stability", draw_stability}}},
 };
 
-CLI::App* add_command(CLI::App& app, const char* name, const char* description, Options& options,
-                      std::string& size, const std::vector<std::string>& pictures) {
-  CLI::App* command = app.add_subcommand(name, description);
-  command->add_option("DIR", options.directory, "Folder of the results; the pictures go there")
-      ->required();
-  command->add_option("--only", options.only, "Only this picture")
-      ->check(CLI::IsMember(pictures))
-      ->allow_extra_args(false);
-  command->add_option("--size", size, "Width and height in pixels, e.g. 1600x1200");
-  command->add_option("--energy-shift", options.energy_shift,
-                      "What is added to the energy before its logarithm, by default 4π");
-  return command;
-}
-
 int run(int count, char** arguments) {
   CLI::App app(
-      "Pictures (PNG and SVG) of a scan, an evolution, the classical branches, a comparison, a "
+      "Pictures (PNG, SVG, PDF) of a scan, an evolution, the classical branches, a comparison, a "
       "study of stability or a mesh",
       "sbeh-picture");
   app.require_subcommand(1);
   Options options;
-  std::string size;
-  CLI::App* scan = add_command(app, "scan", "diagram, cuts, energy from DIR/scan.csv", options,
-                               size, {"diagram", "cuts", "energy"});
+  Words words;
+  const auto add_command = [&](const char* name, const char* description,
+                               const std::vector<std::string>& pictures, const Has& has) {
+    CLI::App* command = app.add_subcommand(name, description);
+    command->add_option("DIR", options.directory, "Folder of the results; the pictures go there")
+        ->required();
+    add_options(*command, pictures, has, options, words);
+    return command;
+  };
+  CLI::App* scan =
+      add_command("scan", "diagram, cuts, energy from DIR/scan.csv", {"diagram", "cuts", "energy"},
+                  {.energies = true, .fields = true, .panels = true});
   scan->add_option("--branch", options.branch, "Only this branch, e.g. oblate");
-  for (const auto& [name, description, pictures] : commands) {
+  for (const auto& [name, description, pictures, has] : commands) {
     std::vector<std::string> names;
     names.reserve(pictures.size());
     for (const Picture& picture : pictures) names.emplace_back(picture.name);
-    add_command(app, name, description, options, size, names);
+    add_command(name, description, names, has);
   }
   CLI::App* mesh = app.add_subcommand("mesh", "a curved mesh from FILE.vtu, into FILE.png");
   mesh->add_option("FILE", options.directory, "Mesh with curved triangles, as sbeh mesh writes it")
       ->required();
-  mesh->add_option("--size", size, "Width and height in pixels, e.g. 1600x1200");
+  add_options(*mesh, {}, {.fields = true, .views = true}, options, words);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
     return app.exit(error) == 0 ? 0 : exit_bad_input;
   }
-  if (!size.empty()) options.size = parse_size(size);
+  read_words(words, options);
   ensure_display(arguments);
   Canvas canvas;
   if (scan->parsed()) draw_scan(canvas, options);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 namespace sbeh::picture {
 
@@ -22,9 +23,16 @@ ColourMap Options::colours(Palette usual, const Range& data, double white_share)
 }
 
 double Options::text_size() const {
-  constexpr double usual = 20.0;
-  if (!size) return usual;
+  constexpr double points_per_mm = 72.0 / 25.4, points = 8.0;  // on paper
+  if (width_mm) return points / points_per_mm * pixels_per_mm;
+  if (!size) return usual_text;
   return std::clamp(std::min(size->width / 80.0, size->height / 45.0), 9.0, 40.0);
+}
+
+Output Options::output(std::vector<Format> usual) const {
+  return {.formats = formats.empty() ? std::move(usual) : formats,
+          .width = width_mm.value_or(0.0),
+          .must_fit = has_size()};
 }
 
 std::string Options::energy_name() const {

@@ -3,6 +3,7 @@
 
 #include "studies/io/errors.h"
 #include "tools/picture/chart/colours.h"
+#include "tools/picture/surface/view.h"
 
 #include <filesystem>
 #include <optional>
@@ -29,11 +30,20 @@ constexpr const char* title_of(Field field) {
   return field == Field::order ? "order β" : "mean curvature H";
 }
 
+inline constexpr double usual_text = 20.0;             // pixels
+inline constexpr double pixels_per_mm = 300.0 / 25.4;  // on paper
+
 struct Options {
   std::filesystem::path directory;
-  std::string branch;             ///< empty: the one of lowest energy at each point
-  std::optional<Size> size;       ///< pixels; without it as large as the content asks for
-  std::vector<std::string> only;  ///< names of the pictures wanted; empty: all
+  std::string branch;              ///< empty: the one of lowest energy at each point
+  std::optional<Size> size;        ///< pixels; without it as large as the content asks for
+  std::optional<double> width_mm;  ///< of the page; a picture for paper
+  std::optional<double> height_mm;
+  std::vector<Format> formats;      ///< empty: PNG and, of pictures without surfaces, SVG
+  std::vector<std::string> panels;  ///< of a diagram, in this order; empty: the usual ones
+  std::vector<View> views;          ///< of surfaces; empty: the usual ones
+  std::vector<double> frames;       ///< times; empty: spread over those there are
+  std::vector<std::string> only;    ///< names of the pictures wanted; empty: all
   std::optional<Field> field;  ///< without it by the order, by the curvature where that is uniform
   std::optional<Palette> palette;
   std::optional<Range> scale;                ///< of the colours; without it that of the data
@@ -44,12 +54,24 @@ struct Options {
   Field field_for(const Range& orders) const;
   ColourMap colours(Palette usual, const Range& data, double white_share = 0.0) const;
 
-  /// Of the picture in pixels; without `size` the usual one.
-  double width(double usual) const { return size ? size->width : usual; }
-  double height(double usual) const { return size ? size->height : usual; }
+  std::vector<View> views_or(std::vector<View> usual) const {
+    return views.empty() ? usual : views;
+  }
 
-  /// The size of letters: for a picture of a given size in proportion to it.
+  /// Of the picture in pixels; without `size` the usual one.
+  double width(double usual) const {
+    return width_mm ? *width_mm * pixels_per_mm : size ? size->width : usual;
+  }
+  double height(double usual) const {
+    return height_mm ? *height_mm * pixels_per_mm : size ? size->height : usual;
+  }
+  bool has_size() const { return size || width_mm; }
+
+  /// The size of letters: for a picture of a given size in proportion to it, 8 points on paper.
   double text_size() const;
+  double unit() const { return text_size() / usual_text; }  ///< of widths of lines
+
+  Output output(std::vector<Format> usual = Output().formats) const;
 
   /// "U + 4π" for the shift 4π, otherwise with the number.
   std::string energy_name() const;

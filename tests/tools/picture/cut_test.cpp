@@ -121,5 +121,19 @@ TEST(Frames, that_are_shown_are_different_ones) {
   EXPECT_EQ(chosen.back().time, 100);
 }
 
+TEST(Frames, that_are_asked_for_are_the_nearest_each_once) {
+  const std::vector<studies::FrameEntry> frames{{0, "a"}, {1, "b"}, {2, "c"}, {100, "d"}};
+  const auto times = [&](const std::vector<double>& wanted) {
+    std::vector<double> all;
+    for (const auto& frame : nearest_frames(frames, wanted)) all.push_back(frame.time);
+    return all;
+  };
+  EXPECT_EQ(times({0, 1, 100}), (std::vector<double>{0, 1, 100}));
+  EXPECT_EQ(times({1e9, 0.4, -3, 0}), (std::vector<double>{0, 100}));
+  EXPECT_EQ(times({1.4, 1.6}), (std::vector<double>{1, 2}));
+  EXPECT_TRUE(times({}).empty());
+  EXPECT_TRUE(nearest_frames({}, {1}).empty());
+}
+
 }  // namespace
 }  // namespace sbeh::picture

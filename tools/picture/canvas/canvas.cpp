@@ -1,7 +1,10 @@
 #include "tools/picture/canvas/canvas.h"
 
+#include "model/names.h"
+#include "studies/io/errors.h"
 #include "studies/io/output.h"
 #include "studies/report/html.h"
+#include "tools/picture/canvas/pdf.h"
 
 #include <fmt/format.h>
 #include <unistd.h>
@@ -160,6 +163,8 @@ struct Canvas::Window {
   vtkNew<vtkContextView> view;
   vtkSmartPointer<Layer> layer;                // the topmost item, if that is a layer
   std::vector<vtkSmartPointer<Image>> images;  // for the SVG
+  double unit = 1.0;
+  std::string cut_off;  // a text that is not whole
 
   Layer& top() {
     if (!layer) {
@@ -193,7 +198,11 @@ std::vector<Points> drawn_pieces(const Points& line, const LineStyle& style) {
   return {line};
 }
 
-void Canvas::start(double width, double height) {
+double Canvas::unit() const { return window_->unit; }
+
+void Canvas::start(double width, double height, double unit) {
+  window_->unit = unit;
+  window_->cut_off.clear();
   window_->view->GetScene()->ClearItems();
   window_->view->GetScene()->AddItem(vtkNew<Sheet>());
   window_->layer = nullptr;
@@ -212,15 +221,29 @@ void Canvas::fill(const Rect& rect, Colour colour) {
 }
 
 void Canvas::line(const Points& points, const LineStyle& style) {
-  for (const Points& piece : drawn_pieces(points, style))
-    window_->top().add_line(piece, style, true);
+  const LineStyle drawn{style.colour, unit() * style.width, style.pattern};
+  for (const Points& piece : drawn_pieces(points, drawn))
+    window_->top().add_line(piece, drawn, true);
 }
 
 void Canvas::segments(const Points& ends, const LineStyle& style) {
-  window_->top().add_line(ends, style, false);
+  window_->top().add_line(ends, {style.colour, unit() * style.width}, false);
 }
 
 void Canvas::text(double x, double y, const std::string& text, const TextStyle& style) {
+  if (text.empty()) return;
+  const double length = text_width(text, style.size);
+  const double before = style.align == Align::left   ? 0.0
+                      : style.align == Align::centre ? 0.5 * length
+                                                     : length;
+  const double along = style.upward ? y : x, across = style.upward ? x : y;
+  const int* size = window_->render_window()->GetSize();
+  const double room = size[style.upward ? 1 : 0], depth = size[style.upward ? 0 : 1];
+  constexpr double letters = 0.35,
+                   slack = 1.0;  // of a line's height above and below its middle; pixels
+  if (along - before < -slack || along - before + length > room + slack
+      || across < letters * style.size - slack || across > depth - letters * style.size + slack)
+    window_->cut_off = text;
   window_->top().texts.push_back(
       {float(std::round(x)), float(std::round(y)), displayable(text), style});
 }
@@ -273,14 +296,14 @@ std::string svg_image(vtkImageData* image, double x, double top) {
 }
 
 // GL2PS, as Debian builds it, leaves images out: puts them upon the white ground, which comes first.
-void embed_images(const fs::path& svg, const std::string& images) {
-  std::string text = studies::read_file(svg);
+std::string with_images(std::string text, const std::string& images) {
+  if (images.empty()) return text;
   const std::string ground = "<polygon fill=\"#ffffff\"";
   std::size_t at = text.find("<g>\n");
   if (at == std::string::npos) throw std::runtime_error("the SVG has no group to put images into");
   at += 4;
   while (text.compare(at, ground.size(), ground) == 0) at = text.find('\n', at) + 1;
-  std::ofstream(svg, std::ios::binary) << text.insert(at, images);
+  return text.insert(at, images);
 }
 
 void write_png(vtkRenderWindow* window, const fs::path& file) {
@@ -310,7 +333,24 @@ void write_svg(vtkRenderWindow* window, fs::path file, const std::string& title)
   exporter->Write();
 }
 
-// Whether the file ends as a PNG or an SVG does: a full disk goes unnoticed while it is written.
+// A picture's SVG with its images, in a unit of length where the page has one.
+std::string svg_of(vtkRenderWindow* window, const std::vector<vtkSmartPointer<Image>>& images,
+                   const fs::path& temporary, const std::string& title, double width) {
+  write_svg(window, temporary, title);
+  std::string text = studies::read_file(temporary);
+  const int* size = window->GetSize();
+  const std::string points = fmt::format("width=\"{}pt\" height=\"{}pt\"", size[0], size[1]);
+  if (const std::size_t at = text.find(points); at != std::string::npos && width > 0.0)
+    text.replace(
+        at, points.size(),
+        fmt::format("width=\"{:.4g}mm\" height=\"{:.4g}mm\"", width, width * size[1] / size[0]));
+  std::string all;
+  for (const auto& item : images)
+    all += svg_image(item->image, item->x, size[1] - item->y - item->image->GetDimensions()[1]);
+  return with_images(std::move(text), all);
+}
+
+// Whether the file ends as its kind does: a full disk goes unnoticed while it is written.
 bool is_complete(const fs::path& file) {
   constexpr int length = 16;
   std::ifstream stream(file, std::ios::binary);
@@ -318,41 +358,71 @@ bool is_complete(const fs::path& file) {
   std::string end(length, ' ');
   stream.read(end.data(), length);
   return stream
-      && (end.find("IEND") != std::string::npos || end.find("</svg>") != std::string::npos);
+      && (end.find("IEND") != std::string::npos || end.find("</svg>") != std::string::npos
+          || end.find("%%EOF") != std::string::npos);
+}
+
+void put(const fs::path& temporary, const fs::path& target) {
+  std::error_code error;
+  const bool complete = is_complete(temporary);
+  if (complete) fs::rename(temporary, target, error);
+  if (!complete || error) {
+    fs::remove(temporary, error);
+    throw std::runtime_error(
+        fmt::format("{}: cannot be written; free some space there or give "
+                    "yourself the right to write.",
+                    target.string()));
+  }
+  fmt::print("wrote {}\n", target.string());
 }
 
 }  // namespace
 
-void Canvas::write(const fs::path& stem, bool with_svg) {
+void Canvas::write(const fs::path& stem, const Output& output) {
+  vtkRenderWindow* window = window_->render_window();
+  const int* size = window->GetSize();
+  if (output.must_fit && !window_->cut_off.empty())
+    throw studies::InputError(fmt::format(
+        "{}: \"{}\" does not fit into {} x {} pixels: choose a larger size, or less to show.",
+        stem.string(), window_->cut_off, size[0], size[1]));
   const std::string name = stem.filename().string();
+  const auto wants = [&](Format format) {
+    return std::ranges::find(output.formats, format) != output.formats.end();
+  };
   // First the SVG: a chart finds its final place only when it is rendered for the second time.
-  for (const std::string kind : {".svg", ".png"}) {
-    if (kind == ".svg" && !with_svg) continue;
-    const fs::path target = fs::path(stem) += kind;
+  std::string svg;
+  for (const Format format : {Format::svg, Format::pdf, Format::png}) {
+    if (!wants(format)) continue;
+    const std::string kind = std::string(".") + sbeh::name(format);
     const fs::path temporary = stem.parent_path() / fmt::format(".{}-{}{}", name, getpid(), kind);
-    if (kind == ".png") {
-      write_png(window_->render_window(), temporary);
-    } else {
-      write_svg(window_->render_window(), temporary, name);
-      std::string images;
-      const int height = window_->render_window()->GetSize()[1];
-      for (const auto& item : window_->images)
-        images +=
-            svg_image(item->image, item->x, height - item->y - item->image->GetDimensions()[1]);
-      if (!images.empty()) embed_images(temporary, images);
+    const auto put_text = [&](const std::string& text) {
+      std::ofstream(temporary, std::ios::binary) << text;
+    };
+    if (format != Format::png && svg.empty()) {
+      const fs::path draft = stem.parent_path() / fmt::format(".{}-{}.svg", name, getpid());
+      svg = svg_of(window, window_->images, draft, name, output.width);
+      std::error_code ignored;
+      fs::remove(draft, ignored);
     }
-    std::error_code error;
-    const bool complete = is_complete(temporary);
-    if (complete) fs::rename(temporary, target, error);
-    if (!complete || error) {
-      fs::remove(temporary, error);
-      throw std::runtime_error(
-          fmt::format("{}: cannot be written; free some space there or give "
-                      "yourself the right to write.",
-                      target.string()));
+    if (format == Format::svg) put_text(svg);
+    if (format == Format::pdf) {
+      constexpr double points_per_mm = 72.0 / 25.4;
+      std::vector<PageImage> images;
+      for (const auto& item : window_->images) images.push_back({item->image, item->x, item->y});
+      put_text(
+          pdf_of(svg, images, output.width > 0.0 ? points_per_mm * output.width : double(size[0])));
     }
-    fmt::print("wrote {}\n", target.string());
+    if (format == Format::png) write_png(window, temporary);
+    put(temporary, fs::path(stem) += kind);
   }
+}
+
+void require_room(const Rect& place, double width, double height) {
+  if (place.width < width || place.height < height)
+    throw studies::InputError(fmt::format(
+        "there is no room in this size: a part of the picture would have {:.0f} x {:.0f} "
+        "pixels and needs {:.0f} x {:.0f}; choose a larger size, or less to show.",
+        std::max(place.width, 0.0), std::max(place.height, 0.0), width, height));
 }
 
 }  // namespace sbeh::picture

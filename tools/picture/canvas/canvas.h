@@ -4,6 +4,7 @@
 
 #include "tools/picture/canvas/geometry.h"
 
+#include <array>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -44,6 +45,16 @@ struct TextStyle {
   bool upward = false;  ///< turned by 90°, reads from below
 };
 
+enum class Format { png, svg, pdf };
+constexpr auto names(Format) { return std::array{"png", "svg", "pdf"}; }
+
+/// How a picture is written.
+struct Output {
+  std::vector<Format> formats{Format::svg, Format::png};
+  double width = 0.0;     ///< of the page in mm; 0: a pixel is a point
+  bool must_fit = false;  ///< a size was asked for: what does not fit into it is refused
+};
+
 class Canvas {
  public:
   Canvas();
@@ -51,8 +62,9 @@ class Canvas {
   Canvas(const Canvas&) = delete;
   Canvas& operator=(const Canvas&) = delete;
 
-  /// Begins an empty picture.
-  void start(double width, double height);
+  /// Begins an empty picture. Widths of lines are given for the usual size of letters and multiplied by `unit`.
+  void start(double width, double height, double unit = 1.0);
+  double unit() const;
 
   void fill(const Rect& rect, Colour colour);
   void line(const Points& points, const LineStyle& style);
@@ -69,9 +81,9 @@ class Canvas {
   /// below everything that is drawn.
   void image(vtkImageData* image, double x, double y);
 
-  /// Writes `stem`.png and, unless left out, `stem`.svg, each under a temporary name first; throws
-  /// std::runtime_error.
-  void write(const std::filesystem::path& stem, bool with_svg = true);
+  /// Writes `stem`.png and so on, each under a temporary name first; throws std::runtime_error, and InputError where
+  /// a text is cut off at an edge of a size that was asked for.
+  void write(const std::filesystem::path& stem, const Output& output);
 
  private:
   struct Window;
@@ -81,12 +93,18 @@ class Canvas {
 /// Sets the letters of any text that VTK draws, axes included.
 void set_font(vtkTextProperty* property, double size);
 
+/// Throws InputError where the place for what is to be drawn is less than these.
+void require_room(const Rect& place, double width, double height);
+
 /// The size of letters, at most `size`, at which all texts are at most `room` wide.
 double fitted_size(const Canvas& canvas, const std::vector<std::string>& texts, double room,
                    double size);
 
 /// The pieces of a line in pixels that are drawn. Not left to VTK, whose patterns are of a fixed size.
 std::vector<Points> drawn_pieces(const Points& line, const LineStyle& style);
+
+/// The font of the pictures; empty where none is installed.
+const std::string& font_file();
 
 /// Letters that the font at hand does not have, spelled out.
 std::string displayable(const std::string& text);

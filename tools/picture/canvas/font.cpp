@@ -31,28 +31,32 @@ std::string find_font() {
   return {};
 }
 
-const std::string& font() {
+}  // namespace
+
+const std::string& font_file() {
   static const std::string file = find_font();
   return file;
 }
-
-}  // namespace
 
 void set_font(vtkTextProperty* property, double size) {
   property->SetFontSize(int(size + 0.5));
   property->SetBold(false);
   property->SetItalic(false);
   property->SetShadow(false);
-  if (font().empty()) {
+  if (font_file().empty()) {
     property->SetFontFamilyToArial();
   } else {
     property->SetFontFamily(VTK_FONT_FILE);
-    property->SetFontFile(font().c_str());
+    property->SetFontFile(font_file().c_str());
   }
 }
 
 std::string displayable(const std::string& text) {
-  if (!font().empty()) return text;
+  if (!font_file().empty()) {  // VTK takes "|" for a table in its language of formulas
+    std::string shown;
+    for (const char letter : text) shown += letter == '|' ? "∣" : std::string(1, letter);
+    return shown;
+  }
   static constexpr std::array<std::pair<const char*, const char*>, 14> spelled{{{"β", "beta"},
                                                                                 {"π", "pi"},
                                                                                 {"ᵣ", "r"},

@@ -15,22 +15,27 @@
 #include <vtkTable.h>
 #include <vtkTextProperty.h>
 
+#include <algorithm>
 #include <array>
 
 namespace sbeh::picture {
 namespace {
 
-void set_axis(vtkAxis* axis, const Axis& wanted, double text_size) {
+constexpr double label_size = 0.85, line_height = 1.2;   // of the text
+constexpr double tick_length = 5.0, label_offset = 7.0;  // pixels at the usual size of letters
+
+void set_axis(vtkAxis* axis, const Axis& wanted, double text_size, double unit) {
   const bool visible = !wanted.ticks.empty() || !wanted.title.empty();
   axis->SetVisible(visible);
   axis->SetBehavior(vtkAxis::FIXED);
   axis->SetRange(wanted.low, wanted.high);
-  axis->SetTitle(visible ? displayable(wanted.title) : "");
+  axis->SetTitle("");
   axis->SetGridVisible(false);
   axis->GetPen()->SetColor(dark_grey.red, dark_grey.green, dark_grey.blue);
-  axis->GetPen()->SetWidth(1.2f);
-  set_font(axis->GetLabelProperties(), 0.85 * text_size);
-  set_font(axis->GetTitleProperties(), text_size);
+  axis->GetPen()->SetWidth(float(1.2 * unit));
+  axis->SetTickLength(float(tick_length * unit));
+  axis->SetLabelOffset(float(label_offset * unit));
+  set_font(axis->GetLabelProperties(), label_size * text_size);
   vtkNew<vtkDoubleArray> positions;
   vtkNew<vtkStringArray> labels;
   for (std::size_t i = 0; i < wanted.ticks.size(); ++i) {
@@ -40,9 +45,23 @@ void set_axis(vtkAxis* axis, const Axis& wanted, double text_size) {
   axis->SetCustomTickPositions(positions, labels);
 }
 
+// Beyond the labels.
+void draw_titles(Canvas& canvas, const Rect& inside, const Axis& x, const Axis& y,
+                 double text_size) {
+  const double to_labels = canvas.unit() * label_offset;
+  double widest = 0.0;
+  for (const std::string& label : y.labels)
+    if (!label.empty()) widest = std::max(widest, canvas.text_width(label, label_size * text_size));
+  canvas.text(inside.centre_x(),
+              inside.y - to_labels - (line_height * label_size + 0.5) * text_size, x.title,
+              {.size = text_size});
+  canvas.text(inside.x - to_labels - widest - 0.9 * text_size, inside.centre_y(), y.title,
+              {.size = text_size, .upward = true});
+}
+
 Axis legible(const Canvas& canvas, const Axis& axis, bool upright, double length,
              double text_size) {
-  constexpr double label_size = 0.85, line_height = 1.2, gap = 0.4;  // of the text
+  constexpr double gap = 0.4;  // of the text
   std::vector<double> extents;
   for (const std::string& label : axis.labels)
     extents.push_back(label.empty() ? 0.0
@@ -116,9 +135,13 @@ int style_of(Marker marker) {
 
 }  // namespace
 
-double below_axis(double text_size) { return 2.5 * text_size + 18.0; }
+double below_axis(double text_size) { return 2.5 * text_size + std::max(18.0, 0.9 * text_size); }
 
 Chart::Chart(Canvas& canvas, const Rect& inside, double text_size, const Axis& x, const Axis& y) {
+  if (!x.ticks.empty() && !y.ticks.empty())
+    require_room(inside, std::max(5.0 * text_size, 0.9 * canvas.text_width(x.title, text_size)),
+                 4.0 * text_size);
+  unit_ = canvas.unit();
   vtkNew<vtkChartXY> chart;
   chart->SetAutoSize(false);
   chart->SetAutoAxes(false);  // an axis without curves stays
@@ -131,10 +154,11 @@ Chart::Chart(Canvas& canvas, const Rect& inside, double text_size, const Axis& x
   inside_ = inside;
   x_ = {x.low, x.high};
   y_ = {y.low, y.high};
-  set_axis(chart->GetAxis(vtkAxis::BOTTOM), legible(canvas, x, false, inside.width, text_size),
-           text_size);
-  set_axis(chart->GetAxis(vtkAxis::LEFT), legible(canvas, y, true, inside.height, text_size),
-           text_size);
+  const Axis shown_x = legible(canvas, x, false, inside.width, text_size),
+             shown_y = legible(canvas, y, true, inside.height, text_size);
+  set_axis(chart->GetAxis(vtkAxis::BOTTOM), shown_x, text_size, unit_);
+  set_axis(chart->GetAxis(vtkAxis::LEFT), shown_y, text_size, unit_);
+  draw_titles(canvas, inside, shown_x, shown_y, text_size);
 }
 
 Points Chart::to_pixels(const Points& points) const {
@@ -157,7 +181,8 @@ void Chart::curve(const Points& points, const LineStyle& style) {
   if (points.size() < 2) return;
   vtkNew<Plot> plot;
   Points all;
-  for (const Points& piece : drawn_pieces(to_pixels(points), style)) {
+  const LineStyle drawn{style.colour, unit_ * style.width, style.pattern};
+  for (const Points& piece : drawn_pieces(to_pixels(points), drawn)) {
     if (piece.size() < 2) continue;
     plot->pieces.push_back(int(piece.size()));
     const Points data = to_data(piece);
@@ -165,7 +190,7 @@ void Chart::curve(const Points& points, const LineStyle& style) {
   }
   plot->SetInputData(table_of(all), 0, 1);
   plot->SetColor(style.colour.red, style.colour.green, style.colour.blue, 255);
-  plot->GetPen()->SetWidth(float(style.width));
+  plot->GetPen()->SetWidth(float(drawn.width));
   chart_->AddPlot(plot);
 }
 
@@ -176,7 +201,7 @@ void Chart::coloured_curve(const Points& points, const std::vector<Colour>& colo
   plot->SetInputData(table_of(points), 0, 1);
   for (const Colour& c : colours)
     plot->colours.insert(plot->colours.end(), {c.red, c.green, c.blue, 255});
-  plot->GetPen()->SetWidth(float(width));
+  plot->GetPen()->SetWidth(float(unit_ * width));
   chart_->AddPlot(plot);
 }
 

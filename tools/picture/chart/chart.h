@@ -30,6 +30,7 @@ class Chart {
   Points to_data(const Points& pixels) const;
 
   vtkChartXY* chart_;  // owned by the canvas
+  double unit_ = 1.0;  // of widths of lines
   Rect inside_;
   Range x_, y_;
 };

@@ -118,7 +118,7 @@ void draw_histories(Canvas& canvas, const Options& options, const Histories& all
   const double row_height = (height - foot) / rows;
   const HistoryAxes axes =
       history_axes(points, scale, options.energy_name(), row_height - below - above, text);
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   for (std::size_t panel = 0; panel < count; ++panel) {
     const std::size_t column = panel % layout.columns, row = panel / layout.columns;
     const Rect inside{left + double(column) * (inner_width + gap),
@@ -147,7 +147,7 @@ void draw_histories(Canvas& canvas, const Options& options, const Histories& all
                 volume_title(all.reduced_volumes[panel]), {.size = text});
   }
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
-  canvas.write(options.directory / "energy");
+  canvas.write(options.directory / "energy", options.output());
 }
 
 }  // namespace sbeh::picture

@@ -59,15 +59,21 @@ void draw_mesh(Canvas& canvas, const Options& options) {
 
   const double text = options.text_size();
   const double width = options.width(1600.0), height = options.height(880.0);
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   const double bar = 2.5 * text + colour_bar_margin(canvas, colours, true, text);
   const double top = 3.2 * text, bottom = 2.0 * text;
-  const double side = std::floor(std::min((width - bar - text) / 2, height - top - bottom));
-  const double left = std::max(0.0, (width - bar - 2 * side) / 2);
+  const std::vector<View> views = options.views_or({side_view, top_view});
+  const auto count = double(views.size());
+  const double side = std::floor(std::min((width - bar - text) / count, height - top - bottom));
+  const double left = std::max(0.0, (width - bar - count * side) / 2);
 
   double x = left;
-  for (const auto& [view, title] :
-       {std::pair(side_view, "from the side"), {top_view, "along the z axis"}}) {
+  for (const View& view : views) {
+    const std::string title = view.from == side_view.from ? "from the side"
+                            : view.from == top_view.from
+                                ? "along the z axis"
+                                : fmt::format("from ({:.3g}, {:.3g}, {:.3g})", view.from[0],
+                                              view.from[1], view.from[2]);
     draw_surface(canvas, {x, bottom, side, side}, mesh, quantity.values, colours, view,
                  1.06 * radius_of(mesh), Edges::shown);
     canvas.text(x + 0.5 * side, 1.1 * text, title, {.size = 0.85 * text, .colour = dark_grey});
@@ -79,9 +85,9 @@ void draw_mesh(Canvas& canvas, const Options& options) {
       fmt::format("{}: {} triangles of order {}, A = {:.5g}, Vᵣ = {:.4f}", path.filename().string(),
                   mesh.triangle_count(), mesh.order, area, meshing::reduced_volume(area, volume)),
       {.size = 1.15 * text});
-  draw_short_bar(canvas, left + 2 * side + 0.4 * text, {bottom, bottom + side}, colours,
+  draw_short_bar(canvas, left + count * side + 0.4 * text, {bottom, bottom + side}, colours,
                  title_of(quantity.field), text);
-  canvas.write(std::filesystem::path(path).replace_extension(), false);
+  canvas.write(std::filesystem::path(path).replace_extension(), options.output({Format::png}));
 }
 
 }  // namespace sbeh::picture

@@ -114,18 +114,18 @@ void draw_evolution_energy(Canvas& canvas, const Options& options) {
   const double width = options.width(1000.0), height = options.height(700.0);
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double below = below_axis(text) + 0.8 * text + legend_at;
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   const Rect inside{5.6 * text, below, width - 7.2 * text, height - below - 1.2 * text};
   const HistoryAxes axes = history_axes(points, scale, "energy", inside.height, text);
   Chart chart(canvas, inside, text, axes.time, axes.energy);
   for (std::size_t i = 0; i < curves.size(); ++i) chart.curve(points[i], curves[i].part.style);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
-  canvas.write(options.directory / "energy");
+  canvas.write(options.directory / "energy", options.output());
 }
 
 void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
   const std::vector<studies::FrameEntry> frames =
-      chosen_frames(read_frames(options.directory / "profiles.csv"), most_shapes);
+      shown_frames(options.directory / "profiles.csv", options, most_shapes);
   if (frames.empty()) {
     fmt::print("no shapes: {} lists no profile\n", (options.directory / "profiles.csv").string());
     return;
@@ -155,26 +155,25 @@ void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
   const double sum = 2.0 * std::accumulate(halves.begin(), halves.end(), 0.0);
   const double fixed = double(halves.size()) * title + text;
   double scale = 0.88 * cell_width / (2.0 * extent.half_width);
-  if (options.size) {
-    const double room = std::max(options.size->height - fixed, 0.1 * options.size->height);
-    scale = std::min(scale, room / sum);
-  }
+  const double room = options.height(fixed + sum * scale) - fixed;
+  require_room({0.0, 0.0, cell_width, room}, 3.0 * text, text * double(halves.size()));
+  scale = std::min(scale, room / sum);
   const double height = options.height(fixed + sum * scale);
 
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   double top = height - 0.5 * (height - fixed - sum * scale) - 0.5 * text;
   for (std::size_t i = 0; i < count; ++i) {
     const double row_height = 2.0 * halves[i / columns] * scale + title;
     const Rect cell{text + double(i % columns) * cell_width, top - row_height, cell_width,
                     row_height - 1.9 * text};
     draw_cuts(canvas, cell, scale,
-              {{.cut = &cuts[i], .colours = &colours, .style = {.width = 0.32 * text}}});
+              {{.cut = &cuts[i], .colours = &colours, .style = {.width = coloured_width}}});
     canvas.text(cell.centre_x(), top - text, "t = " + short_number(frames[i].time), {.size = text});
     if ((i + 1) % columns == 0) top -= row_height;
   }
   draw_short_bar(canvas, width - right + 1.4 * text, {1.5 * text, height - 1.5 * text}, colours.map,
                  colours.title, text);
-  canvas.write(options.directory / "shapes");
+  canvas.write(options.directory / "shapes", options.output());
 }
 
 }  // namespace sbeh::picture

@@ -39,7 +39,7 @@ Shown read_states(const std::vector<studies::FrameEntry>& frames, const Options&
 
 void draw_run_shapes(Canvas& canvas, const Options& options) {
   const std::vector<studies::FrameEntry> frames =
-      chosen_frames(read_frames(options.directory / "frames.csv"), most_shapes);
+      shown_frames(options.directory / "frames.csv", options, most_shapes);
   if (frames.empty()) {
     fmt::print("no shapes: {} lists no frame\n", (options.directory / "frames.csv").string());
     return;
@@ -52,11 +52,14 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
   const std::size_t columns = count <= most_in_a_row ? count : (count + 1) / 2;
   const std::size_t rows = (count + columns - 1) / columns;
   const double right = 3.0 * text + colour_bar_margin(canvas, colours, true, text);
+  const std::vector<View> views = options.views_or({side_view, top_view});
+  const auto high = double(views.size());
   const double width = options.width(right + text + 330.0 * double(columns));
-  const double side = std::floor((width - right - text) / double(columns));
   const double title = 2.2 * text;
-  const double height = options.height(double(rows) * (2 * side + title) + text);
-  canvas.start(width, height);
+  double side = std::floor((width - right - text) / double(columns));
+  const double height = options.height(double(rows) * (high * side + title) + text);
+  side = std::min(side, std::floor(((height - text) / double(rows) - title) / high));
+  canvas.start(width, height, options.unit());
 
   double half_width = 0;
   for (const auto& state : shown.states) {
@@ -65,22 +68,22 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
                           1.03 * (state.mesh.nodes.colwise() - middle).colwise().norm().maxCoeff());
   }
   for (std::size_t i = 0; i < count; ++i) {
-    const double x = text + double(i % columns) * side;
+    const double x = text + double(i % columns) * (width - right - text) / double(columns);
     const std::size_t row = i / columns;
-    double top = height - double(row) * (2 * side + title);
+    double top = height - double(row) * (high * side + title);
     canvas.text(x + side / 2, top - 1.2 * text, "t = " + short_number(frames[i].time),
                 {.size = text});
     top -= title;
     const studies::CurvedFile& state = shown.states[i];
     const Eigen::VectorXd values = field_of(state, shown.field);
-    for (const View& view : {side_view, top_view}) {
+    for (const View& view : views) {
       top -= side;
       draw_surface(canvas, {x, top, side, side}, state.mesh, values, colours, view, half_width);
     }
   }
   draw_short_bar(canvas, width - right + 1.4 * text, {1.5 * text, height - 1.5 * text}, colours,
                  title_of(shown.field), text);
-  canvas.write(options.directory / "shapes", false);
+  canvas.write(options.directory / "shapes", options.output({Format::png}));
 }
 
 }  // namespace sbeh::picture

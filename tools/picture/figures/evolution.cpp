@@ -74,7 +74,8 @@ Evolution read_evolution(const std::filesystem::path& file, const Options& optio
 }
 
 void draw_shape(Canvas& canvas, const std::optional<Shape>& shape, double instant, Field field,
-                const ColourMap& colours, double half_width, const Rect& cell, double text) {
+                const ColourMap& colours, const View& view, double half_width, const Rect& cell,
+                double text) {
   const double time = shape ? shape->time : instant;
   canvas.text(cell.centre_x(), cell.top() - 0.8 * text, "t = " + short_number(time),
               {.size = text, .colour = shape ? black : dark_grey});
@@ -83,7 +84,7 @@ void draw_shape(Canvas& canvas, const std::optional<Shape>& shape, double instan
     return;
   }
   draw_surface(canvas, {cell.x, cell.y, cell.width, cell.width}, shape->state.mesh,
-               field_of(shape->state, field), colours, from_above, half_width);
+               field_of(shape->state, field), colours, view, half_width);
 }
 
 }  // namespace
@@ -108,7 +109,7 @@ void draw_figure_evolution(Canvas& canvas, const Options& options) {
   const double title = 1.6 * text, heading = 2.0 * text, row_height = side + title;
   const auto models = double(all.models.size());
   const double height = options.height(models * (heading + double(rows) * row_height) + 0.5 * text);
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   double top = height;
   for (std::size_t m = 0; m < all.models.size(); ++m) {
     const Model3d& model = all.models[m];
@@ -118,15 +119,15 @@ void draw_figure_evolution(Canvas& canvas, const Options& options) {
       const std::size_t row = i / columns;
       const Rect cell{text + double(i % columns) * side, top - double(row + 1) * row_height, side,
                       row_height};
-      draw_shape(canvas, model.shapes[i], all.instants[i], model.field, colours[m], all.half_width,
-                 cell, text);
+      draw_shape(canvas, model.shapes[i], all.instants[i], model.field, colours[m],
+                 options.views_or({from_above}).front(), all.half_width, cell, text);
     }
     const double bottom = top - double(rows) * row_height;
     draw_short_bar(canvas, width - right + 1.4 * text, {bottom + text, top - text}, colours[m],
                    title_of(model.field), text);
     top = bottom;
   }
-  canvas.write(options.directory / "evolution");
+  canvas.write(options.directory / "evolution", options.output());
 }
 
 }  // namespace sbeh::picture

@@ -88,7 +88,7 @@ void draw_figure_measures(Canvas& canvas, const Options& options) {
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double below = legend_at + 0.8 * text + below_axis(text), above = 2.6 * text;
   const double height = options.height(below + above + 0.95 * inner_width);
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   for (int i = 0; i < 3; ++i) {
     const Rect inside{i * width / 3 + left, below, inner_width, height - below - above};
     Chart chart(canvas, inside, text, time, value_axis(curves, i, inside.height, text));
@@ -96,7 +96,7 @@ void draw_figure_measures(Canvas& canvas, const Options& options) {
     canvas.text(inside.centre_x(), inside.top() + 1.2 * text, panels[i].title, {.size = text});
   }
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
-  canvas.write(options.directory / "measures");
+  canvas.write(options.directory / "measures", options.output());
 }
 
 }  // namespace sbeh::picture

@@ -96,7 +96,7 @@ void draw_cut_cell(Canvas& canvas, const Stationary& all, double volume, const R
 }
 
 void draw_shape_cell(Canvas& canvas, const Stationary& all, const Point& point, const Rect& cell,
-                     const std::optional<ColourMap>& colours, double text) {
+                     const std::optional<ColourMap>& colours, const View& view, double text) {
   const auto state = all.in_3d.find(point);
   if (state == all.in_3d.end()) {
     const auto lacks = all.lacks.find(point);
@@ -109,8 +109,7 @@ void draw_shape_cell(Canvas& canvas, const Stationary& all, const Point& point, 
     return;
   }
   draw_surface(canvas, cell, state->second.mesh,
-               state->second.fields.at("order").row(0).transpose(), *colours, from_the_side,
-               all.half_width);
+               state->second.fields.at("order").row(0).transpose(), *colours, view, all.half_width);
 }
 
 }  // namespace
@@ -140,7 +139,7 @@ void draw_figure_shapes(Canvas& canvas, const Options& options) {
   const double cut_height = 2.2 * all.extent.half_height * scale;
   const double head = 2.2 * text, below = legend_at + 0.8 * text, between = 2.6 * text;
   const double height = options.height(head + rows * cell_height + between + cut_height + below);
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   for (std::size_t l = 0; l < all.lengths.size(); ++l)
     canvas.text(left + (double(l) + 0.5) * side, height - 1.2 * text, length_title(all.lengths[l]),
                 {.size = text});
@@ -150,7 +149,8 @@ void draw_figure_shapes(Canvas& canvas, const Options& options) {
                 {.size = text, .align = Align::right});
     for (std::size_t l = 0; l < all.lengths.size(); ++l)
       draw_shape_cell(canvas, all, {all.volumes[v], all.lengths[l]},
-                      {left + double(l) * side, y, side, cell_height}, colours, text);
+                      {left + double(l) * side, y, side, cell_height}, colours,
+                      options.views_or({from_the_side}).front(), text);
     const Rect cut{left + double(v) * cut_width, below, cut_width, cut_height};
     draw_cut_cell(canvas, all, all.volumes[v], cut, scale);
     canvas.text(cut.centre_x(), cut.top() + 0.9 * text, volume_title(all.volumes[v]),
@@ -160,7 +160,7 @@ void draw_figure_shapes(Canvas& canvas, const Options& options) {
     draw_short_bar(canvas, width - right + 1.2 * text,
                    {height - head - rows * cell_height, height - head}, *colours, "order β", text);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
-  canvas.write(options.directory / "shapes");
+  canvas.write(options.directory / "shapes", options.output());
 }
 
 }  // namespace sbeh::picture

@@ -19,9 +19,7 @@ constexpr double widest_picture = 1600.0;
 constexpr double highest_picture = 1600.0;
 constexpr double largest_share = 0.86;  // of the cell's width, for the widest cut
 
-LineStyle ssh_style(double text_size) {
-  return {.colour = red, .width = std::max(1.2, 0.085 * text_size), .pattern = Pattern::dashed};
-}
+const LineStyle ssh_style{.colour = red, .width = 1.7, .pattern = Pattern::dashed};
 
 // Which cuts of a scan are shown, and in which row and column: rows are reduced volumes, columns are values of L; a
 // larger scan is thinned out evenly. With a single L the reduced volumes stand side by side. Below follow the
@@ -138,7 +136,7 @@ std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const CutColours& co
       colours.map, 0.32 * text_size,
       fmt::format("{}, coloured by {}", name(matrix.coloured()), colours.title))};
   if (matrix.coloured() == Model::SBEH && scan.has(Model::SSH))
-    entries.push_back(line_entry(ssh_style(text_size), "SSH"));
+    entries.push_back(line_entry(ssh_style, "SSH"));
   if (matrix.overlay_rows > 0) {
     const std::size_t last = scan.lengths().size() - 1;
     entries.push_back(line_entry(style_by_length(0, last + 1),
@@ -180,7 +178,7 @@ void stack_rows(Layout& at, const CutMatrix& matrix, const Options& options) {
                      + bottom + count * gap + double(matrix.rows()) * at.remarks;
   double sum = 0.0;
   for (const double half : halves) sum += 2.0 * half;
-  const double room = options.height(highest_picture) - fixed;
+  const double room = options.height(options.unit() * highest_picture) - fixed;
   at.scale = std::min(largest_share * at.cell_width / (2.0 * matrix.extent.half_width),
                       std::max(room, 5.0 * at.text) / sum);
   at.height = options.height(fixed + sum * at.scale);
@@ -214,7 +212,7 @@ Layout layout_of(const Canvas& canvas, const CutMatrix& matrix, const Options& o
     at.remarks = 0.7 * at.text;
   at.legend = legend_height(canvas, entries, at.width - 2.0 * at.text, at.text);
   stack_rows(at, matrix, options);
-  if (options.size) return at;
+  if (options.has_size()) return at;
 
   // High cuts leave narrower cells; title and legend want some width all the same.
   double needed = 2.0 * matrix.extent.half_width * at.scale / largest_share;
@@ -236,8 +234,8 @@ void draw_cell(Canvas& canvas, const CutMatrix& matrix, const CutMatrix::Cell& o
   cell.height -= at.remarks;
   std::vector<CutLine> lines;
   if (coloured)
-    lines.push_back({.cut = coloured, .colours = &colours, .style = {.width = 0.32 * at.text}});
-  if (ssh && ssh != coloured) lines.push_back({.cut = ssh, .style = ssh_style(at.text)});
+    lines.push_back({.cut = coloured, .colours = &colours, .style = {.width = coloured_width}});
+  if (ssh && ssh != coloured) lines.push_back({.cut = ssh, .style = ssh_style});
   if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
   canvas.text(cell.centre_x(), cell.y, of.remark,
               {.size = fitted_size(canvas, {of.remark}, 0.94 * cell.width, 0.8 * at.text),
@@ -260,7 +258,7 @@ void draw_overlay(Canvas& canvas, const CutMatrix& matrix, std::size_t index, co
       lines.push_back({.cut = cut, .style = style_by_length(length, count)});
     if (!ssh) ssh = matrix.cut(Model::SSH, volume, length);
   }
-  if (ssh) lines.push_back({.cut = ssh, .style = ssh_style(at.text)});
+  if (ssh) lines.push_back({.cut = ssh, .style = ssh_style});
   if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
   canvas.text(cell.centre_x(), cell.top() + 0.7 * at.text,
               volume_title(matrix.scan.reduced_volumes()[volume]), {.size = at.text});
@@ -299,7 +297,7 @@ void draw_cuts_picture(Canvas& canvas, const ScanGrid& scan, const Options& opti
   const auto entries = legend_of(matrix, colours, options.text_size());
   const Layout at = layout_of(canvas, matrix, options, colours, entries);
 
-  canvas.start(at.width, at.height);
+  canvas.start(at.width, at.height, options.unit());
   draw_titles(canvas, matrix, at);
   for (const CutMatrix::Cell& cell : matrix.cells) draw_cell(canvas, matrix, cell, at, colours);
   if (matrix.overlay_rows > 0) {
@@ -309,7 +307,7 @@ void draw_cuts_picture(Canvas& canvas, const ScanGrid& scan, const Options& opti
                  {at.rows.back().y, at.rows.front().top()}, colours.map, colours.title, at.text);
   draw_legend(canvas, entries, {at.text, 0.4 * at.text, at.width - 2.0 * at.text, at.legend},
               at.text);
-  canvas.write(options.directory / "cuts");
+  canvas.write(options.directory / "cuts", options.output());
 }
 
 }  // namespace sbeh::picture

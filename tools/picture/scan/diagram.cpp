@@ -5,33 +5,49 @@
 
 #include <algorithm>
 #include <optional>
+#include <utility>
 
 namespace sbeh::picture {
 namespace {
 
 constexpr std::size_t most_table_cells = 30;
 
-std::vector<Quantity> quantities_of(const ScanGrid& scan, const std::optional<BranchMap>& lowest) {
-  const Model model = scan.has(Model::SBEH) ? Model::SBEH : Model::SSH;
-  std::vector<Quantity> all;
-  if (scan.has(Model::SBEH) && scan.has(Model::SSH)) {
-    all.push_back(energy_gap(scan, lowest));
-  } else {
-    fmt::print("diagram: no {} rows, so the energy itself in place of the energy gap\n",
-               model == Model::SBEH ? "SSH" : "SBEH");
-    all.push_back(energy(scan, model, lowest));
-  }
-  if (model == Model::SBEH) all.push_back(smallest_order(scan, lowest));
-  all.push_back(largest_curvature(scan, model, lowest));
-  return all;
+Quantity quantity_of(const std::string& panel, const ScanGrid& scan, Model model,
+                     const std::optional<BranchMap>& lowest) {
+  const bool both = scan.has(Model::SBEH) && scan.has(Model::SSH);
+  if (panel == "gap" && both) return energy_gap(scan, lowest);
+  if (panel == "energy") return energy(scan, model, lowest);
+  if (panel == "order" && model == Model::SBEH) return smallest_order(scan, lowest);
+  if (panel == "curvature") return largest_curvature(scan, model, lowest);
+  throw InputError(fmt::format("--panels {}: the scan has not what that needs", panel));
 }
 
-// What the picture shows: the map of branches where there are several, then the quantities.
+// Those that the user asks for, or all that say something new.
+std::vector<std::string> panels_of(const ScanGrid& scan, const Options& options,
+                                   const std::optional<BranchMap>& lowest) {
+  if (!options.panels.empty()) return options.panels;
+  std::vector<std::string> panels;
+  if (lowest) panels.emplace_back("lowest");
+  const bool ordered = scan.has(Model::SBEH), both = ordered && scan.has(Model::SSH);
+  panels.emplace_back(both ? "gap" : "energy");
+  if (!both)
+    fmt::print("diagram: no {} rows, so the energy itself in place of the energy gap\n",
+               ordered ? "SSH" : "SBEH");
+  if (ordered) panels.emplace_back("order");
+  panels.emplace_back("curvature");
+  return panels;
+}
+
+struct DiagramPanel {
+  Quantity quantity;
+  ColourMap colours;
+};
+
+// What the picture shows: panels in their order; the map of branches is one without a quantity.
 struct Contents {
-  std::vector<Quantity> quantities;
+  std::vector<std::optional<DiagramPanel>> panels{};
   bool as_table;
   std::optional<BranchMap> branches{};
-  std::vector<ColourMap> colours{};  // of the quantities
   std::vector<DiagramLine> lines{};
   std::vector<LegendEntry> legend{};
 };
@@ -47,36 +63,47 @@ bool is_within(const DiagramLine& line, const ScanGrid& scan) {
 }
 
 Contents contents_of(const ScanGrid& scan, const Options& options) {
-  const bool ordered = scan.has(Model::SBEH);
-  Contents c{.quantities = {},
-             .as_table = scan.reduced_volumes().size() * scan.lengths().size() <= most_table_cells};
-  if (options.branch.empty())
-    c.branches = lowest_branches(scan, options.directory, ordered ? Model::SBEH : Model::SSH);
-  c.quantities = quantities_of(scan, c.branches);
-  for (const Quantity& quantity : c.quantities)
-    c.colours.emplace_back(quantity.palette, quantity.range());
+  const Model model = scan.has(Model::SBEH) ? Model::SBEH : Model::SSH;
+  Contents c{.as_table = scan.reduced_volumes().size() * scan.lengths().size() <= most_table_cells};
+  if (options.branch.empty()) c.branches = lowest_branches(scan, options.directory, model);
+  std::vector<Quantity> marked;
+  for (const std::string& panel : panels_of(scan, options, c.branches)) {
+    if (panel == "lowest") {
+      if (!c.branches) throw InputError("--panels lowest: the scan has one branch alone");
+      c.panels.emplace_back();
+      marked.push_back(c.branches->quantity);
+      continue;
+    }
+    Quantity quantity = quantity_of(panel, scan, model, c.branches);
+    marked.push_back(quantity);
+    const ColourMap colours = options.colours(quantity.palette, quantity.range());
+    c.panels.emplace_back(DiagramPanel{std::move(quantity), colours});
+  }
+  if (options.scale && std::ranges::count_if(c.panels, &std::optional<DiagramPanel>::has_value) > 1)
+    throw InputError("--scale is that of one quantity: choose it by --panels");
   // A table's cells are full of numbers: there only the map of branches has lines.
-  if (ordered && (c.branches || !c.as_table))
+  const bool maps = std::ranges::any_of(c.panels, [](const auto& panel) { return !panel; });
+  if (model == Model::SBEH && (maps || !c.as_table))
     c.lines = diagram_lines(options.directory, options.branch);
   std::erase_if(c.lines, [&](const DiagramLine& line) { return !is_within(line, scan); });
   const auto add = [&](std::vector<LegendEntry> entries) {
     c.legend.insert(c.legend.end(), entries.begin(), entries.end());
   };
-  if (c.branches) add(branch_legend(*c.branches));
+  if (maps) add(branch_legend(*c.branches));
   add(legend_of(c.lines));
-  std::vector<Quantity> panels = c.quantities;
-  if (c.branches) panels.push_back(c.branches->quantity);
-  add(mark_legend(panels, c.as_table));
+  add(mark_legend(marked, c.as_table || std::size_t(maps) == c.panels.size()));
   return c;
 }
 
 void draw_heat_maps(Canvas& canvas, const ScanGrid& scan, const Options& options) {
   const Contents contents = contents_of(scan, options);
   const double text = options.text_size();
-  double bars = 0.0;  // the width that all bars take with their numbers
-  for (const ColourMap& colours : contents.colours)
-    bars += 1.7 * text + colour_bar_margin(canvas, colours, false, text);
-  const auto count = double(contents.quantities.size() + (contents.branches ? 1 : 0));
+  const auto bar_of = [&](const std::optional<DiagramPanel>& panel) {  // with its numbers
+    return panel ? 1.7 * text + colour_bar_margin(canvas, panel->colours, false, text) : 0.0;
+  };
+  double bars = 0.0;
+  for (const auto& panel : contents.panels) bars += bar_of(panel);
+  const auto count = double(contents.panels.size());
   const double width = options.width(533.0 * count);
   const double left = 5.2 * text, gap = 1.8 * text;
   const double inner_width = (width - left - bars - gap * count) / count;
@@ -93,30 +120,25 @@ void draw_heat_maps(Canvas& canvas, const ScanGrid& scan, const Options& options
   grid.y = grid.as_table ? table_axis(scan.lengths(), constant)
                          : distance_axis(scan.lengths(), constant, inner_height, 3.0 * text);
 
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   double x = left;
-  // A panel with its lines and title; the next one stands beyond `room` and has no numbers on its axis.
-  const auto panel = [&](const std::string& title, double room, bool numbers, auto&& draw) {
+  for (const auto& panel : contents.panels) {
     const Rect inside{x, below, inner_width, inner_height};
-    draw(inside);
-    if (!numbers) draw_diagram_lines(canvas, inside, contents.lines, grid);
-    canvas.text(inside.centre_x(), inside.top() + 1.2 * text, title, {.size = text});
-    x += inner_width + room + gap;
-    grid.y.axis.title.clear();
-    std::ranges::fill(grid.y.axis.labels, "");
-  };
-  if (contents.branches)
-    panel(contents.branches->quantity.title, 0.0, false, [&](const Rect& inside) {
+    if (panel)
+      draw_heat_map(canvas, inside, panel->quantity, panel->colours, grid, text);
+    else
       draw_branch_map(canvas, inside, *contents.branches, grid, text);
-    });
-  for (std::size_t i = 0; i < contents.quantities.size(); ++i)
-    panel(contents.quantities[i].title,
-          1.7 * text + colour_bar_margin(canvas, contents.colours[i], false, text), grid.as_table,
-          [&](const Rect& inside) {
-            draw_heat_map(canvas, inside, contents.quantities[i], contents.colours[i], grid, text);
-          });
+    if (!panel || !grid.as_table) draw_diagram_lines(canvas, inside, contents.lines, grid);
+    const std::string& title = panel ? panel->quantity.title : contents.branches->quantity.title;
+    require_room(inside, 0.7 * canvas.text_width(title, text) - gap, 0.0);
+    canvas.text(inside.centre_x(), inside.top() + 1.2 * text, title,
+                {.size = fitted_size(canvas, {title}, inner_width + gap, text)});
+    x += inner_width + bar_of(panel) + gap;
+    grid.y.axis.title.clear();  // the next one has no numbers on its axis
+    std::ranges::fill(grid.y.axis.labels, "");
+  }
   draw_legend(canvas, contents.legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
-  canvas.write(options.directory / "diagram");
+  canvas.write(options.directory / "diagram", options.output());
 }
 
 }  // namespace

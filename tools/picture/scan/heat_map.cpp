@@ -14,7 +14,7 @@
 namespace sbeh::picture {
 namespace {
 
-constexpr double hatch_distance = 9.0;  // pixels
+constexpr double hatch_distance = 9.0;  // pixels at the usual size of letters
 // Of the width: shorter pieces, at the rugged edges of regions and in corners, are only noise.
 constexpr double shortest_contour = 0.12;
 
@@ -23,8 +23,8 @@ double to_pixels(double value, const Axis& axis, double origin, double length) {
 }
 
 // The ends of parallel lines at 45° through the rectangle, or at −45°.
-void add_hatch(Points& ends, const Rect& r, bool falling = false) {
-  const double distance = std::min(hatch_distance, 0.7 * std::min(r.width, r.height));
+void add_hatch(Points& ends, const Rect& r, double unit, bool falling = false) {
+  const double distance = std::min(unit * hatch_distance, 0.7 * std::min(r.width, r.height));
   for (double c = 0.5 * distance; c < r.width + r.height; c += distance) {
     // From the left or upper edge to the lower or right edge: x − r.x + (r.top − y) = c.
     const double from = std::max(0.0, c - r.height), to = std::min(r.width, c);
@@ -72,9 +72,9 @@ void draw_cells(Canvas& canvas, const std::vector<Cell>& cells) {
   Points hatch, stripes, signs, on_dark, on_light;
   for (const Cell& cell : cells) {
     canvas.fill(cell.rect, cell.colour);
-    if (cell.striped) add_hatch(stripes, cell.rect, true);
-    if (cell.mark == Mark::unresolved) add_hatch(hatch, cell.rect);
-    if (cell.mark == Mark::singular) add_hatch(stripes, cell.rect, true);
+    if (cell.striped) add_hatch(stripes, cell.rect, canvas.unit(), true);
+    if (cell.mark == Mark::unresolved) add_hatch(hatch, cell.rect, canvas.unit());
+    if (cell.mark == Mark::singular) add_hatch(stripes, cell.rect, canvas.unit(), true);
     if (cell.mark == Mark::failed) add_cross(signs, cell.rect);
     if (cell.mark == Mark::not_found) add_diamond(signs, cell.rect);
     if (cell.mark == Mark::limit)
@@ -146,8 +146,11 @@ std::vector<Cell> cells_of(const Rect& inside, const Quantity& quantity, const H
       const double top = to_pixels(grid.y.edges[j + 1], grid.y.axis, inside.y, inside.height);
       const double value = quantity.values[i][j];
       if (quantity.marks[i][j] == Mark::absent) continue;
+      // Under its neighbours: between two that only touch the ground would be seen.
+      constexpr double over = 0.4;
       const Look look = std::isfinite(value) ? look_of(value) : Look{without_value};
-      cells.push_back({{left, bottom, right - left, top - bottom},
+      cells.push_back({{left, bottom, std::min(right + over, inside.right()) - left,
+                        std::min(top + over, inside.top()) - bottom},
                        look.colour,
                        quantity.marks[i][j],
                        value,

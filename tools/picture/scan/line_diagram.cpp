@@ -53,18 +53,31 @@ std::vector<Panel> panels_of(const ScanGrid& scan, const Options& options) {
                            model == Model::SBEH ? sbeh_style : ssh_style, sbeh::name(model)});
         return all;
       };
-  std::vector<Panel> panels;
-  if (scan.has(Model::SBEH) && scan.has(Model::SSH)) {
-    const Quantity gap = energy_gap(scan, lowest_of(Model::SBEH));
-    panels.push_back({gap.title, {{gap, {.colour = black, .width = 2.4}}}});
-  } else {
-    fmt::print("diagram: only one model, so the energy itself in place of the energy gap\n");
-    panels.push_back({"energy U", of_models(energy)});
+  const bool ordered = scan.has(Model::SBEH), both = ordered && scan.has(Model::SSH);
+  std::vector<std::string> names = options.panels;
+  if (names.empty()) {
+    if (!both)
+      fmt::print("diagram: only one model, so the energy itself in place of the energy gap\n");
+    names.emplace_back(both ? "gap" : "energy");
+    if (ordered) names.emplace_back("order");
+    names.emplace_back("curvature");
   }
-  if (scan.has(Model::SBEH))
-    panels.push_back(
-        {"smallest order β", {{smallest_order(scan, lowest_of(Model::SBEH)), sbeh_style, "SBEH"}}});
-  panels.push_back({"largest |H|", of_models(largest_curvature)});
+  std::vector<Panel> panels;
+  for (const std::string& name : names) {
+    if (name == "gap" && both) {
+      const Quantity gap = energy_gap(scan, lowest_of(Model::SBEH));
+      panels.push_back({gap.title, {{gap, {.colour = black, .width = 2.4}}}});
+    } else if (name == "energy") {
+      panels.push_back({"energy U", of_models(energy)});
+    } else if (name == "order" && ordered) {
+      panels.push_back({"smallest order β",
+                        {{smallest_order(scan, lowest_of(Model::SBEH)), sbeh_style, "SBEH"}}});
+    } else if (name == "curvature") {
+      panels.push_back({"largest |H|", of_models(largest_curvature)});
+    } else {
+      throw InputError(fmt::format("--panels {}: the scan has not what that needs", name));
+    }
+  }
   return panels;
 }
 
@@ -115,7 +128,7 @@ void draw_series(Chart& chart, const Series& series, const std::vector<double>& 
 std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
   std::vector<LegendEntry> entries;
   for (const Series& series : panels.back().series)
-    entries.push_back(line_entry(series.style, series.name));
+    if (!series.name.empty()) entries.push_back(line_entry(series.style, series.name));
   std::ranges::reverse(entries);
   const auto marked = [&](Mark mark) {
     return std::ranges::any_of(panels, [&](const Panel& panel) {
@@ -149,7 +162,7 @@ void draw_line_diagram(Canvas& canvas, const ScanGrid& scan, const Options& opti
   const Axis x = roomy_axis(parameter.front(), parameter.back(), inner_width, 3.5 * text,
                             over_volume ? "reduced volume Vᵣ" : "elastic constant L");
 
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   canvas.text(
       0.5 * width, height - 1.4 * text,
       over_volume ? length_title(scan.lengths()[0]) : volume_title(scan.reduced_volumes()[0]),
@@ -163,7 +176,7 @@ void draw_line_diagram(Canvas& canvas, const ScanGrid& scan, const Options& opti
     canvas.text(inside.centre_x(), inside.top() + 1.2 * text, panels[i].title, {.size = text});
   }
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
-  canvas.write(options.directory / "diagram");
+  canvas.write(options.directory / "diagram", options.output());
 }
 
 }  // namespace sbeh::picture

@@ -49,6 +49,9 @@ struct CutColours {
 };
 CutColours colours_for(const FieldRanges& ranges, const Options& options);
 
+/// Of the lines of coloured cuts.
+inline constexpr double coloured_width = 6.4;
+
 /// One cut in a cell: coloured by a field if `colours` is set, otherwise as `style` says.
 struct CutLine {
   const Cut* cut = nullptr;

@@ -75,7 +75,7 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
       linear_axis(volumes.low, volumes.high, inside.width, 4.0 * text, "reduced volume Vᵣ");
   const Axis y = linear_axis(energies.low, energies.high, inside.height, 3.2 * text, "F / 8πκ");
 
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   Chart chart(canvas, inside, text, x, y);
   for (const BranchCurve& branch : branch_curves)
     for (std::size_t i = 0; i < all.witnesses.size(); ++i) {
@@ -88,7 +88,7 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
     }
   chart.markers(special, Marker::full, black, 0.6 * text);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
-  canvas.write(options.directory / "branches");
+  canvas.write(options.directory / "branches", options.output());
 }
 
 }  // namespace sbeh::picture

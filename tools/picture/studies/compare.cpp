@@ -156,14 +156,14 @@ void draw_compared_profiles(Canvas& canvas, const Options& options) {
   const auto axis = [&](double low, double high, const char* title) {
     return exact_axis(low, high, scale * (high - low), 4.0 * text, title);
   };
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   draw_section(canvas, section, text, axis(-box.r - margin, box.r + margin, "r"),
                axis(box.z.low - margin, box.z.high + margin, "z"), curves);
   const Axis s = exact_axis(0.0, box.length, lower.width, 5.0 * text,
                             std::string("arc length of ") + name(curves.front().method));
   draw_distances(canvas, lower, text, s, curves);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
-  canvas.write(options.directory / "profiles");
+  canvas.write(options.directory / "profiles", options.output());
 }
 
 }  // namespace sbeh::picture

@@ -164,7 +164,7 @@ void draw_stability(Canvas& canvas, const Options& options) {
   const double inner_width = width / double(across) - left - right;
   const double height = options.height(bottom + top + double(down) * (below + above + inner_width));
   const double inner_height = (height - bottom - top) / double(down) - below - above;
-  canvas.start(width, height);
+  canvas.start(width, height, options.unit());
   canvas.text(0.5 * width, height - 1.2 * text, "Growth rate of a perturbation, over κ(2/3)",
               {.size = 1.1 * text});
   std::size_t i = 0;
@@ -184,7 +184,7 @@ void draw_stability(Canvas& canvas, const Options& options) {
     ++i;
   }
   draw_legend(canvas, legend, {text, 0.6 * text, width - 2.0 * text, legend_at}, text);
-  canvas.write(options.directory / "stability");
+  canvas.write(options.directory / "stability", options.output());
 }
 
 }  // namespace sbeh::picture

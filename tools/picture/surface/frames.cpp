@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 
 namespace sbeh::picture {
 
@@ -35,6 +36,27 @@ std::vector<FrameEntry> chosen_frames(const std::vector<FrameEntry>& frames, std
     next = std::min(next + 1, latest + 1);
   }
   return chosen;
+}
+
+std::vector<FrameEntry> nearest_frames(const std::vector<FrameEntry>& frames,
+                                       const std::vector<double>& times) {
+  std::set<std::size_t> chosen;
+  if (!frames.empty())
+    for (const double time : times)
+      chosen.insert(
+          std::size_t(std::ranges::min_element(
+                          frames, {}, [&](const FrameEntry& f) { return std::abs(f.time - time); })
+                      - frames.begin()));
+  std::vector<FrameEntry> nearest;
+  for (const std::size_t i : chosen) nearest.push_back(frames[i]);
+  return nearest;
+}
+
+std::vector<FrameEntry> shown_frames(const std::filesystem::path& table, const Options& options,
+                                     std::size_t most) {
+  const std::vector<FrameEntry> frames = read_frames(table);
+  return options.frames.empty() ? chosen_frames(frames, most)
+                                : nearest_frames(frames, options.frames);
 }
 
 studies::CurvedFile read_state(const std::filesystem::path& frame) {

@@ -18,6 +18,14 @@ std::vector<studies::FrameEntry> read_frames(const std::filesystem::path& table)
 std::vector<studies::FrameEntry> chosen_frames(const std::vector<studies::FrameEntry>& frames,
                                                std::size_t most);
 
+/// The frames nearest to these times, each once, in the order of time.
+std::vector<studies::FrameEntry> nearest_frames(const std::vector<studies::FrameEntry>& frames,
+                                                const std::vector<double>& times);
+
+/// Those the user asks for, or at most so many.
+std::vector<studies::FrameEntry> shown_frames(const std::filesystem::path& table,
+                                              const Options& options, std::size_t most);
+
 /// The surface of a frame with its fields `order` and `mean_curvature`. Throws InputError.
 studies::CurvedFile read_state(const std::filesystem::path& frame);
 /// At its nodes.

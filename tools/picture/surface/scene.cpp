@@ -154,6 +154,7 @@ double radius_of(const meshing::CurvedMesh& mesh) {
 void draw_surface(Canvas& canvas, const Rect& cell, const meshing::CurvedMesh& mesh,
                   const Eigen::VectorXd& values, const ColourMap& colours, const View& view,
                   double half_width, Edges show_edges) {
+  require_room(cell, 40.0, 40.0);
   const int width = int(cell.width), height = int(cell.height);
   vtkNew<vtkPolyDataMapper> surface_mapper, edge_mapper;
   surface_mapper->SetResolveCoincidentTopologyToPolygonOffset();

@@ -1,0 +1,104 @@
+// Pictures as files: in the size and format that were asked for, or refused.
+#include "studies/scan/scan_table.h"
+#include "tests/tools/workplace.h"
+
+#include <fstream>
+
+namespace sbeh::tools::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+class Picture : public Workplace {
+ protected:
+  void make_scan() const {
+    write("in.toml",
+          "[scan]\nreduced_volume = [0.6, 0.65, 0.7, 0.75, 0.8, 0.85]\n"
+          "L = [0.01, 0.03, 0.05, 0.06, 0.07, 0.08]\n[numerics]\nelements = 16\n");
+    must(into("out", "scan"));
+  }
+  // Width and height, which follow the signature and the name of the first chunk.
+  std::pair<int, int> size_of(const std::string& png) const {
+    const std::string bytes = read(png);
+    const auto number = [&](std::size_t at) {
+      int value = 0;
+      for (std::size_t k = at; k < at + 4; ++k) value = 256 * value + (unsigned char)bytes.at(k);
+      return value;
+    };
+    return {number(16), number(20)};
+  }
+  void refuse(const std::vector<std::string>& arguments, const std::string& reason) const {
+    const Ended ended = sbeh(arguments);
+    EXPECT_EQ(ended.exit_code, 2) << ended.err;
+    EXPECT_NE(ended.err.find(reason), std::string::npos) << ended.err;
+    EXPECT_EQ(ended.out, "");
+  }
+  std::vector<std::string> diagram(std::vector<std::string> more) const {
+    std::vector<std::string> all{"picture", "scan", "out", "--only", "diagram"};
+    all.insert(all.end(), more.begin(), more.end());
+    return all;
+  }
+};
+
+TEST_F(Picture, has_the_size_that_was_asked_for_or_is_refused) {
+  make_scan();
+  must(diagram({"--size", "1500x700"}));
+  EXPECT_EQ(size_of("out/diagram.png"), std::pair(1500, 700));
+  const Contents before = contents("out");
+  for (const char* size : {"300x300", "400x900", "320x2000"})
+    refuse(diagram({"--size", size}), "choose a larger size, or less to show");
+  refuse(diagram({"--size", "30x30"}), "--size 30x30: give width and height in pixels");
+  EXPECT_TRUE(contents("out") == before);
+  must(diagram({"--size", "400x400", "--panels", "order"}));  // less to show
+}
+
+TEST_F(Picture, for_paper_has_its_width_and_format) {
+  make_scan();
+  must(diagram({"--width", "86mm", "--panels", "order", "--format", "pdf,svg,png"}));
+  EXPECT_NE(read("out/diagram.pdf").find("/MediaBox [0 0 243.78 "), std::string::npos);
+  EXPECT_NE(read("out/diagram.svg").find("width=\"86mm\""), std::string::npos);
+  EXPECT_EQ(size_of("out/diagram.png").first, 1016);  // 300 dots per inch
+  must(diagram({"--width", "180mm", "--height", "70mm", "--format", "pdf"}));
+  EXPECT_NE(read("out/diagram.pdf").find("/MediaBox [0 0 510.2"), std::string::npos);
+  for (const fs::directory_entry& entry : fs::directory_iterator(path("out")))
+    EXPECT_FALSE(entry.path().filename().string().starts_with(".diagram")) << entry.path();
+  refuse(diagram({"--width", "86"}), "--width 86: give a length with mm, cm or in");
+  refuse(diagram({"--format", "jpg"}), "--format");
+  refuse(diagram({"--height", "86mm"}), "--width");
+}
+
+TEST_F(Picture, shows_the_panels_colours_and_scale_that_were_asked_for) {
+  make_scan();
+  must(diagram({"--panels", "order"}));
+  const std::string order = read("out/diagram.svg");
+  must(diagram({"--panels", "order", "--scale", "0,1"}));
+  EXPECT_TRUE(read("out/diagram.svg") != order);
+  must(diagram({"--panels", "curvature,energy,gap", "--colours", "grey"}));
+  const std::string three = read("out/diagram.svg");
+  const std::size_t curvature = three.find("largest"), gap = three.find("energy gap");
+  EXPECT_TRUE(curvature != std::string::npos && gap != std::string::npos);
+  EXPECT_EQ(three.find("smallest order"), std::string::npos);
+  refuse(diagram({"--panels", "mass"}), "--panels");
+  refuse(diagram({"--panels", "lowest"}), "--panels lowest: the scan has one branch alone");
+  refuse(diagram({"--scale", "0,1"}), "--scale is that of one quantity: choose it by --panels");
+}
+
+TEST_F(Picture, of_an_evolution_shows_the_frames_that_were_asked_for) {
+  write("in.toml",
+        "model = \"SSH\"\n[start]\nshape = \"ellipsoid\"\nreduced_volume = 0.8\n[time]\nend = 0.1\n"
+        "profiles = [0, 0.001, 0.01, 0.1]\n[numerics]\nelements = 16\n");
+  must(into("out", "relax"));
+  must({"picture", "relax", "out"});
+  const std::string all = read("out/shapes.svg");
+  EXPECT_NE(all.find("t = 0.001<"), std::string::npos);
+  EXPECT_NE(all.find("mean curvature"), std::string::npos);  // the order of SSH is uniform
+  must({"picture", "relax", "out", "--only", "shapes", "--frames", "0,0.09"});
+  const std::string two = read("out/shapes.svg");
+  EXPECT_EQ(two.find("t = 0.001<"), std::string::npos);
+  EXPECT_NE(two.find("t = 0.1<"), std::string::npos);
+  must({"picture", "relax", "out", "--only", "shapes", "--field", "order"});
+  EXPECT_EQ(read("out/shapes.svg").find("mean curvature"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace sbeh::tools::test
