@@ -7,6 +7,7 @@
 #include <vtkBase64Utilities.h>
 
 #include <algorithm>
+#include <cctype>
 #include <cmath>
 #include <map>
 
@@ -31,6 +32,7 @@ dl { display: grid; grid-template-columns: repeat(auto-fill, minmax(13rem, 1fr))
 dl div { background: var(--shade); border-radius: .4rem; padding: .5rem .8rem; }
 dt { color: var(--soft); font-size: .85rem; } dd { margin: 0; font-variant-numeric: tabular-nums; }
 figure { margin: 1.2rem 0; }
+a { color: var(--c0); } ul.files { columns: 14rem; padding-left: 1.2rem; margin: 0; }
 figure img { max-width: 100%; height: auto; background: #fff; border: 1px solid var(--line);
   border-radius: .4rem; box-sizing: border-box; padding: .4rem; }
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(29rem, 100%), 1fr));
@@ -63,6 +65,40 @@ std::vector<std::size_t> spread(std::size_t size, std::size_t count) {
   for (std::size_t i = 0; i < n; ++i)
     chosen.push_back(n == 1 ? 0 : (i * (size - 1) + (n - 1) / 2) / (n - 1));
   return chosen;
+}
+
+// The rows that are shown, whole reduced volumes at a time, and what is said of them.
+struct Shown {
+  std::vector<std::size_t> rows;
+  std::string remark;
+};
+Shown shown_rows(const CsvTable& table, std::size_t most) {
+  Shown shown;
+  const std::size_t all = table.rows.size();
+  const auto column = table.find("reduced_volume");
+  if (all <= most || !column) {
+    shown.rows = spread(all, most);
+    if (all > most) shown.remark = fmt::format("{} of {} rows, evenly spread", most, all);
+    return shown;
+  }
+  std::map<double, std::vector<std::size_t>> volumes;
+  for (std::size_t row = 0; row < all; ++row)
+    volumes[table.number(row, "reduced_volume")].push_back(row);
+  std::vector<std::vector<std::size_t>> groups;
+  std::size_t largest = 1;
+  for (const auto& [volume, rows] : volumes) {
+    groups.push_back(rows);
+    largest = std::max(largest, rows.size());
+  }
+  const auto chosen = spread(groups.size(), most / largest);
+  for (const std::size_t k : chosen)
+    shown.rows.insert(shown.rows.end(), groups[k].begin(), groups[k].end());
+  std::ranges::sort(shown.rows);
+  shown.remark = chosen.empty()
+                   ? fmt::format("{} rows, too many to show those of one reduced volume", all)
+                   : fmt::format("{} of {} rows: those of {} of {} reduced volumes, evenly spread",
+                                 shown.rows.size(), all, chosen.size(), groups.size());
+  return shown;
 }
 
 }  // namespace
@@ -106,6 +142,12 @@ std::string facts(const std::vector<Fact>& facts) {
 }
 
 std::string table(const CsvTable& table, std::size_t most, std::string_view file) {
+  const Shown shown = shown_rows(table, most);
+  const std::string remark =
+      shown.remark.empty()
+          ? ""
+          : fmt::format("<p class=\"note\">{}; all are in {}.</p>\n", shown.remark, link(file));
+  if (shown.rows.empty()) return remark;
   std::string text = "<div class=\"wide\"><table>\n<thead><tr>";
   std::vector<const char*> classes;
   for (std::size_t k = 0; k < table.columns.size(); ++k) {
@@ -113,25 +155,31 @@ std::string table(const CsvTable& table, std::size_t most, std::string_view file
     text += fmt::format("<th{}>{}</th>", classes[k], escaped(table.columns[k]));
   }
   text += "</tr></thead>\n<tbody>\n";
-  for (const std::size_t row : spread(table.rows.size(), most)) {
+  for (const std::size_t row : shown.rows) {
     text += "<tr>";
     for (std::size_t k = 0; k < classes.size(); ++k)
       text += fmt::format("<td{}>{}</td>", classes[k], value(table.rows[row][k]));
     text += "</tr>\n";
   }
-  text += "</tbody></table></div>\n";
-  if (table.rows.size() > most)
-    text += fmt::format("<p class=\"note\">{} of {} rows, evenly spread; all are in {}.</p>\n",
-                        most, table.rows.size(), escaped(file));
-  return text;
+  return text + "</tbody></table></div>\n" + remark;
+}
+
+std::string link(std::string_view file) {
+  std::string address;
+  for (const char c : file) {
+    const bool plain = std::isalnum(static_cast<unsigned char>(c))
+                    || std::string_view("-._/~").find(c) != std::string_view::npos;
+    address += plain ? std::string(1, c) : fmt::format("%{:02X}", static_cast<unsigned char>(c));
+  }
+  return fmt::format("<a href=\"{}\">{}</a>", address, escaped(file));
 }
 
 std::string figure(const std::filesystem::path& picture, std::string_view caption) {
   const char* type = picture.extension() == ".svg" ? "image/svg+xml" : "image/png";
   return fmt::format(
       "<figure><img alt=\"{0}\" "
-      "src=\"data:{1};base64,{2}\"><figcaption>{0}</figcaption></figure>\n",
-      escaped(caption), type, base64(read_file(picture)));
+      "src=\"data:{1};base64,{2}\"><figcaption>{0} ({3})</figcaption></figure>\n",
+      escaped(caption), type, base64(read_file(picture)), link(picture.filename().string()));
 }
 
 std::string section(std::string_view title, std::string_view content) {

@@ -7,6 +7,7 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <iterator>
 
 namespace sbeh::studies {
 
@@ -112,18 +113,19 @@ struct Chart {
 const std::vector<Chart>& charts() {
   constexpr auto log = AxisScale::logarithmic;
   static const std::vector<Chart> all{
-      {{"Energy", log}, {{"energy", "U"}}},
-      {{"Order β", log},
+      {{"Energy", log, AxisScale::linear, "U"}, {{"energy", "U"}}},
+      {{"Order β", log, AxisScale::linear, "β"},
        {{"order_min", "least"}, {"order_mean", "mean"}, {"order_max", "largest"}}},
-      {{"Dissipation", log, log},
+      {{"Dissipation", log, log, "−dU/dt"},
        {{"dissipation_friction", "friction"},
         {"dissipation_order", "order"},
         {"dissipation_viscous", "viscous"}}},
-      {{"Energy lost over energy dissipated, in a step", log}, {{"energy_balance", "ratio"}}},
-      {{"Largest |H|", log}, {{"H_abs_max", "|H|"}}},
-      {{"Time step and largest speed", log, log},
+      {{"Energy lost over energy dissipated, in a step", log, AxisScale::linear, "ratio"},
+       {{"energy_balance", "ratio"}}},
+      {{"Largest |H|", log, AxisScale::linear, "|H|"}, {{"H_abs_max", "|H|"}}},
+      {{"Time step and largest speed", log, log, "τ, |V|"},
        {{"time_step", "time step"}, {"speed_max", "speed"}}},
-      {{"Mesh quality", log}, {{"mesh_quality", "quality"}}},
+      {{"Mesh quality", log, AxisScale::linear, "quality"}, {{"mesh_quality", "quality"}}},
   };
   return all;
 }
@@ -155,7 +157,7 @@ std::string energies_of_methods(const CsvTable& histories) {
     lines.back().x.push_back(histories.number(row, "time"));
     lines.back().y.push_back(histories.number(row, "energy"));
   }
-  return svg_chart({"Energy", AxisScale::logarithmic}, lines);
+  return svg_chart({"Energy", AxisScale::logarithmic, AxisScale::linear, "U"}, lines);
 }
 
 // ---- sections -----------------------------------------------------------------------------------
@@ -175,7 +177,7 @@ std::string tables_of(const fs::path& folder, const Contents& contents) {
     if (!fs::exists(folder / file)) continue;
     const CsvTable rows = read_csv(folder / file);
     if (rows.rows.empty()) continue;
-    text += html::element("h3", fmt::format("{} ({})", heading, file));
+    text += fmt::format("<h3>{} ({})</h3>\n", html::escaped(heading), html::link(file));
     text += html::table(rows, most_rows, file);
   }
   return text
@@ -183,6 +185,24 @@ std::string tables_of(const fs::path& folder, const Contents& contents) {
          "contains the Gaussian part; H is the trace of the shape operator, −2 on the unit sphere. "
          "Numbers "
          "are rounded to nine digits here and complete in the files.</p>\n";
+}
+
+// What lies in the folder, of a folder in it how many files.
+std::string files_of(const fs::path& folder) {
+  std::vector<fs::directory_entry> entries{fs::directory_iterator(folder), {}};
+  std::ranges::sort(entries);
+  std::string text;
+  for (const fs::directory_entry& entry : entries) {
+    const std::string name = entry.path().filename().string();
+    if (name.starts_with(".") || name == "report.html") continue;
+    std::string count;
+    if (entry.is_directory())
+      count = fmt::format(" ({} files)", std::distance(fs::directory_iterator(entry.path()),
+                                                       fs::directory_iterator()));
+    text +=
+        fmt::format("<li>{}{}</li>\n", html::link(entry.is_directory() ? name + "/" : name), count);
+  }
+  return "<ul class=\"files\">\n" + text + "</ul>\n";
 }
 
 std::string how_to_run(const fs::path& folder, const Contents& contents, bool has_input) {
@@ -261,6 +281,7 @@ ReportSummary write_report(const fs::path& folder, std::string_view version) {
   if (const std::string history = over_time(folder); !history.empty())
     body += html::section("Over time", history);
   body += html::section("Tables", tables_of(folder, contents));
+  body += html::section("Files", files_of(folder));
   if (has_input)
     body += html::section("Input with every parameter",
                           html::element("pre", read_file(folder / "run.toml")));

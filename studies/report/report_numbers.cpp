@@ -29,12 +29,12 @@ std::vector<Row> rows_of(const Columns<Row>& columns, const fs::path& file) {
   return rows;
 }
 
-// The first eight rows of a table; none where there is none.
+// The rows of a table if they are few: of some reduced volumes alone they would mislead. None where there is no table.
 template <class Row>
-std::vector<Row> first_rows(const Columns<Row>& columns, const fs::path& file) {
+std::vector<Row> few_rows(const Columns<Row>& columns, const fs::path& file) {
+  constexpr std::size_t most = 12;
   std::vector<Row> rows = fs::exists(file) ? read_rows(columns, file) : std::vector<Row>{};
-  rows.resize(std::min<std::size_t>(rows.size(), 8));
-  return rows;
+  return rows.size() <= most ? rows : std::vector<Row>{};
 }
 
 // The words in a column, in the order of their first row.
@@ -109,7 +109,7 @@ KeyNumbers of_scan(const fs::path& folder) {
       rounded("smallest order", range_of(points, measured(&axisym::Diagnostics::order_min)).low));
   facts.push_back(
       rounded("largest |H|", range_of(points, measured(&axisym::Diagnostics::H_abs_max)).high));
-  for (const FoldRow& fold : first_rows(fold_columns(), folder / "folds.csv"))
+  for (const FoldRow& fold : few_rows(fold_columns(), folder / "folds.csv"))
     facts.push_back(
         {fmt::format("fold of the {} at V_r = {:.6g}", name(fold.branch), fold.reduced_volume),
          "L = " + text_of(fold.L) + (fold.kind ? fmt::format(" ({})", name(*fold.kind)) : "")});
@@ -195,7 +195,7 @@ KeyNumbers of_stability(const fs::path& folder) {
     facts.push_back(count(fmt::format("runs: {}", name(verdict)), runs,
                           [&](const Row& row) { return row.verdict == verdict; }));
   facts.push_back(range("rates over κ(2/3)", runs, &Row::reduced_rate));
-  for (const Threshold& t : first_rows(threshold_columns(), folder / "thresholds.csv"))
+  for (const Threshold& t : few_rows(threshold_columns(), folder / "thresholds.csv"))
     facts.push_back({fmt::format("rate 0 of {} {}, L = {}, m = {}", sbeh::name(t.below.model),
                                  name(t.below.branch), t.below.L, t.below.m),
                      "V_r = " + text_of(t.reduced_volume)});

@@ -13,7 +13,7 @@ namespace sbeh::studies {
 namespace {
 
 // Pixels of the drawing; it is scaled to the width of its place.
-constexpr double width = 480, height = 270, left = 66, right = 14, top = 12, bottom = 40;
+constexpr double width = 480, height = 270, left = 82, right = 14, top = 12, bottom = 40;
 
 struct Tick {
   double at;  // on the axis: the value, or its logarithm
@@ -147,9 +147,11 @@ std::string svg_chart(const ChartFrame& frame, const std::vector<ChartLine>& lin
   return text
        + fmt::format(
              "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"var(--ink)\">t</text>\n"
+             "<text transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\" "
+             "fill=\"var(--ink)\">{}</text>\n"
              "</svg><figcaption>{}{}</figcaption></figure>\n",
-             left + (width - left - right) / 2, height - 6, html::escaped(frame.title),
-             legend_of(lines, curves));
+             left + (width - left - right) / 2, height - 6, top + (height - top - bottom) / 2,
+             html::escaped(frame.y_name), html::escaped(frame.title), legend_of(lines, curves));
 }
 
 }  // namespace sbeh::studies

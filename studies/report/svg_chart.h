@@ -16,6 +16,7 @@ enum class AxisScale { linear, logarithmic };
 struct ChartFrame {
   std::string title;
   AxisScale x = AxisScale::linear, y = AxisScale::linear;
+  std::string y_name{};  ///< beside the axis; the other is the time t
 };
 
 /// A <figure> with the chart, at most four lines. Points that an axis cannot show (not finite, not

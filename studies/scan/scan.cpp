@@ -49,7 +49,11 @@ struct Scan {
   /// Keeps a point: its files first, so that a row means that they are whole.
   void keep(const PointKey& key, PointOutcome& point) {
     point.row.key = key;
-    if (point.state) write_profile(point_file(folder.path(), key, ".csv"), *point.state);
+    if (point.state) {
+      auto z = point.state->X.row(1).array();
+      z -= (z.maxCoeff() + z.minCoeff()) / 2;  // in what goes on from here too
+      write_profile(point_file(folder.path(), key, ".csv"), *point.state);
+    }
     const std::lock_guard lock(mutex);
     table.append(point.row);
     ++computed;

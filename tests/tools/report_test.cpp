@@ -44,9 +44,27 @@ class Report : public Workplace {
     EXPECT_EQ(ended.out, "wrote " + folder + "/report.html\n");
     const std::string page = read(folder + "/report.html");
     EXPECT_EQ(fault_of(page), "");
-    for (const char* outside : {"http", "href", "url(", "@import", "<script", "src=\"/", "//"})
+    expect_links(page, folder);
+    for (const char* outside : {"http", "url(", "@import", "<script", "src=\"/", "//"})
       EXPECT_EQ(page.find(outside), std::string::npos) << outside;
     return page;
+  }
+  // To files beside the page, and to all of them.
+  void expect_links(const std::string& page, const std::string& folder) const {
+    const std::string begin = "href=\"";
+    std::set<std::string> links;
+    for (std::size_t at = page.find(begin); at != std::string::npos;
+         at = page.find(begin, at + 1)) {
+      const std::size_t from = at + begin.size();
+      links.insert(page.substr(from, page.find('"', from) - from));
+    }
+    for (const std::string& file : links)
+      EXPECT_TRUE(fs::exists(path(folder + "/" + file))) << file;
+    for (const fs::directory_entry& entry : fs::directory_iterator(path(folder))) {
+      const std::string name = entry.path().filename().string();
+      if (name.starts_with(".") || name == "report.html") continue;
+      EXPECT_TRUE(links.contains(name) || links.contains(name + "/")) << name;
+    }
   }
   void expect_numbers(const std::string& page, const std::string& file) const {
     const Table numbers = table(file);

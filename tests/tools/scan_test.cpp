@@ -28,6 +28,27 @@ double L_of(const std::string& reason) {
   return std::atof(reason.substr(reason.find("L = ") + 4).c_str());
 }
 
+// Each its own mirror image: of either model, by either method.
+TEST_F(Scan, of_shapes_that_are_symmetric_has_profiles_with_their_middle_at_0) {
+  const std::string grid = "[scan]\nreduced_volume = [0.6, 0.8]\nL = [0.03, 0.06]\n";
+  write("newton.toml", grid + "branches = [\"oblate\", \"prolate\"]\n[numerics]\nelements = 16\n");
+  write("flow.toml", grid + "method = \"flow\"\n[numerics]\nelements = 16\n");
+  for (const std::string method : {"newton", "flow"}) {
+    must(into(method, "scan", method + ".toml"));
+    int profiles = 0;
+    for (const auto& entry : std::filesystem::directory_iterator(path(method + "/points"))) {
+      const std::string name = entry.path().filename().string();
+      if (name.ends_with(".series.csv")) continue;
+      const std::vector<double> z = table(method + "/points/" + name).numbers("z");
+      const auto [low, high] = std::ranges::minmax(z);
+      EXPECT_NEAR(low + high, 0, 1e-15) << name;
+      EXPECT_NEAR(z.front() + z.back(), 0, 1e-6) << name;  // the poles lie as far on either side
+      ++profiles;
+    }
+    EXPECT_GE(profiles, 8) << method;
+  }
+}
+
 TEST_F(Scan, leaves_a_row_with_every_column_for_every_point_in_the_order_of_the_grid) {
   write("in.toml", across_the_fold);
   must(into("out", "scan"));

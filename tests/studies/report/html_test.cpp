@@ -3,6 +3,7 @@
 
 #include "studies/report/svg_chart.h"
 
+#include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -48,6 +49,55 @@ TEST(Html, shows_a_long_table_with_its_first_and_last_row) {
     ++rows;
   EXPECT_EQ(rows, 11u);  // the header too
   EXPECT_EQ(html::table(table, 1000, "x").find("of 1000 rows"), std::string::npos);
+}
+
+// Rows of a scan: 2 L, 2 models at each of many reduced volumes, in the order they were finished.
+CsvTable scan_rows(int volumes, int of_each) {
+  CsvTable table{.columns = {"model", "reduced_volume", "k"}, .rows = {}};
+  for (int k = 0; k < of_each; ++k)
+    for (int v = 0; v < volumes; ++v)
+      table.rows.push_back({"SSH", std::to_string(0.3 + 0.01 * v), std::to_string(k)});
+  return table;
+}
+
+TEST(Html, shows_the_rows_of_a_reduced_volume_together_or_not_at_all) {
+  struct Case {
+    int volumes, of_each;
+    std::size_t most;
+  };
+  for (const auto& [volumes, of_each, most] :
+       {Case{50, 4, 30}, {13, 7, 20}, {3, 100, 250}, {40, 9, 9}, {2, 60, 50}, {5, 6, 200}}) {
+    const std::string text = html::table(scan_rows(volumes, of_each), most, "scan.csv");
+    const auto count = [&](const std::string& word) {
+      std::size_t found = 0;
+      for (std::size_t at = text.find(word); at != std::string::npos; at = text.find(word, at + 1))
+        ++found;
+      return found;
+    };
+    std::size_t all = 0, groups = 0;
+    for (int v = 0; v < volumes; ++v) {
+      const std::size_t rows = count(fmt::format("\"{}\"", std::to_string(0.3 + 0.01 * v)));
+      EXPECT_TRUE(rows == 0 || rows == std::size_t(of_each)) << rows;
+      all += rows;
+      groups += rows > 0;
+    }
+    const bool fits = std::size_t(volumes * of_each) <= most;
+    EXPECT_EQ(groups, fits ? std::size_t(volumes) : most / std::size_t(of_each));
+    EXPECT_LE(all, most);
+    EXPECT_EQ(count("<a href=\"scan.csv\">"), fits ? 0u : 1u);  // where the others are
+  }
+}
+
+TEST(Html, links_to_files_of_any_name) {
+  EXPECT_EQ(html::link("points/a.csv"), "<a href=\"points/a.csv\">points/a.csv</a>");
+  EXPECT_EQ(html::link("a b\"<%.csv"), "<a href=\"a%20b%22%3C%25.csv\">a b&quot;&lt;%.csv</a>");
+}
+
+TEST(Chart, names_its_axes) {
+  const std::string text =
+      svg_chart({.title = "Energy", .y_name = "U < 0"}, {{"one", {0, 1}, {2, 3}}});
+  EXPECT_NE(text.find(">t</text>"), std::string::npos);
+  EXPECT_NE(text.find(">U &lt; 0</text>"), std::string::npos);
 }
 
 TEST(Chart, leaves_out_what_an_axis_cannot_show) {

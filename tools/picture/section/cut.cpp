@@ -11,7 +11,8 @@ namespace sbeh::picture {
 Cut mirrored(const axisym::State& profile) {
   const auto r = profile.X.row(0), z = profile.X.row(1);
   const double low = z.minCoeff(), high = z.maxCoeff(), middle = 0.5 * (low + high);
-  const axisym::Field H = axisym::mean_curvature(profile.X);
+  const bool has_elements = r.size() % 3 == 1;  // 3 n + 1 nodes
+  const axisym::Field H = has_elements ? axisym::mean_curvature(profile.X) : axisym::Field();
   Cut cut;
   const auto add = [&](Eigen::Index i, double sign) {
     cut.points.push_back({sign * r[i], z[i] - middle});

@@ -19,6 +19,7 @@ struct Cut {
   double half_height = 0.0;
 };
 
+/// Of the P3 elements of a state; or of points that are none, then without H.
 Cut mirrored(const axisym::State& profile);
 
 /// Only the points a picture can show: those farther apart than `spacing`, or where the curve turns.

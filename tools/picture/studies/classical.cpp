@@ -1,9 +1,17 @@
+#include "axisym/shooting/seifert_shooting.h"
 #include "studies/seifert/seifert.h"
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/section/cut.h"
 #include "tools/picture/studies/studies.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <exception>
 #include <map>
+#include <numbers>
+#include <optional>
+#include <utility>
 
 namespace sbeh::picture {
 namespace {
@@ -16,8 +24,8 @@ struct BranchCurve {
 };
 const std::vector<BranchCurve> branch_curves{
     {Branch::oblate, {.colour = {0, 84, 159}, .width = 2.6}},
-    {Branch::prolate, {.colour = {213, 94, 0}, .width = 2.6}},
-    {Branch::stomatocyte, {.colour = {0, 158, 115}, .width = 2.6}},
+    {Branch::prolate, {.colour = {213, 94, 0}, .width = 2.6, .pattern = Pattern::dashed}},
+    {Branch::stomatocyte, {.colour = {0, 158, 115}, .width = 2.6, .pattern = Pattern::dash_dotted}},
 };
 
 // Points (V_r, F/8πκ) by witness and branch, V_r ascending; witnesses in the order of the file.
@@ -39,18 +47,134 @@ Branches read_branches(const std::filesystem::path& file) {
   return all;
 }
 
-Points special_points(const std::filesystem::path& file) {
-  Points points;
-  for (const studies::PointRow& row : studies::read_rows(studies::point_columns(), file))
-    points.push_back({row.point.reduced_volume, row.point.energy});
+// What the special points are called in a picture, and whose shapes stand beside the name.
+struct Meaning {
+  const char *name, *text;
+  std::vector<Branch> shapes;
+};
+const std::vector<Meaning> meanings{
+    {"prolate_oblate", "equal energy", {Branch::prolate, Branch::oblate}},
+    {"oblate_stomatocyte", "equal energy", {Branch::oblate, Branch::stomatocyte}},
+    {"stomatocyte_fold", "fold", {Branch::stomatocyte}},
+    {"oblate_symmetry_loss", "loses its symmetry", {Branch::oblate}},
+    {"oblate_self_contact", "poles touch", {Branch::oblate}}};
+
+struct Special {
+  std::string letter, text;
+  std::array<double, 2> at;
+  std::vector<Cut> shapes{};
+};
+
+// Shot anew: the tables have none. A fold is no place to shoot at, so next to it.
+std::optional<Cut> shape_at(Branch branch, double reduced_volume) {
+  constexpr double aside = 1e-3;
+  for (const double volume : {reduced_volume, reduced_volume - aside}) {
+    try {
+      const axisym::ClassicalShape shape =
+          axisym::shoot_branch(branch, std::vector<double>{volume}).front();
+      Eigen::Matrix2Xd profile = shape.profile;
+      if (branch == Branch::stomatocyte && profile(1, 0) > 0) profile.row(1) *= -1;
+      return mirrored({profile, axisym::Field::Zero(profile.cols())});
+    } catch (const std::exception&) {  // not on the branch, or too ill conditioned
+    }
+  }
+  return {};
+}
+
+// By ascending reduced volume: a, b, c …
+std::vector<Special> special_points(const std::filesystem::path& file) {
+  std::vector<studies::PointRow> rows = studies::read_rows(studies::point_columns(), file);
+  std::ranges::sort(rows, {}, [](const auto& row) { return row.point.reduced_volume; });
+  std::vector<Special> points;
+  for (const studies::PointRow& row : rows) {
+    Special point{std::string(1, char('a' + points.size())),
+                  row.name,
+                  {row.point.reduced_volume, row.point.energy}};
+    const auto meaning =
+        std::ranges::find_if(meanings, [&](const Meaning& m) { return row.name == m.name; });
+    if (meaning != meanings.end()) {
+      point.text = meaning->text;
+      for (const Branch branch : meaning->shapes)
+        if (auto cut = shape_at(branch, row.point.reduced_volume))
+          point.shapes.push_back(std::move(*cut));
+    }
+    points.push_back(std::move(point));
+  }
   return points;
+}
+
+// The place of a letter beside a point, as far as can be from `occupied`, all in pixels.
+std::array<double, 2> free_place(const std::array<double, 2>& point, const Points& occupied,
+                                 double distance) {
+  std::array<double, 2> best = point;
+  double farthest = -1.0;
+  constexpr int directions = 16;
+  for (int k = 0; k < directions; ++k) {
+    const double angle = 2.0 * std::numbers::pi * k / directions;
+    const std::array<double, 2> place{point[0] + distance * std::cos(angle),
+                                      point[1] + distance * std::sin(angle)};
+    double nearest = 1e300;
+    for (const auto& [x, y] : occupied)
+      nearest = std::min(nearest, std::hypot(place[0] - x, place[1] - y));
+    if (nearest > farthest) {
+      farthest = nearest;
+      best = place;
+    }
+  }
+  return best;
+}
+
+// Letters beside the points.
+void draw_letters(Canvas& canvas, const std::vector<Special>& special, const Branches& all,
+                  const Rect& inside, const Axis& x, const Axis& y, double text) {
+  const auto pixel = [&](const std::array<double, 2>& at) {
+    return std::array{inside.x + x.share(at[0]) * inside.width,
+                      inside.y + y.share(at[1]) * inside.height};
+  };
+  Points occupied;
+  for (const auto& [key, points] : all.points)
+    for (std::size_t i = 1; i < points.size(); ++i)
+      for (const double share : {0.0, 0.25, 0.5, 0.75})
+        occupied.push_back(pixel({points[i - 1][0] + share * (points[i][0] - points[i - 1][0]),
+                                  points[i - 1][1] + share * (points[i][1] - points[i - 1][1])}));
+  for (const Special& point : special) occupied.push_back(pixel(point.at));
+  for (const Special& point : special) {
+    const auto place = free_place(pixel(point.at), occupied, 1.1 * text);
+    canvas.text(place[0], place[1], point.letter, {.size = text});
+    occupied.push_back(place);
+  }
+}
+
+// Letters, shapes and names in the corner above the branches, which is empty.
+void draw_key(Canvas& canvas, const std::vector<Special>& special, const Rect& inside,
+              double text) {
+  constexpr double line = 2.3, shape = 2.2, letters = 0.85;  // in text sizes
+  const double scale = 0.6 * text;  // pixels per radius of the sphere of equal area
+  double width = 0.0;
+  for (const Special& point : special)
+    width = std::max(width, canvas.text_width(point.text, letters * text));
+  const double left = inside.right() - width - (1.4 + 2 * shape) * text;
+  require_room({0.0, 0.0, inside.right() - left, inside.height}, 0.0,
+               (line * double(special.size()) + 5.0) * text);
+  double y = inside.top() - 0.5 * line * text;
+  for (const Special& point : special) {
+    canvas.text(left, y, point.letter, {.size = text});
+    for (std::size_t k = 0; k < point.shapes.size(); ++k)
+      draw_cuts(canvas,
+                {left + (0.6 + shape * double(k)) * text, y - 0.65 * line * text, shape * text,
+                 1.3 * line * text},
+                scale, {{.cut = &point.shapes[k], .style = {.colour = dark_grey, .width = 1.6}}});
+    canvas.text(left + (0.9 + 2 * shape) * text, y, point.text,
+                {.size = letters * text, .align = Align::left});
+    y -= line * text;
+  }
 }
 
 }  // namespace
 
 void draw_classical_diagram(Canvas& canvas, const Options& options) {
   const Branches all = read_branches(options.directory / "branches.csv");
-  const Points special = special_points(options.directory / "points.csv");
+  const std::vector<Special> special = special_points(options.directory / "points.csv");
   const double text = options.text_size();
   std::vector<LegendEntry> legend;
   for (const BranchCurve& branch : branch_curves)
@@ -61,7 +185,7 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
   if (!others.empty()) legend.push_back(marker_entry(Marker::hollow, dark_grey, others));
   legend.push_back(marker_entry(Marker::full, black, "special points"));
 
-  const double width = options.width(1100.0), height = options.height(800.0);
+  const double width = options.width(1100.0), height = options.height(0.55 * width + 10.0 * text);
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double below = below_axis(text) + 0.8 * text + legend_at;
   const Rect inside{5.2 * text, below, width - 6.8 * text, height - below - 1.6 * text};
@@ -86,7 +210,11 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
       else
         chart.markers(at->second, Marker::hollow, branch.style.colour, 0.45 * text);
     }
-  chart.markers(special, Marker::full, black, 0.6 * text);
+  Points marked;
+  for (const Special& point : special) marked.push_back(point.at);
+  chart.markers(marked, Marker::full, black, 0.5 * text);
+  draw_letters(canvas, special, all, inside, x, y, text);
+  draw_key(canvas, special, inside, text);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "branches", options.output());
 }

@@ -8,7 +8,7 @@
 namespace sbeh::picture {
 
 /// branches: reduced energy over reduced volume, from branches.csv and points.csv of `sbeh seifert`. Curves of
-/// the first witness, the others as marks on them, and the special points.
+/// the first witness, the others as marks on them, and the special points with their names and shapes.
 void draw_classical_diagram(Canvas& canvas, const Options& options);
 
 /// profiles: from profiles.csv of `sbeh compare`. Cross sections of all methods on top of each other, the 3D
