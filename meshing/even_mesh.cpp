@@ -55,6 +55,17 @@ Candidate candidate(const TriangleMesh& plain, int order, const Projection& onto
   return c;
 }
 
+// New triangles, where they come out better.
+void remesh(Candidate& best, const Resolution& resolution, const Projection& onto_surface) {
+  try {
+    const TriangleMesh plain =
+        remeshed(corners(best.mesh), best.mesh.triangle_count(), onto_surface, 0);
+    Candidate other = candidate(plain, resolution.order, onto_surface);
+    if (other.score > best.score) best = std::move(other);
+  } catch (const std::invalid_argument&) {  // none so large go round it
+  }
+}
+
 }  // namespace
 
 CurvedMesh even_mesh(const Resolution& resolution, const Projection& from_sphere,
@@ -73,17 +84,12 @@ CurvedMesh even_mesh(const Resolution& resolution, const Projection& from_sphere
     if (best.mesh.triangle_count() == 0 || other.score > best.score) best = std::move(other);
     if (best.score >= 1) return best.mesh;
   }
-  if (resolution.grading == 0) {
-    const TriangleMesh plain =
-        remeshed(corners(best.mesh), best.mesh.triangle_count(), onto_surface, 0);
-    Candidate other = candidate(plain, resolution.order, onto_surface);
-    if (other.score > best.score) best = std::move(other);
-  }
+  if (resolution.grading == 0) remesh(best, resolution, onto_surface);
   if (!(best.min_jacobian > 0))
     throw std::invalid_argument(
         fmt::format("the shape bends too sharply for {} triangles, some fold over when they are "
                     "curved: take more",
-                    best.mesh.triangle_count()));
+                    resolution.triangles));
   return best.mesh;
 }
 

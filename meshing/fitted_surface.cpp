@@ -113,6 +113,16 @@ FittedSurface::FittedSurface(const TriangleMesh& mesh, const Names& names) : mes
     std::erase_if(around, [&](int j) { return normals.col(j).dot(normals.col(i)) < same_side; });
     graphs_.push_back(graph_at(i, around, normals.col(i), mean_edge(half_edges, i)));
   }
+  // A wave of height a and length 2h has the curvature (π/h)² a. Second derivatives are c₂, c₃, c₄.
+  constexpr double k = std::numbers::pi;
+  double waves = 0, bending = 0;
+  for (const Graph& g : graphs_) {
+    if (g.degree < 2) continue;
+    const auto c = g.coefficients.segment<3>(2) / g.scale;
+    waves += std::pow(k * k * g.scatter / g.scale, 2);
+    bending += 2 * (4 * c[0] * c[0] + 2 * c[1] * c[1] + 4 * c[2] * c[2]);  // 2 |B|²: H² of a sphere
+  }
+  roughness_ = bending > 0 ? std::sqrt(waves / bending) : 0;
 }
 
 FittedSurface::Graph FittedSurface::graph_at(int point, const std::vector<int>& around,
@@ -136,12 +146,15 @@ FittedSurface::Graph FittedSurface::graph_at(int point, const std::vector<int>& 
   local /= g.scale;
   Eigen::MatrixXd A(count, monomial_count(g.degree));
   VectorXd b(count);
+  double weights_squared = 0;
   for (Eigen::Index k = 0; k < count; ++k) {
     const double weight = std::exp(-local.col(k).squaredNorm());
+    weights_squared += weight * weight;
     A.row(k) = weight * monomials(g.degree, local(0, k), local(1, k));
     b[k] = weight * local(2, k);
   }
   g.coefficients = A.colPivHouseholderQr().solve(b);
+  g.scatter = std::sqrt((A * g.coefficients - b).squaredNorm() / weights_squared);
   return g;
 }
 

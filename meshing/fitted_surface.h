@@ -29,12 +29,19 @@ class FittedSurface {
 
   const TriangleMesh& mesh() const { return mesh_; }
 
+  /// How far the points scatter about it, as the curvature of the shortest waves that the triangles can show,
+  /// of two edges' length, over its own; both root of the mean square. Next to nothing for points on a
+  /// smooth surface that is resolved.
+  double roughness() const { return roughness_; }
+
  private:
   struct Graph {
     Eigen::Matrix3d frame;         // columns: two tangents, normal
     int degree = 0;                // 1 … 4
     Eigen::VectorXd coefficients;  // of u, v, u², uv, v², … by degree; u, v in units of `scale`
     double scale = 1;
+    double scatter =
+        0;  // root of the mean square distance of the points around, in units of `scale`
   };
   Graph graph_at(int point, const std::vector<int>& around, const Eigen::Vector3d& normal,
                  double edge_length) const;
@@ -42,7 +49,13 @@ class FittedSurface {
 
   TriangleMesh mesh_;
   std::vector<Graph> graphs_;
+  double roughness_ = 0;
 };
+
+/// From here on the scatter of the points makes more than a hundredth of the bending energy.
+inline constexpr double largest_roughness = 0.1;
+/// With fewer the fit reaches round the surface, and what is coarse cannot be told from what is rough.
+inline constexpr int fewest_for_roughness = 100;  // triangles
 
 /// Takes a point to the nearest place on the plain triangles (CGAL) and from there to the smooth
 /// surface. Keeps the surface alive.

@@ -5,8 +5,10 @@
 
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/boost/graph/graph_traits_TriMesh_ArrayKernelT.h>
+#include <fmt/format.h>
 
 #include <cmath>
+#include <stdexcept>
 
 namespace sbeh::meshing {
 
@@ -41,6 +43,12 @@ TriangleMesh remeshed(const TriangleMesh& mesh, int triangles, const Projection&
   constexpr int sweeps = 40;
   double length = std::sqrt(4 / std::sqrt(3.) * area(mesh) / triangles);
   TriangleMesh result = with_edges_of(length, mesh, onto_surface);
+  // Where the surface is thinner than they are it collapses.
+  if (result.triangle_count() < triangles / 2)
+    throw std::invalid_argument(
+        fmt::format("{} even triangles are too large to go round the thinnest parts of the "
+                    "surface: take more",
+                    triangles));
   length *= std::sqrt(double(result.triangle_count()) / triangles);
   result = with_edges_of(length, result, onto_surface);
   smooth(result, onto_surface, {.grading = grading}, sweeps);

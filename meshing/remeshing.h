@@ -9,7 +9,7 @@ namespace sbeh::meshing {
 
 /// About so many nearly equilateral triangles on a smooth surface, from a closed mesh near it that
 /// has the right topology; isotropic remeshing by CGAL, then `smooth`. Throws std::invalid_argument
-/// when the mesh is no closed oriented surface.
+/// when the mesh is no closed oriented surface, and when so many triangles are too large to go round it.
 TriangleMesh remeshed(const TriangleMesh& mesh, int triangles, const Projection& onto_surface,
                       double grading);
 

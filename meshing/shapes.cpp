@@ -21,6 +21,19 @@ using std::numbers::pi;
 namespace {
 
 constexpr double thinnest = 100;  // ratio of semi-axes
+constexpr double slender = 30;    // from here on rays from the middle hit the surface too flatly
+
+// Newton's method for |x/a|² = 1 along the gradient: at the surface that is along the normal.
+Vector3d onto_ellipsoid(const Vector3d& semi_axes, Vector3d x) {
+  constexpr int iterations = 50;
+  for (int i = 0; i < iterations; ++i) {
+    const Vector3d y = x.cwiseQuotient(semi_axes), gradient = 2 * y.cwiseQuotient(semi_axes);
+    const double f = y.squaredNorm() - 1;
+    x -= f / gradient.squaredNorm() * gradient;
+    if (std::abs(f) < 1e-15) break;
+  }
+  return x;
+}
 
 }  // namespace
 
@@ -50,8 +63,12 @@ CurvedMesh ellipsoid(const Vector3d& semi_axes, const Resolution& resolution) {
     throw std::invalid_argument(
         fmt::format("ellipsoid: semi-axes {}, {}, {}: must not differ by more than a factor of {}",
                     semi_axes[0], semi_axes[1], semi_axes[2], thinnest));
-  return star_shaped([=](const Vector3d& d) { return 1 / d.cwiseQuotient(semi_axes).norm(); },
-                     resolution);
+  const RadialFunction r = [&](const Vector3d& d) { return 1 / d.cwiseQuotient(semi_axes).norm(); };
+  if (semi_axes.maxCoeff() < slender * semi_axes.minCoeff()) return star_shaped(r, resolution);
+  resolution.validate();
+  return even_mesh(
+      resolution, [&](const Vector3d& d) -> Vector3d { return r(d.normalized()) * d.normalized(); },
+      [&](const Vector3d& x) { return onto_ellipsoid(semi_axes, x); });
 }
 
 CurvedMesh ellipsoid(double v, bool prolate, const Resolution& resolution) {

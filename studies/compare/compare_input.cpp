@@ -63,7 +63,7 @@ SurfaceMethod read_surface_method(const TomlTable& table, const CompareInput& in
   if (table.has("run")) {
     for (const char* key : {"start", "triangles", "end", "tolerance", "rest_speed"})
       table.refuse(key, "must not be given together with run, which has it");
-    method.run = table.text("run");
+    method.run = table.path("run");
   }
   method.revolved = table.word("start", {"ellipsoid", "revolved"}, "ellipsoid") == "revolved";
   if (input.has(Witness::surface3d) && input.state.branch == axisym::Branch::stomatocyte

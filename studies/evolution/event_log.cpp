@@ -7,10 +7,7 @@
 
 namespace sbeh::studies {
 
-namespace {
-
-// Which limits are passed.
-std::string reasons(const surface3d::Indicators& r) {
+std::string passed_limits(const surface3d::Indicators& r) {
   std::vector<std::string> words;
   const auto above = [&](const char* what, double value, double limit) {
     if (value > limit) words.push_back(fmt::format("{} {:.3g} > {}", what, value, limit));
@@ -24,8 +21,6 @@ std::string reasons(const surface3d::Indicators& r) {
   below("smallest angle", r.min_angle, surface3d::smallest_angle);
   return fmt::format("{}", fmt::join(words, ", "));
 }
-
-}  // namespace
 
 const Columns<EventRow>& event_columns() {
   using Row = EventRow;
@@ -73,7 +68,7 @@ void EventLog::see(const surface3d::FlowRecord& record, const surface3d::StepVie
   if (unresolved_from_ || may_change || surface3d::resolved(r)) return;
   unresolved_from_ = t;
   append({t, "unresolved", view.mesh->count(), r, {}});
-  line_.say(fmt::format("sbeh: unresolved from t = {:.6g}: {}{}", t, reasons(r),
+  line_.say(fmt::format("sbeh: unresolved from t = {:.6g}: {}{}", t, passed_limits(r),
                         remesh_ ? "" : "; more triangles, or [numerics] remesh = true, may help"));
 }
 
@@ -84,7 +79,7 @@ void EventLog::see_new_mesh(double t, const surface3d::Indicators& before,
   line_.say(made.mesh ? fmt::format(
                 "sbeh: t = {:.6g}: {}; {} new triangles for {}, smallest angle {:.0f} "
                 "degrees after {:.0f}, energy changed by {:.1e}",
-                t, reasons(before), report.triangles_after, report.triangles_before,
+                t, passed_limits(before), report.triangles_after, report.triangles_before,
                 report.min_angle_after, report.min_angle_before, report.energy_change)
                       : fmt::format("sbeh: t = {:.6g}: no new triangles: {}", t, made.refusal));
 }

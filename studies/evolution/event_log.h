@@ -21,6 +21,9 @@ struct EventRow {
 };
 const Columns<EventRow>& event_columns();
 
+/// Which limits of `surface3d::resolved` are passed, in words.
+std::string passed_limits(const surface3d::Indicators& indicators);
+
 /// A mesh that is or is not replaced, and the first time at which a mesh that stays is too coarse.
 class EventLog {
  public:

@@ -2,6 +2,7 @@
 
 #include "meshing/resolution.h"
 #include "studies/evolution/frame_file.h"
+#include "studies/io/input_path.h"
 #include "studies/parameters/material_input.h"
 
 #include <functional>
@@ -28,7 +29,7 @@ void write_shape(TomlText& toml, const HarmonicSphere& sphere) {
 }
 
 void read_mesh_file(const TomlTable& surface, RunInput& input) {
-  input.start = MeshFileStart{surface.text("file")};
+  input.start = MeshFileStart{surface.path("file")};
 }
 void write_shape(TomlText& toml, const MeshFileStart& mesh) { toml.value("file", mesh.file); }
 
@@ -37,7 +38,7 @@ void read_scan(const TomlTable& surface, RunInput& input) {
 }
 
 void read_frame_file(const TomlTable& surface, RunInput& input) {
-  input.start = FrameStart{surface.text("file")};
+  input.start = FrameStart{surface.path("file")};
 }
 void write_shape(TomlText& toml, const FrameStart& frame) { toml.value("file", frame.file); }
 
@@ -118,7 +119,10 @@ RunInput read_with(const fs::path& path, const FindOrigin& find_origin) {
 }  // namespace
 
 bool is_there(const FrameStart& frame) { return fs::exists(frame.file); }
-Origin origin_of(const FrameStart& frame) { return {frame.file, physics_of_frame(frame.file)}; }
+Origin origin_of(const FrameStart& frame) {
+  require_there(frame.file);
+  return {frame.file, physics_of_frame(frame.file)};
+}
 
 RunInput read_run(const fs::path& path) {
   return read_with(path, [](const RunInput& input) { return origin_of_any(input.start); });

@@ -4,7 +4,9 @@
 #include "meshing/measures.h"
 #include "meshing/revolution.h"
 #include "meshing/shapes.h"
+#include "studies/evolution/event_log.h"
 #include "studies/io/errors.h"
+#include "studies/io/input_path.h"
 #include "studies/mesh/file_surface.h"
 #include "studies/mesh/make_mesh.h"
 #include "studies/mesh_files/mesh_file.h"
@@ -71,7 +73,21 @@ std::vector<std::string> left_behind(const CurvedFile& file, const std::string& 
                   name)};
 }
 
+// What the run itself would say at its first moment.
+std::vector<std::string> remarks_on_resolution(const surface3d::Triangulation& mesh,
+                                               const surface3d::Nodes& X, const std::string& file) {
+  const auto curvature = surface3d::curvature_of(mesh, X);
+  if (!curvature) return {};
+  const surface3d::Indicators indicators = surface3d::indicators_of(mesh, X, *curvature);
+  if (surface3d::resolved(indicators)) return {};
+  return {
+      fmt::format("{}: its triangles do not resolve the surface, which the run will not trust: "
+                  "{}; take more or better triangles (sbeh mesh file {} --triangles N -o FILE)",
+                  file, passed_limits(indicators), file)};
+}
+
 Start make(const MeshFileStart& start, const RunInput&) {
+  require_there(start.file);
   FileSurface file = surface_of_file(start.file, false);
   Start result;
   if (const auto* curved_file = std::get_if<CurvedFile>(&file.surface)) {
@@ -82,6 +98,9 @@ Start make(const MeshFileStart& start, const RunInput&) {
   }
   result.mesh = sound(std::move(result.mesh), start.file, file.names);
   result.mesh.nodes.colwise() -= meshing::centre(result.mesh);
+  const auto unresolved =
+      remarks_on_resolution(surface3d::Triangulation(result.mesh), result.mesh.nodes, start.file);
+  result.remarks.insert(result.remarks.end(), unresolved.begin(), unresolved.end());
   result.remarks.insert(result.remarks.begin(), file.notes.begin(), file.notes.end());
   return result;
 }

@@ -5,8 +5,9 @@
 namespace sbeh::studies {
 
 namespace {
-constexpr double largest_aspect = 1000;  // of ellipsoids
-}
+// Of ellipsoids with an axis, and of those that are meshed (meshing::ellipsoid).
+constexpr double largest_aspect = 1000, largest_meshed_aspect = 100;
+}  // namespace
 
 Ellipsoid read_ellipsoid(const TomlTable& start, std::size_t count, std::string_view axes) {
   Ellipsoid ellipsoid;
@@ -16,9 +17,9 @@ Ellipsoid read_ellipsoid(const TomlTable& start, std::size_t count, std::string_
     ellipsoid.axes = start.numbers("axes", above(0));
     if (ellipsoid.axes.size() != count) start.fail("axes", fmt::format("must be {}", axes));
     const auto [least, largest] = std::minmax_element(ellipsoid.axes.begin(), ellipsoid.axes.end());
-    if (*largest / largest_aspect > *least)
-      start.fail("axes",
-                 fmt::format("must not differ by more than a factor of {}", largest_aspect));
+    const double aspect = count == 3 ? largest_meshed_aspect : largest_aspect;
+    if (*largest / aspect > *least)
+      start.fail("axes", fmt::format("must not differ by more than a factor of {}", aspect));
   } else {
     ellipsoid.reduced_volume = start.number("reduced_volume", reduced_volumes);
   }

@@ -1,5 +1,6 @@
 #include "studies/io/toml_reader.h"
 
+#include "studies/io/input_path.h"
 #include "studies/io/spelling.h"
 #include "studies/io/toml_messages.h"
 
@@ -135,6 +136,10 @@ std::string TomlTable::text(std::string_view key, std::optional<std::string> abs
   if (!value->is_string()) fail_at(*state_, key, *value, kind);
   if (value->as_string()->get().empty()) fail_at(*state_, key, *value, "must not be empty");
   return value->as_string()->get();
+}
+
+std::string TomlTable::path(std::string_view key) const {
+  return path_from(state_->file, text(key));
 }
 
 std::string TomlTable::word(std::string_view key, const std::vector<std::string>& known,

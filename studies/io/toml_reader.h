@@ -47,6 +47,8 @@ class TomlTable {
   bool boolean(std::string_view key, std::optional<bool> absent = {}) const;
   /// A text that is not empty.
   std::string text(std::string_view key, std::optional<std::string> absent = {}) const;
+  /// The text as a path, from where `path_from` finds it.
+  std::string path(std::string_view key) const;
   /// One of the known words.
   std::string word(std::string_view key, const std::vector<std::string>& known,
                    std::optional<std::string> absent = {}) const;

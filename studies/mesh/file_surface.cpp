@@ -94,6 +94,18 @@ auto checked(const fs::path& file, const Mesh& mesh, bool repair, std::vector<st
   return result;
 }
 
+std::optional<std::string> note_on_roughness(const meshing::FittedSurface& surface,
+                                             const fs::path& file) {
+  if (surface.mesh().triangle_count() < meshing::fewest_for_roughness
+      || surface.roughness() < meshing::largest_roughness)
+    return {};
+  return fmt::format(
+      "{}: is rough: its points scatter about a smooth surface by waves that are bent {:.2g} times "
+      "as much as that is. The surface of voxels, say, should be smoothed in the program it comes "
+      "from",
+      file.string(), surface.roughness());
+}
+
 }  // namespace
 
 FileSurface surface_of_file(const fs::path& file, bool repair) {
@@ -102,8 +114,10 @@ FileSurface surface_of_file(const fs::path& file, bool repair) {
   if (const auto* plain = std::get_if<PlainFile>(&read.mesh)) {
     const auto mended = checked(file, plain->mesh, repair, result.notes);
     result.names = mended ? mended->names : plain->mesh.names;
-    result.surface = std::make_shared<const meshing::FittedSurface>(
+    const auto surface = std::make_shared<const meshing::FittedSurface>(
         mended ? mended->mesh : triangle_mesh(plain->mesh), result.names);
+    if (const auto note = note_on_roughness(*surface, file)) result.notes.push_back(*note);
+    result.surface = surface;
     return result;
   }
   auto& curved = std::get<CurvedCellsFile>(read.mesh);

@@ -55,12 +55,26 @@ const Format* format_of(std::string_view suffix) {
   return found == std::end(formats) ? nullptr : found;
 }
 
+bool is_vtk(std::string_view suffix) { return suffix == ".vtu" || suffix == ".vtp"; }
+
+// What another file is for, where that can be told.
+std::string_view advice_for(std::string_view suffix) {
+  if (suffix == ".toml") return ", and this is an input: sbeh check tells of which command";
+  if (suffix == ".csv") return ", and this is a table: sbeh mesh revolve takes profiles";
+  return {};
+}
+
 }  // namespace
+
+bool is_mesh_name(const fs::path& path) {
+  const std::string suffix = suffix_of(path);
+  return is_vtk(suffix) || format_of(suffix);
+}
 
 MeshFile read_mesh(const fs::path& path) {
   const std::string suffix = suffix_of(path), file = path.string();
   MeshFile mesh;
-  if (suffix == ".vtu" || suffix == ".vtp") {
+  if (is_vtk(suffix)) {
     const std::string text = text_of(path);  // says why, when it cannot be read
     if (text.find("<VTKFile") == std::string::npos)
       throw InputError(fmt::format("{}: is no XML file of VTK", file));
@@ -74,8 +88,8 @@ MeshFile read_mesh(const fs::path& path) {
     mesh = format->parse(text, file);
   } else {
     throw InputError(fmt::format(
-        "{}: unknown suffix \"{}\"; meshes can be read from .obj, .off, .ply, .stl, .vtu, .vtp",
-        file, suffix));
+        "{}: unknown suffix \"{}\"; meshes can be read from .obj, .off, .ply, .stl, .vtu, .vtp{}",
+        file, suffix, advice_for(suffix)));
   }
   const int faces = mesh.face_count();
   if (faces == 0) throw InputError(fmt::format("{}: has no triangles", file));

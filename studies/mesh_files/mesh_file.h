@@ -60,6 +60,9 @@ CurvedFile joined(const CurvedCellsFile& file);
 /// Curved triangles of a file that are a surface as they are; none: they are plain. Throws InputError.
 std::optional<CurvedFile> read_curved_mesh(const std::filesystem::path& path);
 
+/// Whether the suffix is one that `read_mesh` knows.
+bool is_mesh_name(const std::filesystem::path& path);
+
 /// Throws InputError unless the suffix is one that `write_mesh` knows.
 void require_mesh_suffix(const std::filesystem::path& path);
 

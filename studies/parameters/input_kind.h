@@ -1,6 +1,9 @@
 // Which kind of input a file is.
 #pragma once
 
+#include "model/names.h"
+
+#include <array>
 #include <filesystem>
 
 namespace sbeh::studies {
@@ -12,6 +15,11 @@ enum class InputKind {
   compare,   ///< has a table [compare]: read_compare
   stability  ///< has a table [stability]: read_stability
 };
+
+/// Those of the commands.
+constexpr auto names(InputKind) {
+  return std::array{"scan", "relax", "run", "compare", "stability"};
+}
 
 /// Throws InputError if the file cannot be read or has not one of these tables.
 InputKind kind_of(const std::filesystem::path& path);

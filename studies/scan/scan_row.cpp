@@ -2,6 +2,7 @@
 
 #include "studies/io/columns.h"
 #include "studies/io/errors.h"
+#include "studies/io/input_path.h"
 #include "studies/parameters/material_input.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/profile_file.h"
@@ -77,7 +78,7 @@ fs::path description_of(const ScanRow& row) { return fs::path(row.folder) / "run
 
 ScanRow read_scan_row(const TomlTable& start, model::Model absent) {
   ScanRow row;
-  row.folder = start.text("folder");
+  row.folder = start.path("folder");
   row.model = start.choice("model", rest_models, std::optional(rest_model(absent)));
   read_value(start, "branch", row.branch);
   row.reduced_volume = start.number("reduced_volume", reduced_volumes);
@@ -101,6 +102,7 @@ void write_shape(TomlText& toml, const ScanRow& row) {
 bool is_there(const ScanRow& row) { return fs::exists(description_of(row)); }
 
 Origin origin_of(const ScanRow& row) {
+  require_there(row.folder);
   if (!is_there(row) || !fs::exists(fs::path(row.folder) / "scan.csv"))
     throw InputError(fmt::format(
         "{}: is no folder of a scan: it lacks run.toml or scan.csv (make it by: sbeh scan)",

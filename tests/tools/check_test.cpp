@@ -69,7 +69,7 @@ TEST_F(Check, of_a_start_that_is_not_there_is_refused) {
         "model = \"SBEH\"\ntime.end = 3\n[start]\nshape = \"scan\"\nfolder = \"nowhere\"\n"
         "reduced_volume = 0.7\nL = 0.05\n");
   must_refuse({"check", "in.toml"},
-              "nowhere: is no folder of a scan: it lacks run.toml or scan.csv");
+              "nowhere: is not there: neither from the folder of the input nor from ");
 }
 
 TEST_F(Check, of_the_inputs_that_come_with_the_toolkit_finds_them_right) {

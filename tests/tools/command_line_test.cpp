@@ -47,6 +47,16 @@ TEST_F(CommandLine, that_is_wrong_is_refused_with_exit_2_and_without_a_trace) {
   EXPECT_EQ(contents("").size(), 1u);
   must_refuse({"scna", "in.toml"}, "scna: unknown command; did you mean scan?");
   must_refuse({"--foo"}, "--foo: unknown option");
+  must_refuse({"--verison"}, "--verison: unknown option; did you mean --version?");
+  must_refuse({"scan", "in.toml", "--no-picture"},
+              "--no-picture: unknown option; did you mean --no-pictures?");
+  must_refuse({"run", "in.toml", "--resum"}, "--resum: unknown option; did you mean --resume?");
+  must_refuse({"run", "--thread", "2", "in.toml"},
+              "--thread: unknown option; did you mean --threads?");
+  must_refuse({"mesh", "file", "a.obj", "--repiar", "--report"},
+              "--repiar: unknown option; did you mean --repair?");
+  must_refuse({"mesh", "sphere", "--triangle", "320"},
+              "--triangle: unknown option; did you mean --triangles?");
 }
 
 TEST_F(CommandLine, without_a_folder_writes_into_results_under_the_name_of_the_input) {

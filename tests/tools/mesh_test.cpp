@@ -81,6 +81,15 @@ TEST_F(MeshTest, gives_a_file_other_triangles_when_asked) {
   EXPECT_NEAR(coarse.at("volume"), 4 * M_PI / 3 * 0.96, 1e-4);
 }
 
+TEST_F(MeshTest, makes_slender_ellipsoids_or_names_the_triangles_asked_for) {
+  const auto r = report({"ellipsoid", "--axes", "1,1,50", "--triangles", "1280"});
+  EXPECT_NEAR(r.at("volume"), 4 * M_PI / 3 * 50, 0.01 * 4 * M_PI / 3 * 50);
+  must_refuse({"mesh", "ellipsoid", "--axes", "1,1,100", "--triangles", "320", "--report"},
+              "the shape bends too sharply for 320 triangles, ");
+  must_refuse({"mesh", "ellipsoid", "--axes", "100,100,1", "--triangles", "1280", "--report"},
+              "the shape bends too sharply for 1280 triangles, ");
+}
+
 TEST_F(MeshTest, overwrites_nothing_unless_told_to) {
   must({"mesh", "sphere", "--triangles", "80", "-o", "s.vtu"});
   const std::string before = read("s.vtu");

@@ -150,7 +150,7 @@ TEST_F(Relax, from_a_row_of_a_scan_goes_on_with_its_material) {
 TEST_F(Relax, from_a_row_that_is_not_stationary_or_not_there_is_refused) {
   write("scan.toml", small_scan);
   write("in.toml", from_the_scan("SBEH", "0.07"));
-  must_refuse(into("out", "relax"), "scan: is no folder of a scan: it lacks run.toml or scan.csv");
+  must_refuse(into("out", "relax"), "scan: is not there: neither from the folder of the input nor from ");
   must(into("scan", "scan", "scan.toml"));
   must_refuse(into("out", "relax"), "scan/scan.csv: has no row SBEH oblate, V_r = 0.8, L = 0.07\n");
   write("in.toml", from_the_scan("SBEH", "0.05"));

@@ -65,6 +65,35 @@ TEST_F(Run3d, leaves_a_history_frames_and_an_input_that_gives_the_same_again) {
   EXPECT_EQ(contents("again"), contents("out"));
 }
 
+TEST_F(Run3d, finds_its_files_beside_its_input_from_anywhere) {
+  must({"mesh", "ellipsoid", "--axes", "1,1,0.8", "--triangles", "80", "-o", "sub.obj"});
+  fs::create_directories(path("in/put"));
+  fs::rename(path("sub.obj"), path("in/put/m.obj"));
+  const std::string text =
+      "model = \"SSH\"\n[surface]\nshape = \"mesh\"\nfile = \"m.obj\"\n[time]\nend = 1e-3\n";
+  write("in/put/in.toml", text);
+  must({"run", "in/put/in.toml", "-o", "out", "--no-pictures"});
+  must({"run", path("in/put/in.toml").string(), "-o", "out2", "--no-pictures"});
+  must({"run", "out/run.toml", "-o", "again", "--no-pictures"});
+  EXPECT_EQ(read("out/series.csv"), read("out2/series.csv"));
+  EXPECT_EQ(read("out/series.csv"), read("again/series.csv"));
+  must({"run", "in/put/in.toml", "-o", "out", "--resume", "--no-pictures"});
+  // From the folder of work too; the folder of the input comes first.
+  write("in.toml",
+        "model = \"SSH\"\n[surface]\nshape = \"mesh\"\nfile = \"in/put/m.obj\"\n[time]\nend = "
+        "1e-3\n");
+  must({"check", "in.toml"});
+  fs::create_directories(path("other"));
+  fs::copy_file(path("in.toml"), path("other/in.toml"));
+  must({"check", "other/in.toml"});
+  write("m.obj", "nonsense");
+  must({"check", "in/put/in.toml"});
+  fs::remove(path("in/put/m.obj"));
+  fs::remove(path("m.obj"));
+  must_refuse({"check", "in/put/in.toml"},
+              "m.obj: is not there: neither from the folder of the input nor from /");
+}
+
 TEST_F(Run3d, may_leave_a_row_for_every_step) {
   write("in.toml", ellipsoid + "[time]\nend = 0.1\noutput = [0.05]\nevery_step = true\n");
   const Ended ended = sbeh(into("out", "run"));
@@ -379,9 +408,9 @@ TEST_F(Run3d, refuses_what_is_wrong_with_file_line_and_reason) {
       {head + "shape = \"ellipsoid\"\naxes = [1, 1, 0.05]\ntriangles = 80\n" + time,
        "in.toml: [surface] the shape bends too sharply for "},
       {head + "shape = \"ellipsoid\"\nreduced_volume = 0.8\nperturbation = [[2, 0, -3]]\n" + time,
-       "in.toml: [surface] perturbation: is too large: the curved triangles "},
+       "in.toml: [surface] perturbation: is too large: the triangle at ("},
       {head + "shape = \"scan\"\nfolder = \"none\"\nreduced_volume = 0.8\nL = 0.05\n" + time,
-       "none: is no folder of a scan: it lacks run.toml or scan.csv"},
+       "none: is not there: neither from the folder of the input nor from "},
       {head + "shape = \"frame\"\nfile = \"plain.vtu\"\n" + time,
        "plain.vtu: is no frame of a run: it lacks the field order"},
       {head + "shape = \"mesh\"\nfile = \"none.obj\"\n" + time, "none.obj"},

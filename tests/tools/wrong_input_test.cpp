@@ -60,7 +60,7 @@ const std::string relax = "model = 'SBEH'\ntime.end = 0.1\n[start]\nshape = ";
 const std::string axes_differ = ": must not differ by more than a factor of 1000";
 
 const std::vector<Case> wrong_evolutions{
-    {scan, ":1: [scan]: unknown table. Known: model, start, time, material, numerics"},
+    {scan, ": is no input of sbeh relax but of sbeh scan"},
     {relax + "'sphere'",
      ":4: [start] shape = 'sphere': must be one of 'ellipsoid', 'harmonics', 'scan'"},
     {relax + "'ellipsoid'\nreduced_volume = 2",
@@ -93,6 +93,31 @@ TEST_F(WrongInput, of_an_evolution_is_refused_with_file_line_and_what_is_allowed
     must_refuse(into("out", "relax"), "in.toml" + in_double_quotes(wrong.message));
   }
   EXPECT_EQ(contents("").size(), 1u);
+}
+
+TEST_F(WrongInput, of_another_command_is_refused_with_its_name) {
+  const std::vector<std::pair<std::string, std::string>> inputs{
+      {"scan", scan},
+      {"relax", in_double_quotes(relax) + "\"ellipsoid\"\nreduced_volume = 0.7\n"},
+      {"run",
+       "model = \"SSH\"\ntime.end = 1\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.8\n"},
+      {"compare", "[compare]\nbranch = \"oblate\"\n"},
+      {"stability", "[stability]\nscan = \"out\"\n"}};
+  for (const auto& [own, text] : inputs)
+    for (const auto& [command, ignored] : inputs) {
+      if (command == own) continue;
+      write("in.toml", text);
+      must_refuse({command, "in.toml"},
+                  "in.toml: is no input of sbeh " + command + " but of sbeh " + own);
+    }
+  write("a.obj", "v 0 0 0\n");
+  write("t.csv", "a\n");
+  for (const char* command : {"scan", "run", "relax"})
+    must_refuse({command, "a.obj"}, "a.obj: is a mesh: for sbeh mesh file a.obj");
+  must_refuse({"mesh", "file", "in.toml", "--report"},
+              "in.toml: unknown suffix \".toml\"; meshes can be read from .obj, .off, .ply, .stl, "
+              ".vtu, .vtp, and this is an input: sbeh check tells of which command");
+  must_refuse({"mesh", "file", "t.csv", "--report"}, "t.csv: unknown suffix \".csv\"");
 }
 
 TEST_F(WrongInput, is_refused_by_the_check_with_the_same_words) {

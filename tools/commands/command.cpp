@@ -3,6 +3,7 @@
 #include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
+#include "studies/mesh_files/mesh_file.h"
 
 #include <tbb/global_control.h>
 
@@ -17,16 +18,39 @@ fs::path Study::results() const {
   return folder.empty() ? fs::path("results") / fs::path(input).stem() : fs::path(folder);
 }
 
-Command add_study(CLI::App& program, const char* name, const char* text,
+namespace {
+
+// The kind of a file that can be read as an input of some kind.
+std::optional<studies::InputKind> known_kind(const std::string& file) {
+  try {
+    return studies::kind_of(file);
+  } catch (const studies::InputError&) {
+    return {};
+  }
+}
+
+[[noreturn]] void refuse(const std::string& file, studies::InputKind kind,
+                         const studies::InputError& error) {
+  if (studies::is_mesh_name(file))
+    throw studies::InputError(fmt::format("{}: is a mesh: for sbeh mesh file {}", file, file));
+  const auto known = known_kind(file);
+  if (!known || *known == kind) throw error;
+  throw studies::InputError(fmt::format("{}: is no input of sbeh {} but of sbeh {}", file,
+                                        sbeh::name(kind), sbeh::name(*known)));
+}
+
+}  // namespace
+
+Command add_study(CLI::App& program, studies::InputKind kind, const char* text,
                   std::function<int(const Study&)> run) {
   const auto study = std::make_shared<Study>();
-  CLI::App* app = program.add_subcommand(name, text);
+  CLI::App* app = program.add_subcommand(sbeh::name(kind), text);
   app->add_option("FILE", study->input, "input (TOML)")->required();
   app->add_option("-o,--output", study->folder, "folder for the results (results/NAME)");
   app->add_flag("--no-pictures", study->no_pictures, "tables only");
   app->add_option("--threads", study->threads, "at most so many (all cores)")
       ->check(CLI::Range(1, 4096));
-  return {app, [study, run = std::move(run)] {
+  return {app, [study, kind, run = std::move(run)] {
             studies::catch_interrupts();
             std::optional<tbb::global_control> limit;
             if (study->threads > 0)
@@ -34,6 +58,8 @@ Command add_study(CLI::App& program, const char* name, const char* text,
                             std::size_t(study->threads));
             try {
               return run(*study);
+            } catch (const studies::InputError& error) {
+              refuse(study->input, kind, error);
             } catch (const std::invalid_argument& error) {  // only the start itself could tell
               throw studies::InputError(fmt::format("{}: {}", study->input, error.what()));
             }

@@ -1,6 +1,7 @@
 // A command of sbeh, and what the commands share.
 #pragma once
 
+#include "studies/parameters/input_kind.h"
 #include "studies/report/report.h"
 
 #include <CLI/CLI.hpp>
@@ -31,8 +32,9 @@ struct Study {
   std::filesystem::path results() const;
 };
 
-/// FILE, -o, --no-pictures and --threads. `run` may be interrupted, and uses no more threads than said.
-Command add_study(CLI::App& program, const char* name, const char* text,
+/// FILE, -o, --no-pictures and --threads. `run` may be interrupted, and uses no more threads than said; a file of
+/// another kind is refused with the command that it is for.
+Command add_study(CLI::App& program, studies::InputKind kind, const char* text,
                   std::function<int(const Study&)> run);
 
 /// Writes "sbeh: what" to standard error.

@@ -22,7 +22,7 @@ int compare(const Study& study) {
 }  // namespace
 
 Command add_compare(CLI::App& program) {
-  return add_study(program, "compare", "one case by several methods", compare);
+  return add_study(program, studies::InputKind::compare, "one case by several methods", compare);
 }
 
 void check_compare(const std::string& file) {

@@ -40,7 +40,7 @@ int relax(const Study& study) {
 }  // namespace
 
 Command add_relax(CLI::App& program) {
-  return add_study(program, "relax", "one axisymmetric evolution", relax);
+  return add_study(program, studies::InputKind::relax, "one axisymmetric evolution", relax);
 }
 
 void check_relax(const std::string& file) {

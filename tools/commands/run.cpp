@@ -46,7 +46,7 @@ int run(const Study& study, bool resume) {
 
 Command add_run(CLI::App& program) {
   const auto resume = std::make_shared<bool>(false);
-  Command command = add_study(program, "run", "one 3D evolution",
+  Command command = add_study(program, studies::InputKind::run, "one 3D evolution",
                               [resume](const Study& study) { return run(study, *resume); });
   command.app->add_flag("--resume", *resume, "go on with a run that was interrupted or killed");
   return command;

@@ -35,7 +35,8 @@ int scan(const Study& study) {
 }  // namespace
 
 Command add_scan(CLI::App& program) {
-  return add_study(program, "scan", "stationary shapes over a (V_r, L) grid", scan);
+  return add_study(program, studies::InputKind::scan, "stationary shapes over a (V_r, L) grid",
+                   scan);
 }
 
 void check_scan(const std::string& file) {

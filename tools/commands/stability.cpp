@@ -21,7 +21,8 @@ int stability(const Study& study) {
 }  // namespace
 
 Command add_stability(CLI::App& program) {
-  return add_study(program, "stability", "axisymmetric states, perturbed in 3D", stability);
+  return add_study(program, studies::InputKind::stability, "axisymmetric states, perturbed in 3D",
+                   stability);
 }
 
 void check_stability(const std::string& file) {

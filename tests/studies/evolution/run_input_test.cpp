@@ -181,7 +181,7 @@ TEST(RunInput, with_a_wrong_surface_is_refused_with_line_key_and_value) {
       {"axes = [1, 2, -1]", ":5: [surface] axes = -1: must be > 0"},
       {"axes = [1, 'a', 1]", ":5: [surface] axes = 'a': must be a list of numbers"},
       {"axes = [1, 1, 1e-4]",
-       ":5: [surface] axes = [1, 1, 0.0001]: must not differ by more than a factor of 1000"},
+       ":5: [surface] axes = [1, 1, 0.0001]: must not differ by more than a factor of 100"},
       {"axes = [1, 1, 1]\nreduced_volume = 1",
        ":6: [surface] reduced_volume = 1: must not be given together with axes"},
       {"axes = [1, 1, 1]\nkind = 'prolate'",

@@ -7,6 +7,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace sbeh::studies {
 namespace {
 
@@ -119,6 +121,29 @@ TEST_F(FileSurfaceTest, names_what_a_repair_leaves_by_the_numbers_of_the_file) {
   EXPECT_TRUE(text.starts_with(": triangle 1 (points 0, ")) << text;
   EXPECT_NE(said(shape, false).find("--repair mends that, but not this: triangle 1 (points 0, "),
             std::string::npos);
+}
+
+TEST_F(FileSurfaceTest, is_said_to_be_rough_before_it_is_run) {
+  const auto notes = [&](double noise, bool stairs) {
+    Shape shape;
+    const meshing::TriangleMesh mesh = meshing::icosphere(10);
+    for (const auto& c : mesh.triangles.colwise()) shape.faces.push_back({c[0], c[1], c[2]});
+    int n = 0;
+    for (const Eigen::Vector3d x : mesh.points.colwise()) {
+      Eigen::Vector3d y = x * (1 + noise * std::cos(2.4 * ++n));
+      if (stairs)
+        for (double& coordinate : y)
+          coordinate = (0.7 * coordinate + 0.3 * std::round(12 * coordinate) / 12);
+      shape.points.push_back(y);
+    }
+    return surface_of_file(write("a.obj", obj(shape)), false).notes;
+  };
+  EXPECT_TRUE(notes(0, false).empty());
+  EXPECT_TRUE(notes(1e-4, false).empty());
+  for (const auto& said : {notes(0.01, false), notes(0, true)}) {
+    ASSERT_EQ(said.size(), 1u);
+    EXPECT_NE(said[0].find("a.obj: is rough: "), std::string::npos) << said[0];
+  }
 }
 
 TEST_F(FileSurfaceTest, has_no_numbers_for_the_points_of_stl) {
