@@ -1,6 +1,7 @@
 #include "surface3d/curvature.h"
 
 #include "model/numerics/area_volume.h"
+#include "surface3d/linear/conjugate_gradient.h"
 #include "surface3d/parallel.h"
 
 #include <Eigen/IterativeLinearSolvers>
@@ -13,30 +14,17 @@ namespace sbeh::surface3d {
 
 namespace {
 
-// Mass matrices are well conditioned: diagonally preconditioned Krylov methods solve them to rounding
-// within a few dozen iterations.
-constexpr double mass_tolerance = 1e-14;
-constexpr int mass_iterations = 300;
-constexpr double mass_accepted = 1e-11;  // rounding may keep the residual above the tolerance
-
-constexpr double failed = std::numeric_limits<double>::quiet_NaN();
-
-// NaN where it fails.
+// A mass matrix, but for what ν and the node normals differ: a few dozen iterations lead to rounding, which
+// may keep the residual above the tolerance. NaN where it fails.
 Field solve_curvature(const SparseMatrix& matrix, const Field& rhs) {
+  constexpr double tolerance = 1e-14, accepted = 1e-11;
+  constexpr int most_iterations = 300;
   Eigen::BiCGSTAB<SparseMatrix> solver(matrix);
-  solver.setTolerance(mass_tolerance);
-  solver.setMaxIterations(mass_iterations);
+  solver.setTolerance(tolerance);
+  solver.setMaxIterations(most_iterations);
   Field H = solver.solve(rhs);
-  if (!(solver.error() < mass_accepted)) H.setConstant(failed);
+  if (!(solver.error() < accepted)) H.setConstant(std::numeric_limits<double>::quiet_NaN());
   return H;
-}
-Field solve_mass(const SparseMatrix& matrix, const Field& rhs, const Field& guess) {
-  Eigen::ConjugateGradient<SparseMatrix, Eigen::Lower | Eigen::Upper> solver(matrix);
-  solver.setTolerance(mass_tolerance);
-  solver.setMaxIterations(mass_iterations);
-  Field x = solver.solveWithGuess(rhs, guess);
-  if (!(solver.error() < mass_accepted)) x.setConstant(failed);
-  return x;
 }
 
 // Integrals over a triangle, row: test function.
@@ -89,25 +77,24 @@ std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X,
   Curvature c{.node_normals = node_normals(mesh, X),
               .normals = Nodes(3, mesh.nodes),
               .H = {},
-              .H_from = {}};
-  SparseMatrix mass = mesh.scalars.zero(), cosines = mass;
+              .H_from = {},
+              .mass = mesh.scalars.zero()};
+  SparseMatrix cosines = c.mass;
   Eigen::Matrix<double, Eigen::Dynamic, 5> rhs;
   rhs.setZero(mesh.nodes, 5);
   for_each_by_colour(mesh, [&](int e) {
     const Sums sums =
         sums_on(mesh, e, X, c.node_normals, Positions(positions).first(std::size_t(count)));
-    mesh.scalars.add(e, sums.mass, mass);
+    mesh.scalars.add(e, sums.mass, c.mass);
     mesh.scalars.add(e, sums.cosines, cosines);
     for (int a = 0; a < 10; ++a) rhs.row(mesh.triangles(a, e)) += sums.rhs.row(a);
   });
   if (!rhs.allFinite()) return {};
-  in_parallel(count + 3, [&](int k) {
-    if (k < count)
-      (k == 0 ? c.H : c.H_from) = solve_curvature(cosines, rhs.col(3 + k));
+  in_parallel(count + 1, [&](int k) {
+    if (k == count)
+      c.normals = solve_mass(c.mass, Nodes(rhs.leftCols<3>().transpose()), c.node_normals);
     else
-      c.normals.row(k - count) =
-          solve_mass(mass, rhs.col(k - count), c.node_normals.row(k - count).transpose())
-              .transpose();
+      (k == 0 ? c.H : c.H_from) = solve_curvature(cosines, rhs.col(3 + k));
   });
   c.normals.colwise().normalize();
   if (!(c.normals.allFinite() && c.H.allFinite() && c.H_from.allFinite())) return {};

@@ -13,6 +13,7 @@ struct Curvature {
   Nodes normals;       ///< 3 x nodes, L2 projection of the normals into P3, unit at the nodes
   Field H;             ///< nodes, by (H1) without Y: see curvature.cpp
   Field H_from;        ///< nodes, of the other positions; empty without any
+  SparseMatrix mass;   ///< (φ_b, φ_a) on the surface
 };
 /// With the H of other positions on the surface, unless null. Empty when the surface is degenerate.
 std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X,

@@ -11,32 +11,18 @@ namespace sbeh::surface3d {
 
 namespace {
 
-// Four derivatives more than there are numbers: a multiple of eight, for whole vector registers.
-using Jet = ceres::Jet<double, int(unknowns_size) + 4>;
-
-// Columns V, H, and rows W and W_n, as long as V, of the sums of outer products.
-constexpr int H_column = 30, normal_row = 30;
-
-// In the order of Unknowns.
-std::array<model::DataRow<10>, unknowns_size> unknown_rows(const ShapeValues& s,
-                                                           const SurfacePoint& x) {
-  std::array<model::DataRow<10>, unknowns_size> rows{};
+using Rows = std::array<model::DataRow<10>, 3>;
+// A value and its gradient along (e1, e2), of ten numbers.
+Rows scalar_rows(const ShapeValues& s, const SurfacePoint& x) {
+  return {{{0, s.phi.data()}, {0, x.grad[0].data()}, {0, x.grad[1].data()}}};
+}
+// The numbers of V or W, three times ten, in the order of Velocity and Tested.
+std::array<model::DataRow<10>, 9> vector_rows(const ShapeValues& s, const SurfacePoint& x) {
+  std::array<model::DataRow<10>, 9> rows{};
   auto* row = rows.data();
   for (int k = 0; k < 3; ++k) *row++ = {10 * k, s.phi.data()};
   for (int k = 0; k < 3; ++k)
     for (const auto& grad : x.grad) *row++ = {10 * k, grad.data()};
-  *row++ = {H_column, s.phi.data()};
-  for (const auto& grad : x.grad) *row++ = {H_column, grad.data()};
-  return rows;
-}
-
-// In the order of Tested, from those of the unknowns.
-std::array<model::DataRow<10>, tested_size> test_rows(
-    const std::array<model::DataRow<10>, unknowns_size>& unknowns) {
-  std::array<model::DataRow<10>, tested_size> rows{};
-  std::copy_n(unknowns.begin(), 9, rows.begin());
-  for (std::size_t k = 3; k < 9; ++k)
-    rows[6 + k] = {normal_row + unknowns[k].first, unknowns[k].shape};
   return rows;
 }
 
@@ -46,18 +32,73 @@ void for_each_component(Vector& V, Visit&& visit) {
     for (int i = 0; i < int(V.cols()); ++i) visit(V(k, i));
 }
 
-// The unknowns as independent variables at zero: the flow is linear, so that the value of the pointwise
-// function there is its constant part and the derivative its matrix.
-Unknowns<Jet> independent_unknowns() {
-  Unknowns<Jet> u;
+// The unknowns as independent variables at zero: the forms are linear, so that the value of a pointwise
+// function there is its constant part and the derivative its matrix. The numbers of derivatives are filled up to
+// whole vector registers.
+using VelocityJet = ceres::Jet<double, 16>;
+Velocity<VelocityJet> independent_velocity() {
+  Velocity<VelocityJet> u;
   int k = 0;
-  const auto set = [&k](Jet& number) { number = Jet(0., k++); };
+  const auto set = [&k](VelocityJet& number) { number = VelocityJet(0., k++); };
   for_each_component(u.V, set);
   for_each_component(u.dV, set);
-  set(u.H);
-  for_each_component(u.dH, set);
   return u;
 }
+using CurvatureJet = ceres::Jet<double, 4>;
+NextCurvature<CurvatureJet> independent_curvature() {
+  return {CurvatureJet(0., 0), {CurvatureJet(0., 1), CurvatureJet(0., 2)}};
+}
+
+// (V1), (V2): rows W, columns V. Symmetric: what is below the diagonal blocks is not added up.
+struct Resistance {
+  model::BlockMatrix<10, 3, 3> sum;
+
+  void add(const model::Material& material, const OldPoint& point, const ShapeValues& s) {
+    static const Velocity<VelocityJet> V = independent_velocity();
+    const Tested<VelocityJet> resistance = resistance_at(material, point, V);
+    Eigen::Matrix<double, 9, VelocityJet::DIMENSION, Eigen::RowMajor> D;
+    int i = 0;
+    const auto set = [&](const VelocityJet& factor) { D.row(i++) = factor.v.transpose(); };
+    for_each_component(resistance.W, set);
+    for_each_component(resistance.dW, set);
+    const auto rows = vector_rows(s, point.geometry);
+    for (std::size_t test = 0; test < 9; ++test)
+      for (std::size_t trial = 0; trial < 9; ++trial)
+        if (rows[trial].first < rows[test].first) D(Eigen::Index(test), Eigen::Index(trial)) = 0;
+    model::add_matrix(rows, rows, D, point.geometry.dS, sum);
+  }
+  Eigen::Matrix<double, 30, 30> matrix() const {
+    Eigen::Matrix<double, 30, 30> all = sum.dense();
+    for (int i = 0; i < 3; ++i)
+      for (int j = 0; j < i; ++j)
+        all.block<10, 10>(10 * i, 10 * j) = all.block<10, 10>(10 * j, 10 * i).transpose();
+    return all;
+  }
+};
+
+// (V5)–(V11): rows W_n, columns H, and what is known.
+struct ElasticForce {
+  model::BlockMatrix<10, 3, 1> sum;
+  Eigen::Matrix<double, 30, 1> rhs = decltype(rhs)::Zero();
+
+  void add(const model::Material& material, const OldPoint& point, const ShapeValues& s) {
+    static const NextCurvature<CurvatureJet> H = independent_curvature();
+    const CartesianGradient<CurvatureJet> test = elastic_force_at(material, point, H);
+    Eigen::Matrix<double, 6, CurvatureJet::DIMENSION, Eigen::RowMajor> D;
+    Eigen::Matrix<double, 6, 1> constant;
+    int i = 0;
+    for_each_component(test, [&](const CurvatureJet& factor) {
+      D.row(i) = factor.v.transpose();
+      constant[i++] = -factor.a;
+    });
+    const SurfacePoint& x = point.geometry;
+    std::array<model::DataRow<10>, 6> gradients{};
+    const auto rows = vector_rows(s, x);
+    std::copy(rows.begin() + 3, rows.end(), gradients.begin());
+    model::add_matrix(gradients, scalar_rows(s, x), D, x.dS, sum);
+    model::add_vector(gradients, constant, x.dS, rhs);
+  }
+};
 
 // C with C y = x × y.
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& x) {
@@ -78,14 +119,19 @@ Eigen::Matrix3d relative_friction(const model::Material& m, const Eigen::Vector3
        + (m.friction_normal / larger - along) * nu * nu.transpose();
 }
 
-void add_constraints(const model::Material& m, const SurfacePoint& x, const Shapes& phi,
-                     ElementSystem& out) {
-  Eigen::Matrix<double, 3, 7> directions;  // ν, e_k, e_k × x
-  directions << x.nu(), Eigen::Matrix3d::Identity(), -cross_matrix(x.x);
-  directions.rightCols<6>() = (relative_friction(m, x.nu()) * directions.rightCols<6>()).eval();
-  for (int k = 0; k < 3; ++k)
-    out.constraints.middleRows<10>(10 * k) += phi * (x.dS * directions.row(k));  // (V4), (P2)
-}
+// What the multipliers meet, before (ν, W) is taken along the node normals.
+struct ConstraintSums {
+  model::BlockMatrix<10, 3, 1> sum;
+
+  void add(const model::Material& m, const SurfacePoint& x, const ShapeValues& s) {
+    Eigen::Matrix<double, 3, 7> directions;  // ν, e_k, e_k × x
+    directions << x.nu(), Eigen::Matrix3d::Identity(), -cross_matrix(x.x);
+    directions.rightCols<6>() = (relative_friction(m, x.nu()) * directions.rightCols<6>()).eval();
+    const auto test = sum.column(s.phi.data(), x.dS);
+    for (int k = 0; k < 3; ++k)  // (V4), (P2)
+      sum.add_outer(10 * k, 0, test, Eigen::Matrix<double, 7, 1>(directions.row(k)));
+  }
+};
 
 // The P2 functions by the P3 functions of the same triangle.
 const Eigen::Matrix<double, 10, 6>& quadratic_by_cubic() {
@@ -101,21 +147,24 @@ const Eigen::Matrix<double, 10, 6>& quadratic_by_cubic() {
 // (p, Div_C W) and (∇p, W) by the components of W.
 struct Pressure {
   using Block = Eigen::Matrix<double, 30, 6>;
-  Block divergence = Block::Zero(), gradient = Block::Zero();
+  model::BlockMatrix<10, 3, 2> sum;
 
   void add(const SurfacePoint& x, const ShapeValues& s) {
-    Eigen::Matrix<double, 2, 10> cubic;
-    for (int i = 0; i < 2; ++i) cubic.row(i) = Shapes(x.grad[std::size_t(i)].data());
-    const Eigen::Matrix<double, 3, 6> grad_p =
-        x.frame.leftCols<2>() * (cubic * quadratic_by_cubic());
-    const Eigen::Matrix<double, 3, 10> div = x.frame.leftCols<2>() * cubic;
-    const Shapes phi(s.phi.data());
-    const auto p = Shapes(s.quadratic.data()).head<6>();
+    Eigen::Matrix<double, 10, 2> cubic;
+    for (int i = 0; i < 2; ++i) cubic.col(i) = Shapes(x.grad[std::size_t(i)].data());
+    const auto tangents = x.frame.leftCols<2>().transpose();
+    const Eigen::Matrix<double, 6, 3> grad_p =
+        (quadratic_by_cubic().transpose() * cubic) * tangents;
+    const Eigen::Matrix<double, 10, 3> div = cubic * tangents;
+    const Eigen::Matrix<double, 6, 1> p = Shapes(s.quadratic.data()).head<6>();
+    const auto W = sum.column(s.phi.data(), x.dS);
     for (int k = 0; k < 3; ++k) {
-      divergence.middleRows<10>(10 * k) += x.dS * div.row(k).transpose() * p.transpose();
-      gradient.middleRows<10>(10 * k) += x.dS * phi * grad_p.row(k);
+      sum.add_outer(10 * k, 0, sum.column(div.col(k).data(), x.dS), p);
+      sum.add_outer(10 * k, 10, W, grad_p.col(k));
     }
   }
+  /// (p, Div_C W_n) − (∇p, W_t) with the node normals n, times −1.
+  Block force(const ElementNodes& n) const;
 };
 
 // Rows of test functions W by components: those of its part along the node normals.
@@ -131,66 +180,55 @@ Rows along(const ElementNodes& n, const Rows& rows) {
   return part;
 }
 
+Pressure::Block Pressure::force(const ElementNodes& n) const {
+  const Eigen::Matrix<double, 30, 20> sums = sum.dense();
+  const Block divergence = sums.leftCols<6>(), gradient = sums.middleCols<6>(10);
+  return gradient - along(n, Block(divergence + gradient));
+}
+
 }  // namespace
 
 void assemble_element(const model::Material& material, const ElementState& old, double area_rate,
                       ElementSystem& out) {
   constexpr int p = FlowPiece::p, q = FlowPiece::q, H = FlowPiece::H;
-  static const Unknowns<Jet> independent = independent_unknowns();
-  static thread_local model::BlockMatrix<10, 6, 4> products;
-  products.set_zero();
-  Eigen::Matrix<double, 60, 1> constants = decltype(constants)::Zero();
+  Resistance resistance;
+  ElasticForce force;
+  Pressure pressure;
+  ConstraintSums constraints;
+  MeshSums mesh;
   Eigen::Matrix<double, 30, 1> order = decltype(order)::Zero();
   Eigen::Matrix<double, 6, 1> rate = decltype(rate)::Zero();
-  Pressure pressure;
-  out.constraints.setZero();
-  out.mesh.set_zero();
   for (const ShapeValues& s : assembly_points()) {
     const SurfacePoint x = surface_point(old.X, s);
     const OldPoint point{.geometry = x,
                          .beta = value_at(old.beta, s),
                          .grad_beta = gradient_at(old.beta, x),
                          .B = shape_operator(x, old.projected_normals, value_at(old.H, s))};
-    const Tested<Jet> test = flow_point(material, point, independent);
-    Eigen::Matrix<double, int(tested_size), Jet::DIMENSION, Eigen::RowMajor> D;
-    Eigen::Matrix<double, int(tested_size), 1> constant;
-    int i = 0;
-    const auto set = [&](const Jet& factor) {
-      D.row(i) = factor.v.transpose();
-      constant[i++] = -factor.a;
-    };
-    for_each_component(test.W, set);
-    for_each_component(test.dW, set);
-    for_each_component(test.dW_n, set);
-    const auto unknowns = unknown_rows(s, x);
-    const auto tests = test_rows(unknowns);
-    model::add_matrix(tests, unknowns, D, x.dS, products);
-    model::add_vector(tests, constant, x.dS, constants);
+    resistance.add(material, point, s);
+    force.add(material, point, s);
+    pressure.add(x, s);
+    constraints.add(material, x, s);
 
     const Shapes phi(s.phi.data());
+    mesh.add(x, phi);
     const double h = value_at(old.order_force, s);
     const Eigen::Vector3d traction =
         x.frame.leftCols<2>() * model::order_traction(h, point.grad_beta);  // (V12)
     for (int k = 0; k < 3; ++k) order.segment<10>(10 * k) += x.dS * traction[k] * phi;
     rate += x.dS * area_rate * Shapes(s.quadratic.data()).head<6>();  // (P1)
-    pressure.add(x, s);
-    add_constraints(material, x, phi, out);
-    out.mesh.add(x, phi);
   }
 
   const ElementNodes& n = old.node_normals;
-  const Eigen::Matrix<double, 60, 40> sum = products.dense();
-  const Eigen::Matrix<double, 30, 10> force = sum.block<30, 10>(normal_row, H_column);
-  const Eigen::Matrix<double, 30, 1> constant_force = constants.tail<30>();
-  const Pressure::Block p_force =
-      pressure.gradient - along(n, Pressure::Block(pressure.divergence + pressure.gradient));
+  const Pressure::Block p_force = pressure.force(n);
   out.flow.setZero();
-  out.flow.topLeftCorner<30, 30>() = sum.topLeftCorner<30, 30>();
+  out.flow.topLeftCorner<30, 30>() = resistance.matrix();
   out.flow.block<30, 6>(0, p) = p_force;  // (V3)
-  out.flow.block<30, 10>(0, H) = along(n, force);
+  out.flow.block<30, 10>(0, H) = along(n, force.sum.dense());
   out.flow.block<6, 30>(q, 0) = -p_force.transpose();  // (P1)
-  out.rhs << along(n, constant_force) + order - along(n, order), rate;
+  out.rhs << along(n, force.rhs) + order - along(n, order), rate;
+  out.constraints = constraints.sum.dense().leftCols<7>();
   out.constraints.col(0) = along(n, Eigen::Matrix<double, 30, 1>(out.constraints.col(0)));
+  out.mesh = mesh.equation();
 }
 
 }  // namespace sbeh::surface3d

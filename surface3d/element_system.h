@@ -24,8 +24,7 @@ struct ElementState {
   ElementField beta, H, order_force;
 };
 
-/// Sums over the quadrature points, of the linear `flow_point` among others; `area_rate` is (A₀ − A)/(τA),
-/// the drift correction of (P1).
+/// Sums over the quadrature points; `area_rate` is (A₀ − A)/(τA), the drift correction of (P1).
 void assemble_element(const model::Material& material, const ElementState& old, double area_rate,
                       ElementSystem& out);
 

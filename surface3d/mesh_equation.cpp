@@ -4,18 +4,20 @@
 
 namespace sbeh::surface3d {
 
-void MeshEquation::set_zero() {
-  normal_mass.fill(Scalar::Zero());
-  stiffness.setZero();
+void MeshSums::add(const SurfacePoint& x, const Shapes& phi) {
+  constexpr int stiffness = 30;
+  for (int k = 0; k < 3; ++k)
+    sums_.add_outer(0, 10 * k, sums_.column(phi.data(), x.dS * x.nu()[k]), phi);
+  for (const auto& slope : x.grad)
+    sums_.add_outer(0, stiffness, sums_.column(slope.data(), x.dS), Shapes(slope.data()));
 }
 
-void MeshEquation::add(const SurfacePoint& x, const Shapes& phi) {
-  for (int k = 0; k < 3; ++k)
-    normal_mass[std::size_t(k)].noalias() += phi * (x.dS * x.nu()[k] * phi).transpose();
-  for (const auto& slope : x.grad) {
-    const Shapes along(slope.data());
-    stiffness.noalias() += along * (x.dS * along).transpose();
-  }
+MeshEquation MeshSums::equation() const {
+  const Eigen::Matrix<double, 10, 40> sums = sums_.dense();
+  MeshEquation equation;
+  for (int k = 0; k < 3; ++k) equation.normal_mass[std::size_t(k)] = sums.middleCols<10>(10 * k);
+  equation.stiffness = sums.rightCols<10>();
+  return equation;
 }
 
 Eigen::Matrix<double, 1, 10> MeshEquation::normal_flux(const ElementNodes& W) const {

@@ -11,6 +11,7 @@
 // Without Y, tested along the node normals, (H1) is the curvature of given positions: see curvature.cpp.
 #pragma once
 
+#include "model/numerics/contraction.h"
 #include "surface3d/system_layout.h"
 
 #include <array>
@@ -26,16 +27,12 @@ struct MovingTriangle {
   ElementField H_from;           ///< their curvature
 };
 
-/// The forms that (Y1) and (H1) are made of. Fields are given by their nodes, results by the nodes of the
+/// The forms that (Y1) and (H1) are made of, as MeshSums has them. Fields are given by their nodes, results by the nodes of the
 /// test functions.
 struct MeshEquation {
   using Scalar = Eigen::Matrix<double, 10, 10>;  // row: test function, column: unknown
   std::array<Scalar, 3> normal_mass;             ///< (ν_k φ_b, φ_a)
   Scalar stiffness;                              ///< (∇φ_b, ∇φ_a)
-
-  void set_zero();
-  /// The share of a quadrature point.
-  void add(const SurfacePoint& x, const Shapes& phi);
 
   Eigen::Matrix<double, 1, 10> normal_flux(const ElementNodes& W) const;  ///< (W·ν, G)
   /// ( H ν, Z ) + ( ∇_C Y, ∇_C Z ): the left-hand side of (H1).
@@ -49,6 +46,16 @@ struct MeshEquation {
   Scalar normal_mass_along(const ElementNodes& t) const;  ///< (φ_b ν, φ_a t_a)
   /// (∇(φ_b u_b), ∇(φ_a t_a))
   Scalar stiffness_between(const ElementNodes& t, const ElementNodes& u) const;
+};
+
+/// Sums over the quadrature points.
+class MeshSums {
+ public:
+  void add(const SurfacePoint& x, const Shapes& phi);
+  MeshEquation equation() const;
+
+ private:
+  model::BlockMatrix<10, 1, 4> sums_;  // the normal masses, the stiffness
 };
 
 }  // namespace sbeh::surface3d

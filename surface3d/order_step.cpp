@@ -1,6 +1,7 @@
 #include "surface3d/order_step.h"
 
 #include "model/order_step.h"
+#include "surface3d/linear/conjugate_gradient.h"
 #include "surface3d/linear/direct_solver.h"
 #include "surface3d/parallel.h"
 
@@ -27,7 +28,7 @@ Field solve(const SparseMatrix& matrix, const Field& rhs, const Field& guess) {
   return x.allFinite() ? x : Field();
 }
 
-// The equation of the order over a time τ, which may be infinite.
+// The equation of the order over a time τ.
 LinearSystem equation_of_order(const Triangulation& mesh, const model::Material& material,
                                const State& at, const Field& from, const Curvature& curvature,
                                const Nodes& slip, double tau) {
@@ -76,20 +77,25 @@ Field order_step(const Triangulation& mesh, const model::Material& material, con
 
 Field order_force(const Triangulation& mesh, const model::Material& material, const State& at,
                   const Curvature& curvature) {
-  const Nodes no_slip = Nodes::Zero(3, mesh.nodes);
-  const LinearSystem force = equation_of_order(mesh, material, at, at.beta, curvature, no_slip,
-                                               std::numeric_limits<double>::infinity());
-  SparseMatrix mass = mesh.scalars.zero();
+  Field force = Field::Zero(mesh.nodes);
   for_each_by_colour(mesh, [&](int e) {
-    const ElementNodes X = on_element(mesh, e, at.X);
-    Eigen::Matrix<double, 10, 10> local = decltype(local)::Zero();
+    const ElementNodes X = on_element(mesh, e, at.X),
+                       normals = on_element(mesh, e, curvature.normals);
+    const ElementField beta = on_element(mesh, e, at.beta), H = on_element(mesh, e, curvature.H);
+    ElementField local = ElementField::Zero();
     for (const ShapeValues& s : assembly_points()) {
-      const Shapes phi(s.phi.data());
-      local += (surface_point(X, s).dS * phi) * phi.transpose();
+      const SurfacePoint x = surface_point(X, s);
+      const double h = value_at(H, s), K = model::gauss_curvature(shape_operator(x, normals, h));
+      const model::Tangent<double> distortion = material.l1() * gradient_at(beta, x);  // (B2)
+      const double reaction = model::order_force(material, value_at(beta, s), h, K);  // (B3) … (B5)
+      local += x.dS * reaction * Shapes(s.phi.data());
+      for (int i = 0; i < 2; ++i)
+        local += x.dS * distortion[i] * Shapes(x.grad[std::size_t(i)].data());
     }
-    mesh.scalars.add(e, local, mass);
+    for (int a = 0; a < 10; ++a) force[mesh.triangles(a, e)] += local[a];
   });
-  return solve(mass, force.matrix * at.beta - force.rhs, Field::Zero(mesh.nodes));
+  const Field h = solve_mass(curvature.mass, force, Field::Zero(mesh.nodes));
+  return h.allFinite() ? h : Field();
 }
 
 }  // namespace sbeh::surface3d

@@ -35,13 +35,13 @@ class BlockMatrix {
   }
 
   void set_zero() { met_.fill(false); }
-  /// The block whose first row and column these are += test trialᵀ.
+  /// The block whose first row and column these are += test trialᵀ, of Count numbers or fewer.
   template <class Trial>
   void add_outer(int row, int column, const Column& test, const Trial& trial) {
     const std::size_t k = index(row / Count, column / Count);
     if (!met_[k]) blocks_[k].setZero();
     met_[k] = true;
-    blocks_[k].noalias() += test * trial.transpose();
+    blocks_[k].template leftCols<Trial::RowsAtCompileTime>().noalias() += test * trial.transpose();
   }
   Eigen::Matrix<double, Count * Rows, Count * Columns> dense() const {
     Eigen::Matrix<double, Count * Rows, Count * Columns> all;

@@ -97,6 +97,11 @@ struct Place {
   int e;
   axisym::ShapeValues s;
 };
+Eigen::Vector2d value_at(const axisym::Nodes& field, const Place& at) {
+  Eigen::Vector2d sum = Eigen::Vector2d::Zero();
+  for (int a = 0; a < 4; ++a) sum += at.s.phi[std::size_t(a)] * field.col(3 * at.e + a);
+  return sum;
+}
 Place place_of(const axisym::Nodes& X, const Eigen::Vector2d& x) {
   const auto beyond = [&](const Eigen::Vector2d& y) { return y[0] * x[1] > y[1] * x[0]; };
   int e = 0;
@@ -104,8 +109,7 @@ Place place_of(const axisym::Nodes& X, const Eigen::Vector2d& x) {
   double low = 0, high = 1;
   while (high - low > 1e-14) {
     const double middle = (low + high) / 2;
-    const Eigen::Vector4d phi(axisym::shape_values(middle).phi.data());
-    (beyond(X.middleCols<4>(3 * e) * phi) ? high : low) = middle;
+    (beyond(value_at(X, {e, axisym::shape_values(middle)})) ? high : low) = middle;
   }
   return {e, axisym::shape_values(low)};
 }
@@ -130,9 +134,8 @@ Parts velocity_errors(const OnMesh& at, const OnCurve& exact) {
         Eigen::Matrix<double, 3, 2> plane;  // e_r, e_z
         plane << p.x.head<2>() / r, Eigen::Vector2d::Zero(), 0, 1;
         const Place place = place_of(exact.state.X, {r, p.x[2]});
-        const Eigen::Vector4d phi(place.s.phi.data());
-        const Eigen::Vector3d V = plane * exact.V.middleCols<4>(3 * place.e) * phi,
-                              nu = plane * axisym::curve_point(exact.state.X, place.e, place.s).nu;
+        const axisym::CurvePoint curve = axisym::curve_point(exact.state.X, place.e, place.s);
+        const Eigen::Vector3d V = plane * value_at(exact.V, place), nu = plane * curve.nu;
         error.add(p.dS, value_at(on_element(*at.mesh, e, at.V), s) - V, nu);
         size.add(p.dS, V, nu);
       });
