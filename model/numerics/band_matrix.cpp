@@ -26,6 +26,21 @@ void BandMatrix::set_identity_row(int i) {
     (*this)(i, j) = i == j ? 1 : 0;
 }
 
+void BandMatrix::pin(int i, double diagonal) {
+  for (int j = std::max(0, i - width_); j <= std::min(n_ - 1, i + width_); ++j)
+    (*this)(i, j) = (*this)(j, i) = i == j ? diagonal : 0;
+}
+
+Eigen::VectorXd BandMatrix::times(const Eigen::VectorXd& x) const {
+  Eigen::VectorXd y = Eigen::VectorXd::Zero(n_);
+  for (int j = 0; j < n_; ++j) {
+    const int first = std::max(0, j - width_), last = std::min(n_ - 1, j + width_);
+    y.segment(first, last - first + 1) +=
+        x[j] * storage_.col(j).segment(2 * width_ + first - j, last - first + 1);
+  }
+  return y;
+}
+
 bool BandMatrix::factor() {
   const int info = LAPACKE_dgbtrf_work(LAPACK_COL_MAJOR, n_, n_, width_, width_, storage_.data(),
                                        int(storage_.rows()), pivots_.data());

@@ -22,6 +22,12 @@ class BandMatrix {
 
   /// Row i becomes that of the identity.
   void set_identity_row(int i);
+  /// Row and column i become zero, and `diagonal` where they meet.
+  void pin(int i, double diagonal);
+  /// += factor · other, of the same shape; before factor().
+  void add(double factor, const BandMatrix& other) { storage_ += factor * other.storage_; }
+  /// The product with a vector; before factor().
+  Eigen::VectorXd times(const Eigen::VectorXd& x) const;
 
   /// LU with partial pivoting, in place. False when A is singular or not finite.
   [[nodiscard]] bool factor();

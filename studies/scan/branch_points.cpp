@@ -178,6 +178,15 @@ bool has_state_here(const PointOutcome& point) {
   return point.state && point.row.status != PointStatus::failed && point.row.fold_side == "before";
 }
 
+void add_modes(const StationaryCase& of, int largest_m, PointOutcome& point) {
+  const bool is_at_rest = has_state_here(point) && point.state->Lambda.size() > 0;
+  if (!is_at_rest) return;  // the sphere as well, whose tension may be any
+  const Stopwatch watch;
+  if (const auto modes = axisym::stability_3d(of.material, of.model, *point.state, largest_m))
+    point.row.modes = *modes;
+  point.row.wall_seconds += watch.seconds();
+}
+
 constexpr double largest_fold = 2;  // of L
 
 std::optional<BranchState> fold_above(const StationaryCase& of, const State& state) {

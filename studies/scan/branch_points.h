@@ -37,6 +37,9 @@ std::optional<axisym::BranchState> settled(const axisym::StationaryCase& of,
 /// Whether the point has a state of its own, to go on from: one that passes through itself has.
 bool has_state_here(const PointOutcome& point);
 
+/// What modes up to cos(largest_m φ) say of the state of the point; nothing where there is none.
+void add_modes(const axisym::StationaryCase& of, int largest_m, PointOutcome& point);
+
 /// SSH's state of the branch.
 PointOutcome ssh_point(const axisym::StationaryCase& of, axisym::SshBranch& branch);
 

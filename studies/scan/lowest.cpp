@@ -69,22 +69,26 @@ class Lowest {
     if (is_below(lowest.bound, lowest.energy)) {
       lowest.branch = not_found;
       lowest.energy = not_known;
+      lowest.negative_directions_3d.reset();
     }
     return lowest;
   }
 
  private:
-  static void offer(LowestRow& lowest, const std::string& branch, double energy) {
+  static void offer(LowestRow& lowest, const std::string& branch, double energy,
+                    std::optional<int> negative_directions_3d = {}) {
     if (lowest.branch != not_found && !(energy < lowest.energy)) return;
     lowest.branch = branch;
     lowest.energy = energy;
+    lowest.negative_directions_3d = negative_directions_3d;
   }
   void offer_states(LowestRow& lowest) const {
     for (const axisym::Branch branch : grid_.branches) {
       const PointResult* point =
           table_.find({lowest.reduced_volume, lowest.L, lowest.model, branch});
       if (point && point->status == PointStatus::stationary)
-        offer(lowest, name(branch), point->diagnostics->energy.total());
+        offer(lowest, name(branch), point->diagnostics->energy.total(),
+              point->modes.negative_directions);
     }
   }
   void offer_singular(LowestRow& lowest) const {
@@ -135,6 +139,7 @@ const Columns<LowestRow>& lowest_columns() {
       known_column("energy", &LowestRow::energy),
       known_column("bound", &LowestRow::bound),
       column("bound_of", &LowestRow::bound_of),
+      column("negative_directions_3d", &LowestRow::negative_directions_3d),
   };
   return columns;
 }

@@ -25,6 +25,8 @@ struct LowestRow {
   double bound =
       not_known;  ///< least energy at this L of the scan's other states of that reduced volume
   std::string bound_of{};  ///< which: "SSH stomatocyte", "SBEH stomatocyte of L = 0.0002"
+  /// Of the lowest, see Stability3d: above 0 it is a saddle among shapes without an axis. Empty where not known.
+  std::optional<int> negative_directions_3d{};
 };
 
 /// At every L and reduced volume the lowest of each model's stationary states, and for SBEH of the sharp and the nested

@@ -49,6 +49,7 @@ struct Scan {
   /// Keeps a point: its files first, so that a row means that they are whole.
   void keep(const PointKey& key, PointOutcome& point) {
     point.row.key = key;
+    if (input.modes > 0) add_modes(case_of(input, key), input.modes, point);
     if (point.state) {
       auto z = point.state->X.row(1).array();
       z -= (z.maxCoeff() + z.minCoeff()) / 2;  // in what goes on from here too

@@ -1,5 +1,6 @@
 #include "studies/scan/scan_input.h"
 
+#include "axisym/modes/stability_3d.h"
 #include "studies/parameters/material_input.h"
 
 #include <fmt/format.h>
@@ -84,6 +85,7 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
   input.flow_end_time = table.number("end_time", above(0), input.flow_end_time);
   input.beyond_fold = table.boolean("beyond_fold", input.beyond_fold);
   if (input.beyond_fold) require_folds(table, input);
+  input.modes = table.integer("modes", 0, axisym::most_modes, input.modes);
   table.reject_unknown_keys();
   if (point_count(input) > most_points)
     table.fail("L",
@@ -113,6 +115,7 @@ std::string describe(const ScanInput& input, std::string_view version) {
   toml.value("method", input.method);
   if (input.method == Method::flow) toml.value("end_time", input.flow_end_time);
   if (input.method == Method::newton) toml.value("beyond_fold", input.beyond_fold);
+  toml.value("modes", input.modes);
   write_material_without_L(toml, input.material);
   write_numerics(toml, input.numerics);
   return toml.text();

@@ -64,6 +64,8 @@ struct ScanInput : StateGrid {
   bool beyond_fold =
       false;  ///< also the saddles and sharp rims of SBEH's oblates; method newton, two
               ///< seconds per reduced volume with a fold
+  /// Stability in 3D: the eigenvalues of u cos mφ are computed up to this m; 0: none.
+  int modes = 4;
   double flow_end_time = 200;  ///< method flow, key `end_time`: a run that is not at rest ends here
 
   bool operator==(const ScanInput&) const = default;

@@ -1,10 +1,44 @@
 #include "studies/scan/scan_table.h"
 
+#include <fmt/format.h>
+#include <fmt/ranges.h>
+
+#include <cmath>
+#include <sstream>
+
 namespace sbeh::studies {
 
 using axisym::Accuracy;
 using axisym::Diagnostics;
 using axisym::Energy;
+using axisym::Stability3d;
+
+namespace {
+
+// "1 2"; "none" where all are known to be stable; nothing where they were not computed.
+std::string text_of_modes(const Stability3d& modes) {
+  if (std::isnan(modes.rigid_residual)) return "";
+  return modes.unstable.empty() ? "none" : fmt::format("{}", fmt::join(modes.unstable, " "));
+}
+
+bool read_modes(const std::string& field, Stability3d& modes) {
+  modes.unstable.clear();
+  if (field == "none") return true;
+  std::istringstream numbers(field);
+  for (int m = 0; numbers >> m;) modes.unstable.push_back(m);
+  return numbers.eof();
+}
+
+Columns<PointResult> with_eigenvalues(Columns<PointResult> columns) {
+  for (std::size_t m = 0; m <= axisym::most_modes; ++m)
+    columns.push_back(known_column<PointResult>(
+        fmt::format("eigenvalue_m{}", m), [m](auto& row) -> auto& {
+          return row.modes.eigenvalue[m];
+        }));
+  return columns;
+}
+
+}  // namespace
 
 const Columns<PointResult>& scan_columns() {
   using Row = PointResult;
@@ -54,8 +88,14 @@ const Columns<PointResult>& scan_columns() {
       error("energy_error", &Accuracy::energy),
       error("W2_error", &Accuracy::W2),
       error("H_pole_error", &Accuracy::H_pole),
+      column<Row>("negative_directions_3d", inside(&Row::modes, &Stability3d::negative_directions)),
+      {"unstable_modes", [](const Row& row) { return csv_field(text_of_modes(row.modes)); },
+       [](Row& row, const std::string& field) { return read_modes(field, row.modes); }},
+      known_column<Row>("rigid_residual", inside(&Row::modes, &Stability3d::rigid_residual),
+                        "{:.3g}"),
   };
-  return columns;
+  static const Columns<Row> all = with_eigenvalues(columns);
+  return all;
 }
 
 ScanTable scan_table(const OutputFolder& folder) {

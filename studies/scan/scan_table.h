@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/diagnostics.h"
+#include "axisym/modes/stability_3d.h"
 #include "axisym/stationary/accuracy.h"
 #include "model/names.h"
 #include "studies/io/growing_table.h"
@@ -40,6 +41,8 @@ struct PointResult {
   std::string stop_reason{};
   std::optional<axisym::Accuracy>
       error{};  ///< estimated, of the values; none where there is no estimate
+  axisym::Stability3d
+      modes{};  ///< among shapes without an axis too; unknown where there is no state
 };
 
 const Columns<PointResult>& scan_columns();

@@ -17,7 +17,9 @@ const std::string columns =
     "energy_thermotropic,order_min,order_max,order_mean,order_std,order_variance,H_pole,H_rim,"
     "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,"
     "stop_reason,class,negative_directions,self_contact,fold_side,fold_L,"
-    "energy_error,W2_error,H_pole_error";
+    "energy_error,W2_error,H_pole_error,negative_directions_3d,unstable_modes,rigid_residual,"
+    "eigenvalue_m0,eigenvalue_m1,eigenvalue_m2,eigenvalue_m3,eigenvalue_m4,eigenvalue_m5,"
+    "eigenvalue_m6";
 
 // Around the fold of SBEH's oblate branch at V_r = 0.6, which lies at L = 0.0706.
 const std::string across_the_fold =

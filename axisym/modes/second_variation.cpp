@@ -1,0 +1,255 @@
+#include "axisym/modes/second_variation.h"
+
+#include "axisym/modes/mode_density.h"
+#include "axisym/stationary/newton_system.h"
+#include "model/numerics/contraction.h"
+#include "model/numerics/second_order.h"
+
+namespace sbeh::axisym {
+
+namespace {
+
+using Hessian = Eigen::Matrix<double, mode_data, mode_data>;
+
+// What a perturbation is at a point: displacement, H, β and Λ with their derivatives by ξ.
+enum Perturbation {
+  of_r,
+  of_r_xi,
+  of_z,
+  of_z_xi,
+  of_H,
+  of_beta,
+  of_beta_xi,
+  of_Lambda_r,
+  of_Lambda_r_xi,
+  of_Lambda_z,
+  of_Lambda_z_xi,
+  perturbations
+};
+using Form = Eigen::Matrix<double, perturbations, perturbations>;
+
+// A perturbation that goes with cos mφ: the data that go with it too, and those with −m sin mφ and −m² cos mφ.
+struct Link {
+  Perturbation from;
+  ModeData to;
+};
+constexpr std::array even_links{
+    Link{of_r, in_r},
+    Link{of_r_xi, in_r_xi},
+    Link{of_z_xi, in_z_xi},
+    Link{of_H, in_H},
+    Link{of_beta, in_beta},
+    Link{of_beta_xi, in_beta_xi},
+    Link{of_Lambda_r, in_Lambda_r},
+    Link{of_Lambda_z, in_Lambda_z},
+    Link{of_Lambda_r_xi, in_Lambda_r_xi},
+    Link{of_Lambda_z_xi, in_Lambda_z_xi},
+};
+constexpr std::array odd_links{
+    Link{of_r, in_r_phi},
+    Link{of_z, in_z_phi},
+    Link{of_r_xi, in_r_xi_phi},
+    Link{of_z_xi, in_z_xi_phi},
+    Link{of_beta, in_beta_phi},
+    Link{of_Lambda_r, in_Lambda_r_phi},
+    Link{of_Lambda_z, in_Lambda_z_phi},
+};
+constexpr std::array twice_links{Link{of_r, in_r_phi_phi}, Link{of_z, in_z_phi_phi}};
+
+// The forms of SecondVariation at a point: those of the powers of m².
+std::array<Form, 3> forms_of(const Hessian& h) {
+  std::array<Form, 3> f;
+  f.fill(Form::Zero());
+  for (const Link a : even_links) {
+    for (const Link b : even_links) f[0](a.from, b.from) += h(a.to, b.to);
+    for (const Link b : twice_links) {
+      f[1](a.from, b.from) -= h(a.to, b.to);
+      f[1](b.from, a.from) -= h(b.to, a.to);
+    }
+  }
+  for (const Link a : odd_links)
+    for (const Link b : odd_links) f[1](a.from, b.from) += h(a.to, b.to);
+  for (const Link a : twice_links)
+    for (const Link b : twice_links) f[2](a.from, b.from) += h(a.to, b.to);
+  return f;
+}
+
+// (u² + b²) of u = d·ν.
+Form squares(const Eigen::Vector2d& nu, bool has_order) {
+  Form f = Form::Zero();
+  f(of_r, of_r) = nu[0] * nu[0];
+  f(of_z, of_z) = nu[1] * nu[1];
+  f(of_r, of_z) = f(of_z, of_r) = nu[0] * nu[1];
+  if (has_order) f(of_beta, of_beta) = 1;
+  return f;
+}
+
+// At an axisymmetric state data that go with cos mφ and those that go with sin mφ do not meet in the Hessian.
+constexpr std::array with_cosine{in_r,         in_r_xi, in_z_xi, in_r_phi_phi,
+                                 in_z_phi_phi, in_H,    in_beta, in_beta_xi};
+constexpr std::array with_sine{in_r_phi, in_z_phi, in_r_xi_phi, in_z_xi_phi, in_beta_phi};
+
+// Adds the part of the Hessian that belongs to these data and Λ.
+template <std::size_t N>
+void add_hessian(const model::Material& material, const StationaryState& state,
+                 const std::array<double, mode_data>& at, const std::array<ModeData, N>& variables,
+                 Hessian& h) {
+  using Second = model::SecondOrder<int(N)>;
+  ModeFields<Second> q;
+  for (std::size_t k = 0; k < q.size(); ++k) q[k] = Second(at[k]);
+  for (std::size_t k = 0; k < N; ++k)
+    q[std::size_t(variables[k])] = Second(at[std::size_t(variables[k])], int(k));
+  const auto density = mode_density(material, state.tension, state.pressure, q);
+  auto nonlinear = density.energy.h;
+  for (std::size_t c = 0; c < density.curvature.size(); ++c)
+    nonlinear += at[std::size_t(nonlinear_mode_data) + c] * density.curvature[c].h;
+  for (std::size_t i = 0; i < N; ++i) {
+    for (std::size_t j = 0; j < N; ++j)
+      h(variables[i], variables[j]) = nonlinear(Eigen::Index(i), Eigen::Index(j));
+    for (std::size_t c = 0; c < density.curvature.size(); ++c) {
+      const auto Lambda = nonlinear_mode_data + Eigen::Index(c);
+      h(variables[i], Lambda) = h(Lambda, variables[i]) = density.curvature[c].g[Eigen::Index(i)];
+    }
+  }
+}
+
+// A vector field along the node normals at a point: shape values times their components.
+struct Along {
+  std::array<double, 4> r, r_xi, z, z_xi;
+  Along(const Nodes& n, int e, const ShapeValues& s) {
+    for (std::size_t a = 0; a < 4; ++a) {
+      const auto node = n.col(3 * e + int(a));
+      r[a] = s.phi[a] * node[0];
+      r_xi[a] = s.dphi[a] * node[0];
+      z[a] = s.phi[a] * node[1];
+      z_xi[a] = s.dphi[a] * node[1];
+    }
+  }
+};
+
+constexpr int unknown(NodeUnknown c) { return 4 * c; }  // of an element, component by component
+
+std::array<model::DataRow<4>, perturbations> rows_of(const Along& n, const ShapeValues& s) {
+  constexpr int d = unknown(node_d), Lambda = unknown(node_Lambda);
+  return {{{d, n.r.data()},
+           {d, n.r_xi.data()},
+           {d, n.z.data()},
+           {d, n.z_xi.data()},
+           {unknown(node_H), s.phi.data()},
+           {unknown(node_beta), s.phi.data()},
+           {unknown(node_beta), s.dphi.data()},
+           {Lambda, n.r.data()},
+           {Lambda, n.r_xi.data()},
+           {Lambda, n.z.data()},
+           {Lambda, n.z_xi.data()}}};
+}
+
+double sum(const std::array<double, 4>& shape, const Field& f, int e) {
+  double value = 0;
+  for (int a = 0; a < 4; ++a) value += shape[std::size_t(a)] * f[3 * e + a];
+  return value;
+}
+
+// What an axisymmetric state has of the data: no derivatives by φ.
+std::array<double, mode_data> point_data(const StationaryState& state, const Along& n,
+                                         const CurvePoint& p, int e, const ShapeValues& s) {
+  std::array<double, mode_data> q{};
+  q[in_r] = p.x[0];
+  q[in_r_xi] = p.dx[0];
+  q[in_z_xi] = p.dx[1];
+  q[in_H] = value_at(state.H, e, s);
+  q[in_beta] = value_at(state.beta, e, s);
+  q[in_beta_xi] = slope_at(state.beta, e, s);
+  q[in_Lambda_r] = sum(n.r, state.Lambda, e);
+  q[in_Lambda_z] = sum(n.z, state.Lambda, e);
+  q[in_Lambda_r_xi] = sum(n.r_xi, state.Lambda, e);
+  q[in_Lambda_z_xi] = sum(n.z_xi, state.Lambda, e);
+  return q;
+}
+
+using ElementMatrix = Eigen::Matrix<double, 4 * node_unknowns, 4 * node_unknowns>;
+
+void scatter(const ElementMatrix& element, int e, model::BandMatrix& matrix) {
+  const auto global = [e](int k) { return node_unknowns * (3 * e + k % 4) + k / 4; };
+  for (int j = 0; j < element.cols(); ++j)
+    for (int i = 0; i < element.rows(); ++i) matrix(global(i), global(j)) += element(i, j);
+}
+
+}  // namespace
+
+SecondVariation second_variation(const model::Material& material, model::Model model,
+                                 const StationaryState& state) {
+  const int nodes = int(state.beta.size());
+  const model::BandMatrix empty(node_unknowns * nodes, 4 * node_unknowns - 1);
+  const Nodes n = node_normals(state.X);
+  LagrangianDerivatives axisymmetric(nodes);
+  assemble(material, state, n, axisymmetric);
+  SecondVariation out{{empty, empty, empty},
+                      empty,
+                      axisymmetric.constraints,
+                      has_free_order(model),
+                      material.kappa(state.beta.maxCoeff()),
+                      state};
+
+  for (int e = 0; e < element_count(state.X); ++e) {
+    std::array<ElementMatrix, 3> powers;
+    powers.fill(ElementMatrix::Zero());
+    ElementMatrix mass = ElementMatrix::Zero();
+    for (const ShapeValues& s : assembly_points()) {
+      const Along along(n, e, s);
+      const CurvePoint p = curve_point(state.X, e, s);
+      const auto at = point_data(state, along, p, e, s);
+      Hessian hessian = Hessian::Zero();
+      add_hessian(material, state, at, with_cosine, hessian);
+      add_hessian(material, state, at, with_sine, hessian);
+      const auto forms = forms_of(hessian);
+      const auto rows = rows_of(along, s);
+      for (std::size_t k = 0; k < 3; ++k)
+        model::add_matrix(rows, rows, forms[k], s.weight, powers[k]);
+      model::add_matrix(rows, rows, squares(p.nu, out.has_order), s.weight * p.x[0] * p.stretch,
+                        mass);
+    }
+    for (std::size_t k = 0; k < 3; ++k) scatter(powers[k], e, out.powers[k]);
+    scatter(mass, e, out.mass);
+  }
+  return out;
+}
+
+namespace {
+
+// What is not free is left out of a form; `diagonal` is what stands there instead. A mode vanishes at the poles like
+// s^m, and Λ with the change of B_φφ, which for m = 2 has a value there: its rows are needed, and those of H.
+void hold_what_is_not_free(const SecondVariation& of, int m, double diagonal,
+                           model::BandMatrix& A) {
+  const int last = int(of.state.beta.size()) - 1;
+  if (!of.has_order)
+    for (int i = 0; i <= last; ++i) A.pin(index(i, node_beta), diagonal);
+  if (m == 0) return;
+  for (const int pole : {0, last}) {
+    A.pin(index(pole, node_d), diagonal);
+    A.pin(index(pole, node_beta), diagonal);
+    if (m == 2) continue;
+    A.pin(index(pole, node_H), diagonal);
+    A.pin(index(pole, node_Lambda), diagonal);
+  }
+}
+
+}  // namespace
+
+model::BandMatrix SecondVariation::shifted(int m, double shift) const {
+  const double square = m * m;
+  model::BandMatrix A = powers[0];
+  A.add(square, powers[1]);
+  A.add(square * square, powers[2]);
+  A.add(-shift, mass);
+  hold_what_is_not_free(*this, m, 1, A);
+  return A;
+}
+
+model::BandMatrix SecondVariation::mass_of(int m) const {
+  model::BandMatrix M = mass;
+  hold_what_is_not_free(*this, m, 0, M);
+  return M;
+}
+
+}  // namespace sbeh::axisym

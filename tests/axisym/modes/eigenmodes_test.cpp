@@ -1,0 +1,192 @@
+// Eigenvalues of the second variation: closed forms on the sphere, rigid motions, pitchforks.
+#include "axisym/modes/eigenmodes.h"
+
+#include "axisym/stationary/newton_system.h"
+#include "axisym/stationary/ssh_branch.h"
+#include "axisym/stationary/stability.h"
+#include "model/order_step.h"
+#include "tests/axisym/cases.h"
+
+#include <Eigen/Eigenvalues>
+
+namespace sbeh::axisym {
+namespace {
+
+using namespace test;
+using model::Material;
+using model::Model;
+
+// At rest under a tension that counts the potential too.
+StationaryState sphere(const Material& material, double order, double tension, int elements) {
+  StationaryState s = guess_from(
+      material, {spheroid(1., 1., elements, 0.5), Field::Constant(3 * elements + 1, order)});
+  s.H.setConstant(-2);
+  s.tension = tension - material.potential.value(order);
+  s.pressure = 2 * tension;
+  return s;
+}
+
+// The lowest eigenvalues of m against those of l = m, m + 1, … with the parity of l − m.
+template <class Exact>
+void expect_eigenvalues(const SecondVariation& second, int m, Exact&& exact, double accuracy) {
+  const auto found = lowest_modes(second, m, 2);
+  ASSERT_TRUE(found);
+  const int first = std::max(m, 2);
+  for (std::size_t k = 0; k < 3; ++k) {
+    const int l = first + int(k);
+    const Eigenmode& mode = found->modes[k];
+    EXPECT_EQ(mode.parity, (l - m) % 2 == 0 ? Parity::even : Parity::odd) << m << ' ' << l;
+    EXPECT_NEAR(mode.eigenvalue / exact(l), 1, accuracy) << "m = " << m << ", l = " << l;
+  }
+  EXPECT_LT(found->rigid_residual, accuracy * exact(first)) << m;
+}
+
+TEST(Eigenmodes, of_the_SSH_sphere_are_those_of_the_harmonics) {
+  const Material material;
+  const double kappa = material.kappa(model::full_order);
+  for (const auto& [elements, accuracy] : {std::pair{48, 2e-7}, {96, 1e-8}})
+    for (const double tension : {0., 0.1, -0.3})
+      for (int m = 0; m <= 5; ++m)
+        expect_eigenvalues(
+            second_variation(material, Model::SSH,
+                             sphere(material, model::full_order, tension, elements)),
+            m, [&](int l) { return (l - 1) * (l + 2) * (kappa * l * (l + 1) + tension); },
+            accuracy);
+}
+
+TEST(Eigenmodes, of_the_SBEH_sphere_are_those_of_shape_and_order_together) {
+  for (const double L : {0.01, 0.05}) {
+    const Material material = Material{}.with_L(L);
+    const double order = model::sphere_rest_order(material).value();
+    const double kappa = material.kappa(order), tension = 0.05;
+    const double curvature = (182.25 * order - 81) * order;  // u″ of the paper's potential
+    const auto exact = [&](int l) {
+      const double bend = (l - 1) * (l + 2);
+      Eigen::Matrix2d form;
+      form << bend * (kappa * l * (l + 1) + tension), 9 * L * order * bend, 9 * L * order * bend,
+          1.5 * L * l * (l + 1) + 9 * L + curvature;
+      return Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d>(form).eigenvalues()[0];
+    };
+    for (int m = 0; m <= 4; ++m)
+      expect_eigenvalues(
+          second_variation(material, Model::SBEH, sphere(material, order, tension, 96)), m, exact,
+          1e-8);
+  }
+}
+
+// Whatever the state: bumpy, of varying order, with all terms on.
+TEST(SecondVariation, of_m_0_is_that_of_the_axisymmetric_Lagrangian) {
+  Material material;
+  material.L2 = 0.01;
+  material.L3 = 0.02;
+  material.residual_stiffness = 0.03;
+  material.spontaneous_curvature = -0.7;
+  State shape{spheroid(0.8, false, 12, 0.5), Field::Constant(37, 0.6)};
+  for (Eigen::Index i = 0; i < 37; ++i) {
+    const double s = double(i) / 36;
+    shape.X.col(i) *= 1 + 0.1 * std::sin(3 * s) * s;
+    shape.beta[i] += 0.05 * std::cos(5 * s);
+  }
+  const StationaryState state = guess_from(material, shape);
+  const auto second = second_variation(material, Model::SBEH, state);
+  LagrangianDerivatives axisymmetric(37);
+  assemble(material, state, node_normals(state.X), axisymmetric);
+  const int size = axisymmetric.hessian.size(), width = axisymmetric.hessian.half_width();
+  double largest = 0, difference = 0;
+  for (int i = 0; i < size; ++i)
+    for (int j = std::max(0, i - width); j <= std::min(size - 1, i + width); ++j) {
+      const double there = axisymmetric.hessian(i, j);
+      largest = std::max(largest, std::abs(there));
+      difference = std::max(difference, std::abs(2 * pi * second.powers[0](i, j) - there));
+    }
+  EXPECT_LT(difference, 1e-13 * largest);
+}
+
+std::optional<BranchState> ssh_oblate(double v, int elements) {
+  Numerics numerics;
+  numerics.elements = elements;
+  SshBranch branch(Branch::oblate, Material{}, numerics);
+  const auto found = branch.at(v);
+  return found && found->arrival == Arrival::reached ? std::optional(found->state) : std::nullopt;
+}
+
+std::optional<BranchState> ordered_oblate(double v, double L, int elements) {
+  Numerics numerics;
+  numerics.elements = elements;
+  const auto ssh = ssh_oblate(v, elements);
+  const auto first = ssh ? solve_at({}, Model::SBEH, {v, 1e-4}, *ssh) : std::nullopt;
+  if (!first) return {};
+  const FollowResult there = follow({}, Model::SBEH, *first, {v, L}, numerics);
+  return there.arrival == Arrival::reached ? std::optional(there.state) : std::nullopt;
+}
+
+// The shapes of the paper's scan.
+TEST(Eigenmodes, of_rigid_motions_are_zero) {
+  const auto expect_zero = [](const Material& material, Model model,
+                              const std::optional<BranchState>& state) {
+    ASSERT_TRUE(state);
+    const auto second = second_variation(material, model, *state);
+    for (const int m : {0, 1}) {
+      const auto found = lowest_modes(second, m, 1);
+      ASSERT_TRUE(found);
+      EXPECT_GT(found->rigid_residual, 0);
+      EXPECT_LT(found->rigid_residual, 1e-8 * std::abs(found->modes.front().eigenvalue)) << m;
+    }
+  };
+  for (const double v : {0.6, 0.7, 0.8}) {
+    expect_zero({}, Model::SSH, ssh_oblate(v, 96));
+    for (const double L : {0.01, 0.03, 0.05, 0.07}) {
+      SCOPED_TRACE(std::to_string(v) + ' ' + std::to_string(L));
+      expect_zero(Material{}.with_L(L), Model::SBEH, ordered_oblate(v, L, 96));
+    }
+  }
+}
+
+// Stomatocytes leave the oblates at V_r = 0.51043892: the odd mode of m = 0.
+TEST(Eigenmodes, vanish_where_the_oblate_loses_its_symmetry) {
+  const std::array at{0.5104, 0.5105};
+  std::array<double, 2> eigenvalue{};
+  for (std::size_t k = 0; k < 2; ++k) {
+    const auto state = ssh_oblate(at[k], 96);
+    ASSERT_TRUE(state);
+    const auto found = lowest_modes(second_variation({}, Model::SSH, *state), 0, 1);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->modes.front().parity, Parity::odd);
+    eigenvalue[k] = found->modes.front().eigenvalue;
+    EXPECT_EQ(negative_directions({}, Model::SSH, *state), eigenvalue[k] < 0 ? 1 : 0);
+  }
+  const double zero = at[0] - eigenvalue[0] * (at[1] - at[0]) / (eigenvalue[1] - eigenvalue[0]);
+  EXPECT_NEAR(zero, 0.51043892, 2e-8);
+}
+
+// It gives way to the prolate by m = 2 at V_r = 0.7497; by no other m ≥ 1.
+TEST(Eigenmodes, of_the_SSH_oblate_change_sign_for_m_2_alone) {
+  for (const double v : {0.52, 0.6, 0.7, 0.749, 0.7504, 0.85, 0.95}) {
+    const auto state = ssh_oblate(v, 48);
+    ASSERT_TRUE(state);
+    const auto second = second_variation({}, Model::SSH, *state);
+    for (int m = 1; m <= 5; ++m) {
+      const auto found = lowest_modes(second, m, 1);
+      ASSERT_TRUE(found);
+      EXPECT_EQ(found->modes.front().eigenvalue < 0, m == 2 && v > 0.7497) << v << ' ' << m;
+    }
+  }
+}
+
+// Among shapes with an axis it is a minimum.
+TEST(Eigenmodes, of_the_ordered_oblate_of_0_6_and_0_07_are_negative_for_m_1_and_2) {
+  const auto state = ordered_oblate(0.6, 0.07, 48);
+  ASSERT_TRUE(state);
+  const Material material = Material{}.with_L(0.07);
+  EXPECT_EQ(negative_directions(material, Model::SBEH, *state), 0);
+  const auto second = second_variation(material, Model::SBEH, *state);
+  for (int m = 0; m <= 4; ++m) {
+    const auto found = lowest_modes(second, m, 2);
+    ASSERT_TRUE(found);
+    EXPECT_EQ(std::ranges::count_if(found->modes, [](const auto& x) { return x.eigenvalue < 0; }),
+              m == 1 || m == 2 ? 1 : 0);
+  }
+}
+
+}  // namespace
+}  // namespace sbeh::axisym
