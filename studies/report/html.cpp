@@ -143,7 +143,7 @@ std::string facts(const std::vector<Fact>& facts) {
 
 std::string table(const CsvTable& table, std::size_t most, std::string_view file) {
   const Shown shown = shown_rows(table, most);
-  const std::string remark =
+  std::string remark =
       shown.remark.empty()
           ? ""
           : fmt::format("<p class=\"note\">{}; all are in {}.</p>\n", shown.remark, link(file));

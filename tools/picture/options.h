@@ -54,7 +54,7 @@ struct Options {
   Field field_for(const Range& orders) const;
   ColourMap colours(Palette usual, const Range& data, double white_share = 0.0) const;
 
-  std::vector<View> views_or(std::vector<View> usual) const {
+  std::vector<View> views_or(const std::vector<View>& usual) const {
     return views.empty() ? usual : views;
   }
 

@@ -121,6 +121,7 @@ bool runs_together(const Axis& axis, double extent, double length, double gap) {
 
 TEST(Labels, do_not_run_together_and_as_many_as_can_stay) {
   std::vector<double> many;
+  many.reserve(27);
   for (int i = 0; i < 27; ++i) many.push_back(0.35 + 0.0217 * i);
   for (const Axis& axis :
        {table_axis(many, "V").axis, distance_axis(many, "V", 300, 10).axis, decade_axis(-6, 3, "t"),

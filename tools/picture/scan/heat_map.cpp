@@ -212,9 +212,9 @@ std::vector<LegendEntry> branch_legend(const BranchMap& map) {
       return std::ranges::find(row, double(i)) != row.end();
     };
     if (std::ranges::none_of(map.quantity.values, shows)) continue;
-    const auto [colour, striped] = look_of_branch(map.names[i]);
-    entries.push_back({[=](Canvas& canvas, const Rect& r) {
-                         draw_cells(canvas, {{r, colour, Mark::none, 0.0, striped}});
+    const Look look = look_of_branch(map.names[i]);
+    entries.push_back({[look](Canvas& canvas, const Rect& r) {
+                         draw_cells(canvas, {{r, look.colour, Mark::none, 0.0, look.striped}});
                        },
                        text_of(map.names[i])});
   }

@@ -177,6 +177,7 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
   const std::vector<Special> special = special_points(options.directory / "points.csv");
   const double text = options.text_size();
   std::vector<LegendEntry> legend;
+  legend.reserve(branch_curves.size() + 2);
   for (const BranchCurve& branch : branch_curves)
     legend.push_back(line_entry(branch.style, sbeh::name(branch.branch)));
   std::string others;
@@ -211,6 +212,7 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
         chart.markers(at->second, Marker::hollow, branch.style.colour, 0.45 * text);
     }
   Points marked;
+  marked.reserve(special.size());
   for (const Special& point : special) marked.push_back(point.at);
   chart.markers(marked, Marker::full, black, 0.5 * text);
   draw_letters(canvas, special, all, inside, x, y, text);

@@ -101,8 +101,10 @@ void draw_rates(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs
   const double side = 0.1 * std::max(volumes.back() - volumes.front(), 0.05);
   const double left = volumes.front() - side, right = volumes.back() + side;
   const Axis x = exact_axis(left, right, inside.width, 4.0 * text, "reduced volume Vᵣ");
+  const bool any = rates.width() > 0.0;
   const Axis y =
-      exact_axis(rates.low - room, rates.high + room, inside.height, 3.0 * text, "rate/κ");
+      any ? exact_axis(rates.low - room, rates.high + room, inside.height, 3.0 * text, "rate/κ")
+          : Axis{.low = -1.0, .high = 1.0, .title = "rate/κ"};
   Chart chart(canvas, inside, text, x, y);
   chart.curve({{left, 0.0}, {right, 0.0}},
               {.colour = dark_grey, .width = 1.2, .pattern = Pattern::dashed});
@@ -121,9 +123,11 @@ void draw_rates(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs
     const Look& look = look_of(run);
     const double volume = run.key.reduced_volume, error = error_of(run);
     if (!std::isfinite(run.reduced_rate)) {  // it has no place on the axis of rates
-      const double px = inside.x + x.share(volume) * inside.width;
-      canvas.text(px, inside.y + 0.9 * text, fmt::format("{}, no rate", name(run.verdict)),
-                  {.size = 0.75 * text, .colour = look.colour, .upward = false});
+      const std::string verdict = fmt::format("{}, no rate", name(run.verdict));
+      const double size = 0.75 * text;
+      canvas.text(inside.x + x.share(volume) * inside.width,
+                  inside.y + 0.5 * canvas.text_width(verdict, size) + 0.4 * text, verdict,
+                  {.size = size, .colour = look.colour, .upward = true});
       continue;
     }
     const double rate = run.reduced_rate;

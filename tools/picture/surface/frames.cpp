@@ -48,6 +48,7 @@ std::vector<FrameEntry> nearest_frames(const std::vector<FrameEntry>& frames,
                           frames, {}, [&](const FrameEntry& f) { return std::abs(f.time - time); })
                       - frames.begin()));
   std::vector<FrameEntry> nearest;
+  nearest.reserve(chosen.size());
   for (const std::size_t i : chosen) nearest.push_back(frames[i]);
   return nearest;
 }
