@@ -87,7 +87,7 @@ bool has_histories(const fs::path& folder) {
 
 fs::path picture_file(const fs::path& folder, const std::string& name) {
   for (const char* ending : {".png", ".svg"})
-    if (const fs::path file = folder / (name + ending); fs::exists(file)) return file;
+    if (fs::path file = folder / (name + ending); fs::exists(file)) return file;
   return {};
 }
 

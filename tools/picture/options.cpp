@@ -5,7 +5,6 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
-#include <utility>
 
 namespace sbeh::picture {
 
@@ -29,8 +28,8 @@ double Options::text_size() const {
   return std::clamp(std::min(size->width / 80.0, size->height / 45.0), 9.0, 40.0);
 }
 
-Output Options::output(std::vector<Format> usual) const {
-  return {.formats = formats.empty() ? std::move(usual) : formats,
+Output Options::output(const std::vector<Format>& usual) const {
+  return {.formats = formats.empty() ? usual : formats,
           .width = width_mm.value_or(0.0),
           .must_fit = has_size()};
 }

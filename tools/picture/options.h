@@ -71,7 +71,7 @@ struct Options {
   double text_size() const;
   double unit() const { return text_size() / usual_text; }  ///< of widths of lines
 
-  Output output(std::vector<Format> usual = Output().formats) const;
+  Output output(const std::vector<Format>& usual = Output().formats) const;
 
   /// "U + 4π" for the shift 4π, otherwise with the number.
   std::string energy_name() const;

@@ -7,6 +7,7 @@
 
 #include <cmath>
 #include <limits>
+#include <numeric>
 
 namespace sbeh::picture {
 namespace {
@@ -129,8 +130,8 @@ TEST(Contours, do_not_enter_cells_without_a_value) {
 constexpr double none = std::numeric_limits<double>::quiet_NaN();
 
 GridAxis axis_of(int count) {
-  std::vector<double> values;
-  for (int i = 0; i < count; ++i) values.push_back(i);
+  std::vector<double> values(std::size_t(count), 0.0);
+  std::iota(values.begin(), values.end(), 0.0);
   return distance_axis(values, "", 100, 10);
 }
 

@@ -4,6 +4,7 @@
 #include <vtkTextProperty.h>
 
 #include <array>
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <string>
@@ -39,7 +40,7 @@ const std::string& font_file() {
 }
 
 void set_font(vtkTextProperty* property, double size) {
-  property->SetFontSize(int(size + 0.5));
+  property->SetFontSize(int(std::lround(size)));
   property->SetBold(false);
   property->SetItalic(false);
   property->SetShadow(false);

@@ -48,7 +48,9 @@ vtkNew<vtkPolyData> cells_with_values(const std::vector<double>& x, const std::v
     }
   }
   vtkNew<vtkCellArray> cells;
-  const auto id = [&](std::size_t i, std::size_t j) { return vtkIdType(i * y.size() + j); };
+  const auto id = [&](std::size_t i, std::size_t j) {
+    return vtkIdType(i) * vtkIdType(y.size()) + vtkIdType(j);
+  };
   for (std::size_t i = 0; i + 1 < x.size(); ++i) {
     for (std::size_t j = 0; j + 1 < y.size(); ++j) {
       const double sum = values[i][j] + values[i + 1][j] + values[i + 1][j + 1] + values[i][j + 1];

@@ -87,6 +87,7 @@ EnergyScale scale_of(const std::vector<Curve>& curves, double largest) {
 std::vector<Points> drawn(const std::vector<Curve>& curves, EnergyScale scale, const Range& range) {
   const double floor = std::log10(range.high) - shown_decades;
   std::vector<Points> all;
+  all.reserve(curves.size());
   for (const Curve& curve : curves)
     all.push_back(all.empty() ? on_scale(curve.points, scale, range.width())
                               : on_scale(curve.points, scale, range.width(), floor));

@@ -49,8 +49,7 @@ Evolution read_evolution(const std::filesystem::path& file, const Options& optio
   Evolution all;
   for (const auto& row : rows) all.instants.push_back(row.instant);
   std::ranges::sort(all.instants);
-  const auto repeated = std::ranges::unique(all.instants);
-  all.instants.erase(repeated.begin(), repeated.end());
+  all.instants.erase(std::unique(all.instants.begin(), all.instants.end()), all.instants.end());
   for (const model::Model model : {model::Model::SBEH, model::Model::SSH}) {
     const char* name = sbeh::name(model);
     Model3d one{name, std::vector<std::optional<Shape>>(all.instants.size())};

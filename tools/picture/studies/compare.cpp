@@ -133,6 +133,7 @@ void draw_compared_profiles(Canvas& canvas, const Options& options) {
   const std::vector<Curve> curves = read_curves(options.directory / "profiles.csv");
   const double text = options.text_size();
   std::vector<LegendEntry> legend;
+  legend.reserve(curves.size());
   for (const Curve& curve : curves)
     legend.push_back(curve.is_marked() ? marker_entry(curve.marker(), curve.style().colour,
                                                       std::string(name(curve.method)) + " (nodes)")
