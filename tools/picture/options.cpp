@@ -17,10 +17,6 @@ Field Options::field_for(const Range& orders) const {
   return field.value_or(orders.width() < uniform ? Field::curvature : Field::order);
 }
 
-ColourMap Options::colours(Palette usual, const Range& data, double white_share) const {
-  return {palette.value_or(usual), scale.value_or(data), white_share};
-}
-
 double Options::text_size() const {
   constexpr double points_per_mm = 72.0 / 25.4, points = 8.0;  // on paper
   if (width_mm) return points / points_per_mm * pixels_per_mm;

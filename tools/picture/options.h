@@ -2,8 +2,9 @@
 #pragma once
 
 #include "studies/io/errors.h"
-#include "tools/picture/chart/colours.h"
-#include "tools/picture/surface/view.h"
+#include "tools/picture/canvas/canvas.h"
+#include "tools/picture/canvas/palette.h"
+#include "tools/picture/canvas/view.h"
 
 #include <filesystem>
 #include <optional>
@@ -52,7 +53,6 @@ struct Options {
   bool wants(const std::string& picture) const;
 
   Field field_for(const Range& orders) const;
-  ColourMap colours(Palette usual, const Range& data, double white_share = 0.0) const;
 
   std::vector<View> views_or(const std::vector<View>& usual) const {
     return views.empty() ? usual : views;

@@ -67,6 +67,11 @@ Colour ColourMap::operator()(double value) const {
   return table_[std::size_t(std::lround(fraction * (table_size - 1)))];
 }
 
+ColourMap chosen_colours(const Options& options, Palette usual, const Range& data,
+                         double white_share) {
+  return {options.palette.value_or(usual), options.scale.value_or(data), white_share};
+}
+
 void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
                      const std::string& title, double text_size, double title_room) {
   constexpr int steps = 100;

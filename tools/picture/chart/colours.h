@@ -1,21 +1,13 @@
 // Colours for values: perceptually uniform maps, readable without colour vision, and their bar.
 #pragma once
 
-#include "model/names.h"
 #include "tools/picture/chart/chart.h"
+#include "tools/picture/options.h"
 
 #include <string>
 #include <vector>
 
 namespace sbeh::picture {
-
-/// All dark for small values and light for large ones.
-enum class Palette { viridis, cividis, magma, grey };
-constexpr auto names(Palette) { return std::array{"viridis", "cividis", "magma", "grey"}; }
-
-/// What is drawn in which colours, on lines, areas and surfaces alike.
-inline constexpr Palette order_palette = Palette::viridis, curvature_palette = Palette::magma,
-                         energy_palette = Palette::cividis;
 
 class ColourMap {
  public:
@@ -32,6 +24,10 @@ class ColourMap {
 };
 
 inline constexpr double white_on_surfaces = 0.22;
+
+/// For data, in the palette and scale that the user asks for.
+ColourMap chosen_colours(const Options& options, Palette usual, const Range& data,
+                         double white_share = 0.0);
 
 /// The bar fills `rect`; its numbers and then its title stand to the right, this as long as the bar or the room.
 void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,

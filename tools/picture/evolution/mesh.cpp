@@ -54,8 +54,8 @@ void draw_mesh(Canvas& canvas, const Options& options) {
   const studies::CurvedFile file = read(path);
   const meshing::CurvedMesh& mesh = file.mesh;
   const Quantity3d quantity = quantity_of(file, options);
-  const ColourMap colours =
-      options.colours(palette_of(quantity.field), shown_range(quantity.values), white_on_surfaces);
+  const ColourMap colours = chosen_colours(options, palette_of(quantity.field),
+                                           shown_range(quantity.values), white_on_surfaces);
 
   const double text = options.text_size();
   const double width = options.width(1600.0), height = options.height(880.0);

@@ -46,7 +46,7 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
   }
   const Shown shown = read_states(frames, options);
   const ColourMap colours =
-      options.colours(palette_of(shown.field), shown.range, white_on_surfaces);
+      chosen_colours(options, palette_of(shown.field), shown.range, white_on_surfaces);
   const double text = options.text_size();
   const std::size_t count = frames.size();
   const std::size_t columns = count <= most_in_a_row ? count : (count + 1) / 2;

@@ -98,7 +98,8 @@ void draw_figure_evolution(Canvas& canvas, const Options& options) {
   std::vector<ColourMap> colours;  // of the models
   double bar = 0.0;
   for (const Model3d& model : all.models) {
-    colours.push_back(options.colours(palette_of(model.field), model.range, white_on_surfaces));
+    colours.push_back(
+        chosen_colours(options, palette_of(model.field), model.range, white_on_surfaces));
     bar = std::max(bar, colour_bar_margin(canvas, colours.back(), true, text));
   }
   const std::size_t rows = (all.instants.size() + columns - 1) / columns;  // of each model

@@ -122,7 +122,8 @@ void draw_figure_shapes(Canvas& canvas, const Options& options) {
     fmt::print("shapes: {} of {} are drawn in 3D\n", all.in_3d.size(),
                all.in_3d.size() + all.lacks.size());
   std::optional<ColourMap> colours;
-  if (!all.in_3d.empty()) colours = options.colours(order_palette, all.orders, white_on_surfaces);
+  if (!all.in_3d.empty())
+    colours = chosen_colours(options, order_palette, all.orders, white_on_surfaces);
 
   const double text = options.text_size();
   const double left = canvas.text_width(volume_title(0.65), text) + 1.8 * text;

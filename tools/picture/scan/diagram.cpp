@@ -76,7 +76,7 @@ Contents contents_of(const ScanGrid& scan, const Options& options) {
     }
     Quantity quantity = quantity_of(panel, scan, model, c.branches);
     marked.push_back(quantity);
-    const ColourMap colours = options.colours(quantity.palette, quantity.range());
+    const ColourMap colours = chosen_colours(options, quantity.palette, quantity.range());
     c.panels.emplace_back(DiagramPanel{std::move(quantity), colours});
   }
   if (options.scale && std::ranges::count_if(c.panels, &std::optional<DiagramPanel>::has_value) > 1)

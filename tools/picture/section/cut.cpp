@@ -73,10 +73,10 @@ void FieldRanges::include(const Cut& cut) {
 
 CutColours colours_for(const FieldRanges& ranges, const Options& options) {
   const Field field = options.field_for(ranges.order);
-  return {
-      field,
-      options.colours(palette_of(field), field == Field::order ? ranges.order : ranges.curvature),
-      title_of(field)};
+  return {field,
+          chosen_colours(options, palette_of(field),
+                         field == Field::order ? ranges.order : ranges.curvature),
+          title_of(field)};
 }
 
 LineStyle style_by_length(std::size_t length, std::size_t count) {

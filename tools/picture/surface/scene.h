@@ -2,8 +2,8 @@
 #pragma once
 
 #include "meshing/curved_mesh.h"
+#include "tools/picture/canvas/view.h"
 #include "tools/picture/chart/colours.h"
-#include "tools/picture/surface/view.h"
 
 namespace sbeh::picture {
 
