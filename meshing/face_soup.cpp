@@ -72,6 +72,7 @@ void keep_points(FaceSoup& soup, const std::vector<bool>& keep) {
     for (int& corner : t.corner) corner = place[std::size_t(corner)];
   if (!soup.point_numbers.empty()) {
     std::vector<int> numbers;
+    numbers.reserve(kept.size());
     for (const int i : kept) numbers.push_back(soup.point_numbers[std::size_t(i)]);
     soup.point_numbers = numbers;
   }

@@ -54,7 +54,7 @@ std::string triangle_name(const TriangleMesh& mesh, int triangle, const Names& n
 }
 
 std::string whole_triangle_name(const TriangleMesh& mesh, int triangle, const Names& names) {
-  const std::string name = triangle_name(mesh, triangle, names);
+  std::string name = triangle_name(mesh, triangle, names);
   const auto c = mesh.triangles.col(triangle);
   const int a = number(names.points, c[0]), b = number(names.points, c[1]),
             d = number(names.points, c[2]);

@@ -11,6 +11,7 @@ std::vector<std::array<int, 3>> cut_into_triangles(const Eigen::Matrix3Xd& point
   std::vector<std::array<int, 3>> triangles;
   if (polygon.size() > 3) {
     std::vector<CGAL::Epick::Point_3> corners;
+    corners.reserve(polygon.size());
     for (const int i : polygon) corners.emplace_back(points(0, i), points(1, i), points(2, i));
     std::vector<CGAL::Triple<int, int, int>> found;
     CGAL::Polygon_mesh_processing::triangulate_hole_polyline(corners, std::back_inserter(found));

@@ -81,9 +81,9 @@ std::vector<std::string> remarks_on_resolution(const surface3d::Triangulation& m
   const surface3d::Indicators indicators = surface3d::indicators_of(mesh, X, *curvature);
   if (surface3d::resolved(indicators)) return {};
   return {
-      fmt::format("{}: its triangles do not resolve the surface, which the run will not trust: "
-                  "{}; take more or better triangles (sbeh mesh file {} --triangles N -o FILE)",
-                  file, passed_limits(indicators), file)};
+      fmt::format("{}: its triangles do not resolve the surface, and the run will not be trusted: "
+                  "{}; more or better triangles would help",
+                  file, passed_limits(indicators))};
 }
 
 Start make(const MeshFileStart& start, const RunInput&) {

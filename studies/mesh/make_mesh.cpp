@@ -29,7 +29,7 @@ meshing::Resolution resolution_of(const MeshRequest& r) {
   return resolution;
 }
 
-void curve(const MeshRequest& request, std::shared_ptr<const meshing::FittedSurface> surface,
+void curve(const MeshRequest& request, const std::shared_ptr<const meshing::FittedSurface>& surface,
            MadeMesh& made) {
   const meshing::Resolution resolution = resolution_of(request);
   if (request.grading > 0 && !request.triangles)

@@ -54,10 +54,10 @@ TEST_F(MeshDialects, reads_off_with_whatever_a_point_has_besides) {
                                                         {"CNOFF", " 0 0 1 1 0 0 1"},
                                                         {"STCNOFF", " 0 0 1 1 0 0 1 0.5 0.5"},
                                                         {"NCSTOFF", " 0 0 1 1 0 0 1 0.5 0.5"}}) {
-    expect_a_tetrahedron(write("a.off", header + "\n4 4 6\n" + points(besides) + faces));
-    expect_a_tetrahedron(
-        write("b.off", "# by\n" + header + " 4 4 6 # counts\n" + points(besides) + faces));
-    expect_a_tetrahedron(write("c.off", header + "\n4\n4 6\n\n" + points(besides) + faces));
+    const std::string body = points(besides) + faces;
+    expect_a_tetrahedron(write("a.off", fmt::format("{}\n4 4 6\n{}", header, body)));
+    expect_a_tetrahedron(write("b.off", fmt::format("# by\n{} 4 4 6 # counts\n{}", header, body)));
+    expect_a_tetrahedron(write("c.off", fmt::format("{}\n4\n4 6\n\n{}", header, body)));
     if (header == "OFF" || besides.ends_with(" 1") || besides.ends_with("0 1 0.5 0.5")) continue;
     // Every word on a line of its own: where the header tells how many there are.
     expect_a_tetrahedron(write("d.off", header + "\n4 4 6\n"
