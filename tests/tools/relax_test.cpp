@@ -150,7 +150,8 @@ TEST_F(Relax, from_a_row_of_a_scan_goes_on_with_its_material) {
 TEST_F(Relax, from_a_row_that_is_not_stationary_or_not_there_is_refused) {
   write("scan.toml", small_scan);
   write("in.toml", from_the_scan("SBEH", "0.07"));
-  must_refuse(into("out", "relax"), "scan: is not there: neither from the folder of the input nor from ");
+  must_refuse(into("out", "relax"),
+              "scan: is not there: neither from the folder of the input nor from ");
   must(into("scan", "scan", "scan.toml"));
   must_refuse(into("out", "relax"), "scan/scan.csv: has no row SBEH oblate, V_r = 0.8, L = 0.07\n");
   write("in.toml", from_the_scan("SBEH", "0.05"));
@@ -246,6 +247,24 @@ TEST_F(Relax, from_rows_stays_at_rest_whatever_the_tolerance_the_steps_and_the_o
         EXPECT_NEAR(energy, scan.number(row, "energy"), 1e-7) << out;
     }
   }
+}
+
+TEST_F(Relax, says_at_its_end_time_how_fast_the_membrane_still_moves) {
+  const auto said = [&](const std::string& end) {
+    write("in.toml", ellipsoid + "[time]\nend = " + end + "\n");
+    const Ended ended = sbeh(into("to" + end, "relax"));
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    return ended.out;
+  };
+  const std::string moving = said("0.01"), words = "\nnot at rest: it moves by ";
+  const auto at = moving.find(words);
+  ASSERT_NE(at, std::string::npos) << moving;
+  EXPECT_GT(std::stod(moving.substr(at + words.size())), 0.1);
+  EXPECT_NE(moving.find(", at rest it is below 1e-06\n"), std::string::npos) << moving;
+
+  const std::string rests = said("50");
+  EXPECT_TRUE(rests.starts_with("at rest")) << rests;
+  EXPECT_EQ(rests.find("not at rest"), std::string::npos) << rests;
 }
 
 TEST_F(Relax, that_is_perturbed_comes_back_to_the_row_it_began_from) {

@@ -12,8 +12,9 @@ struct EndWords {
   std::string_view unresolved, self_contact;
 };
 
-/// Prints why, when and with what energy it ended.
-void print_end(model::FlowStop stop, const model::FlowRecord& last, int steps);
+/// Prints why, when and with what energy it ended, and of one that came to its end time how fast it moved then,
+/// where that is not below `at_rest`.
+void print_end(model::FlowStop stop, const model::FlowRecord& last, int steps, double at_rest);
 
 /// Complains of what went wrong: of an end that is none, and of an energy that rose. Whether anything did.
 bool complain_of_end(model::FlowStop stop, model::FlowFault fault, const model::FlowRecord& last,

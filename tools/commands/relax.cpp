@@ -2,6 +2,7 @@
 #include "studies/evolution/relax.h"
 
 #include "axisym/diagnostics.h"
+#include "model/relaxation.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/evolution_end.h"
 
@@ -22,7 +23,8 @@ int relax(const Study& study) {
   const studies::RelaxInput input = studies::read_relax(study.input);
   const std::filesystem::path folder = study.results();
   const studies::RelaxSummary s = studies::run_relax(input, folder, SBEH_VERSION);
-  print_end(s.run.stop, s.run.last, s.run.steps);
+  print_end(s.run.stop, s.run.last, s.run.steps,
+            model::speed_at_rest(input.numerics.rest_speed, input.material, input.model));
   fmt::print("history in {}, {} profiles beside it\n", (folder / "series.csv").string(),
              s.profiles);
   if (s.run.stop == axisym::FlowStop::interrupted) {

@@ -1,6 +1,7 @@
 // `sbeh run`: one 3D evolution.
 #include "studies/evolution/run.h"
 
+#include "model/relaxation.h"
 #include "studies/evolution/run_start.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/evolution_end.h"
@@ -25,7 +26,8 @@ int run(const Study& study, bool resume) {
   const studies::RunInput input =
       resume ? studies::read_resumed_run(study.input, folder) : studies::read_run(study.input);
   const studies::RunSummary s = studies::run_surface(input, folder, SBEH_VERSION, resume);
-  print_end(s.run.stop, s.run.last, s.run.steps);
+  print_end(s.run.stop, s.run.last, s.run.steps,
+            model::speed_at_rest(input.numerics.rest_speed, input.material, input.model));
   if (s.resumed_from > 0) fmt::print("resumed from t = {:.6g}\n", s.resumed_from);
   fmt::print("history in {}, {} frames: open {} in ParaView\n", (folder / "series.csv").string(),
              s.frames, (folder / "run.pvd").string());
