@@ -125,7 +125,7 @@ struct Problem {
     constexpr double none = 1e-6;  // a sphere's rotation moves nothing
     for (Eigen::VectorXd& motion : rigid_motions(of.state, number))
       if (const double square = motion.dot(mass(motion)); square > none)
-        rigid.push_back(motion / std::sqrt(square));
+        rigid.emplace_back(motion / std::sqrt(square));
   }
   Eigen::VectorXd mass(const Eigen::VectorXd& x) const { return free_mass.times(x); }
   int rigid_of(Parity parity) const {

@@ -29,8 +29,8 @@ class KrylovSpace {
     const Eigen::VectorXd with_mass = mass_(next_);
     const double length = std::sqrt(next_.dot(with_mass));
     if (size() > 0 && !(length > 1e-13 * std::abs(projected_(0, 0)))) return false;
-    basis_.push_back(next_ / length);
-    loaded_.push_back(with_mass / length);
+    basis_.emplace_back(next_ / length);
+    loaded_.emplace_back(with_mass / length);
     next_ = apply_(loaded_.back());
     const int k = size() - 1;
     projected_.col(k).setZero();
