@@ -110,21 +110,27 @@ PointOutcome resolved_point(const StationaryCase& of, const BranchState& state) 
   return point;
 }
 
+// What SSH's stomatocytes and dumbbells tend to: two spheres of this reduced volume, or where that is too small for two
+// side by side the equal ones.
+axisym::TwoSpheres limit_of(const StationaryCase& of) {
+  const bool nested = of.branch == Branch::stomatocyte;
+  return axisym::two_spheres(of.reduced_volume, nested)
+      .value_or(axisym::TwoSpheres{std::sqrt(0.5), std::sqrt(0.5), nested});
+}
+
 // What the branch's end in a closed neck means for the point: what it tends to.
 PointOutcome limit_point(const StationaryCase& of, const BranchState& last) {
   PointOutcome point{{.status = PointStatus::limit}, {}};
   point.row.stop_reason =
       fmt::format("a neck closes: its radius is {:.2g}", axisym::thinnest_neck(last.X));
   if (of.model != Model::SSH) return point;
-  const bool nested = of.branch == Branch::stomatocyte;
-  auto spheres = axisym::two_spheres(of.reduced_volume, nested);
-  if (!spheres) spheres = axisym::TwoSpheres{std::sqrt(0.5), std::sqrt(0.5), nested};
-  point.row.diagnostics = axisym::diagnose(of.material, *spheres);
+  const axisym::TwoSpheres spheres = limit_of(of);
+  point.row.diagnostics = axisym::diagnose(of.material, spheres);
   point.row.stop_reason += fmt::format(
       "; the branch tends to two spheres {}, of radii {:.6g} and {:.6g}, with V_r = {:.6g}, whose "
       "neck closes at H0 = {:.6g}; the values are theirs",
-      nested ? "one within the other" : "side by side", spheres->outer, spheres->inner,
-      point.row.diagnostics->reduced_volume, axisym::closing_H0(*spheres));
+      spheres.nested ? "one within the other" : "side by side", spheres.outer, spheres.inner,
+      point.row.diagnostics->reduced_volume, axisym::closing_H0(spheres));
   return point;
 }
 
@@ -195,6 +201,18 @@ std::optional<BranchState> fold_above(const StationaryCase& of, const State& sta
   const auto result = follow_up(of, *start, largest_fold);
   if (result.arrival != axisym::Arrival::fold) return {};
   return result.state;
+}
+
+PointOutcome without_ssh(const StationaryCase& of, const PointOutcome& ssh) {
+  if (of.model == Model::SSH && ssh.row.status == PointStatus::limit) {
+    PointOutcome same = ssh;  // no shape of SSH depends on L
+    same.row.diagnostics = axisym::diagnose(of.material, limit_of(of));
+    same.row.wall_seconds = 0;
+    return same;
+  }
+  PointOutcome outcome = failed_point("no SSH shape to start from: " + ssh.row.stop_reason);
+  outcome.row.status = ssh.row.status;
+  return outcome;
 }
 
 PointOutcome ssh_point(const StationaryCase& of, axisym::SshBranch& branch) {

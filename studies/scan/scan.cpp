@@ -159,11 +159,7 @@ void walk_volumes(Scan& scan, Branch branch, BranchOff&& branch_off) {
       continue;
     }
     // Without it nothing of this reduced volume can be reached: all its points share the reason.
-    scan_all_of(scan, v, branch, [&](const StationaryCase&) {
-      PointOutcome outcome = failed_point("no SSH shape to start from: " + ssh->row.stop_reason);
-      outcome.row.status = ssh->row.status;
-      return outcome;
-    });
+    scan_all_of(scan, v, branch, [&](const StationaryCase& of) { return without_ssh(of, *ssh); });
   }
 }
 

@@ -134,5 +134,22 @@ TEST(OrderedOblates, are_there_where_those_of_full_order_pass_through_themselves
   EXPECT_NEAR(ordered.row.diagnostics->thickness_pole, 0.095, 1e-3);
 }
 
+TEST(SshRows, that_are_limits_have_the_energy_of_the_spheres_at_every_L) {
+  const StationaryCase of = case_of(Branch::stomatocyte, 0.6, 1);
+  const PointOutcome limit{{.status = PointStatus::limit, .stop_reason = "a neck closes"}, {}};
+  const auto spheres = axisym::two_spheres(0.6, true).value();
+  for (const double L : {0.01, 0.05, 0.1}) {
+    StationaryCase there = of;
+    there.material = of.material.with_L(L);
+    const PointOutcome row = without_ssh(there, limit);
+    EXPECT_EQ(row.row.status, PointStatus::limit);
+    ASSERT_TRUE(row.row.diagnostics);
+    EXPECT_EQ(row.row.diagnostics->energy.total(),
+              axisym::diagnose(there.material, spheres).energy.total());
+    there.model = Model::SBEH;
+    EXPECT_FALSE(without_ssh(there, limit).row.diagnostics);
+  }
+}
+
 }  // namespace
 }  // namespace sbeh::studies
