@@ -150,7 +150,7 @@ Found find_bad_point(const Named& named, const std::vector<DirectedEdge>& edges)
   const auto corner = [&](int t, int point) {
     int k = 0;
     while (mesh.triangles(k, t) != point) ++k;
-    return std::size_t(3 * t + k);
+    return 3 * std::size_t(t) + std::size_t(k);
   };
   for (std::size_t i = 0; i + 1 < edges.size(); i += 2)
     for (const int point : {edges[i].low, edges[i].high})
@@ -160,7 +160,7 @@ Found find_bad_point(const Named& named, const std::vector<DirectedEdge>& edges)
     for (int k = 0; k < 3; ++k) {
       int& seen = first[std::size_t(mesh.triangles(k, t))];
       if (seen < 0) seen = 3 * t + k;
-      if (fans.find_set(std::size_t(seen)) != fans.find_set(std::size_t(3 * t + k)))
+      if (fans.find_set(std::size_t(seen)) != fans.find_set(3 * std::size_t(t) + std::size_t(k)))
         return Defect{DefectKind::not_manifold_point,
                       fmt::format("{}: {} and {} meet only there, the surface touches itself",
                                   named.point(mesh.triangles(k, t)), named.whole(t),

@@ -12,6 +12,7 @@
 #include <cmath>
 #include <numbers>
 #include <stdexcept>
+#include <utility>
 
 namespace sbeh::meshing {
 
@@ -176,7 +177,8 @@ Vector3d FittedSurface::at(int triangle, const Vector3d& barycentric) const {
 }
 
 Projection onto(std::shared_ptr<const FittedSurface> surface) {
-  return [surface, nearest = nearest_triangle(surface->mesh())](const Vector3d& x) {
+  auto nearest = nearest_triangle(surface->mesh());
+  return [surface = std::move(surface), nearest = std::move(nearest)](const Vector3d& x) {
     const auto [triangle, barycentric] = nearest(x);
     return surface->at(triangle, barycentric);
   };
