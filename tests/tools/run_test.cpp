@@ -259,7 +259,7 @@ TEST_F(Run3d, is_not_overwritten_and_not_resumed_with_other_parameters) {
   for (const auto& arguments : {into("relax", "run"), resumed("relax")})
     must_refuse(arguments, "relax: already holds other results than a run (see its run.toml)");
   write("in.toml", "[surface]\nshape = \"frame\"\nfile = \"out/frames/0000.vtu\"\n" + short_times);
-  must_refuse(into("new", "relax"), "in.toml:1: [surface]: unknown table. Known: model, start, ");
+  must_refuse(into("new", "relax"), "in.toml: is no input of sbeh relax but of sbeh run");
 }
 
 TEST_F(Run3d, that_is_not_there_is_not_resumed) {

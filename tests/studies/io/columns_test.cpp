@@ -170,7 +170,7 @@ TEST(Tables, have_these_columns) {
   expect(figures::shape_columns(),
          "reduced_volume,L,energy,energy_SSH,order_min,order_max,H_abs_max,order_min_radius,"
          "distance_from_SSH,SSH_distance,triangles,time,ending,energy_3d,order_min_3d,"
-         "H_abs_max_3d,distance_3d,frame");
+         "H_abs_max_3d,distance_3d,frame,lacks_3d");
   expect(figures::cut_columns(), "model,solver,reduced_volume,L,x,z,order");
   expect(figures::evolution_columns(),
          "model,residual_stiffness,instant,time,energy,energy_oblate,energy_oblate_k0_0,"
