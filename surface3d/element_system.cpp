@@ -127,7 +127,7 @@ struct ConstraintSums {
     Eigen::Matrix<double, 3, 7> directions;  // ν, e_k, e_k × x
     directions << x.nu(), Eigen::Matrix3d::Identity(), -cross_matrix(x.x);
     directions.rightCols<6>() = (relative_friction(m, x.nu()) * directions.rightCols<6>()).eval();
-    const auto test = sum.column(s.phi.data(), x.dS);
+    const auto test = decltype(sum)::column(s.phi.data(), x.dS);
     for (int k = 0; k < 3; ++k)  // (V4), (P2)
       sum.add_outer(10 * k, 0, test, Eigen::Matrix<double, 7, 1>(directions.row(k)));
   }
@@ -157,9 +157,9 @@ struct Pressure {
         (quadratic_by_cubic().transpose() * cubic) * tangents;
     const Eigen::Matrix<double, 10, 3> div = cubic * tangents;
     const Eigen::Matrix<double, 6, 1> p = Shapes(s.quadratic.data()).head<6>();
-    const auto W = sum.column(s.phi.data(), x.dS);
+    const auto W = decltype(sum)::column(s.phi.data(), x.dS);
     for (int k = 0; k < 3; ++k) {
-      sum.add_outer(10 * k, 0, sum.column(div.col(k).data(), x.dS), p);
+      sum.add_outer(10 * k, 0, decltype(sum)::column(div.col(k).data(), x.dS), p);
       sum.add_outer(10 * k, 10, W, grad_p.col(k));
     }
   }

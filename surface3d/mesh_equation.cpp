@@ -7,9 +7,10 @@ namespace sbeh::surface3d {
 void MeshSums::add(const SurfacePoint& x, const Shapes& phi) {
   constexpr int stiffness = 30;
   for (int k = 0; k < 3; ++k)
-    sums_.add_outer(0, 10 * k, sums_.column(phi.data(), x.dS * x.nu()[k]), phi);
+    sums_.add_outer(0, 10 * k, decltype(sums_)::column(phi.data(), x.dS * x.nu()[k]), phi);
   for (const auto& slope : x.grad)
-    sums_.add_outer(0, stiffness, sums_.column(slope.data(), x.dS), Shapes(slope.data()));
+    sums_.add_outer(0, stiffness, decltype(sums_)::column(slope.data(), x.dS),
+                    Shapes(slope.data()));
 }
 
 MeshEquation MeshSums::equation() const {

@@ -81,6 +81,7 @@ struct OnMesh : Moment<State, Nodes> {
 OnMesh moment_on_mesh(const Case& c, int triangles) {
   const double radius = start_curve()(1, 0) / (1 + axisym::zonal_sum(modes, 0));
   std::vector<meshing::Harmonic> zonal;
+  zonal.reserve(std::size(modes));
   for (const axisym::Mode& mode : modes) zonal.push_back({mode.l, 0, mode.amplitude});
   const Surface s = surface_of(meshing::harmonic_sphere(zonal, {.triangles = triangles}));
   const Nodes X = radius * s.state.X;

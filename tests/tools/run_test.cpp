@@ -321,7 +321,7 @@ TEST_F(Run3d, from_a_frame_says_what_is_changed_and_what_that_does_to_the_energy
        "model: \"SBEH\" there, \"SSH\" here; material.L1: 0.08 there, 0.05 here"},
   };
   for (const auto& [model, material, change] : cases) {
-    write("in.toml", model + start + material);
+    write("in.toml", std::string(model).append(start).append(material));
     fs::remove_all(path("out"));
     const Ended ended = sbeh(into("out", "run"));
     EXPECT_EQ(ended.exit_code, 0);
