@@ -113,7 +113,7 @@ std::vector<Eigen::VectorXd> rigid_motions(const StationaryState& state, int m) 
           motion([middle](const Vector& x) { return Vector(x[1] - middle, -x[0]); })};
 }
 
-// One m: its mass, and its rigid motions, of length 1 in it.
+// One m: its mass, and its rigid motions, orthonormal in it.
 struct Problem {
   const SecondVariation& second;
   int m;
@@ -123,9 +123,12 @@ struct Problem {
   Problem(const SecondVariation& of, int number)
       : second(of), m(number), free_mass(of.mass_of(number)) {
     constexpr double none = 1e-6;  // a sphere's rotation moves nothing
-    for (Eigen::VectorXd& motion : rigid_motions(of.state, number))
+    for (Eigen::VectorXd& motion : rigid_motions(of.state, number)) {
+      // Without up-down symmetry a translation across and the rotation are not orthogonal.
+      for (const Eigen::VectorXd& other : rigid) motion -= other.dot(mass(motion)) * other;
       if (const double square = motion.dot(mass(motion)); square > none)
         rigid.emplace_back(motion / std::sqrt(square));
+    }
   }
   Eigen::VectorXd mass(const Eigen::VectorXd& x) const { return free_mass.times(x); }
   int rigid_of(Parity parity) const {

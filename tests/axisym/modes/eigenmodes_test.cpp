@@ -141,6 +141,19 @@ TEST(Eigenmodes, of_rigid_motions_are_zero) {
   }
 }
 
+// Without up-down symmetry no parity tells translations from rotations.
+TEST(Eigenmodes, of_stomatocytes_know_rigid_motions_too) {
+  SshBranch branch(Branch::stomatocyte, Material{}, Numerics{});
+  for (const double v : {0.45, 0.55, 0.6}) {
+    const auto found = branch.at(v);
+    ASSERT_TRUE(found && found->arrival == Arrival::reached);
+    const auto modes = stability_3d({}, Model::SSH, found->state, 4);
+    ASSERT_TRUE(modes);
+    EXPECT_LT(modes->rigid_residual, 1e-3 * modes->eigenvalue[1]) << v;
+    EXPECT_EQ(modes->negative_directions, 0) << v;
+  }
+}
+
 // Stomatocytes leave the oblates at V_r = 0.51043892: the odd mode of m = 0.
 TEST(Eigenmodes, vanish_where_the_oblate_loses_its_symmetry) {
   const std::array at{0.5104, 0.5105};
