@@ -49,7 +49,8 @@ struct ShapeRow {
   double distance_from_SSH;  ///< of the two profiles
   double SSH_distance;       ///< of SSH's profile from that of the smallest L
   std::optional<ShapeIn3d> in_3d;
-  std::string lacks{};  ///< why there is no shape in 3D: "not begun", "not finished, its last frame at t = 3"
+  std::string
+      lacks{};  ///< why there is no shape in 3D: "not begun", "not finished, its last frame at t = 3"
 };
 const Columns<ShapeRow>& shape_columns();
 

@@ -168,8 +168,7 @@ TEST(Repair, turns_the_longest_edge_of_flat_triangles) {
       PolygonMesh open = with_points_on_an_edge(count, off);
       PolygonMesh closed = open;  // by flat triangles
       const int from = open.faces[20][0], to = open.faces.back()[1];
-      for (int k = 0; k < count; ++k)
-        add_face(closed, {92 + k, from, k + 1 < count ? 93 + k : to});
+      for (int k = 0; k < count; ++k) add_face(closed, {92 + k, from, k + 1 < count ? 93 + k : to});
       for (const PolygonMesh& mesh : {open, closed}) {
         const Repair repair = repaired(mesh);
         const auto defect = find_defect(repair.mesh, repair.names);

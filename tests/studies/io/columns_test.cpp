@@ -134,7 +134,8 @@ TEST(Tables, have_these_columns) {
          "eigenvalue_m6");
   expect(fold_columns(), "reduced_volume,L,energy,order_min,H_abs_max,branch,kind");
   expect(equal_energy_columns(), "first,second,L,reduced_volume,energy");
-  expect(lowest_columns(), "model,L,reduced_volume,branch,energy,bound,bound_of,negative_directions_3d");
+  expect(lowest_columns(),
+         "model,L,reduced_volume,branch,energy,bound,bound_of,negative_directions_3d");
   expect(rim_columns(),
          "reduced_volume,L,kind,energy,order_rim,H_rim,H_abs_max,resolution,status,jump,pressure,"
          "negative_directions");
