@@ -15,9 +15,9 @@ using axisym::Stability3d;
 
 namespace {
 
-// "1 2"; "none" where all are known to be stable; nothing where they were not computed.
+// "1 2"; "none" where all are known to be stable; nothing where that is not known.
 std::string text_of_modes(const Stability3d& modes) {
-  if (std::isnan(modes.rigid_residual)) return "";
+  if (!modes.negative_directions) return "";
   return modes.unstable.empty() ? "none" : fmt::format("{}", fmt::join(modes.unstable, " "));
 }
 
