@@ -53,6 +53,9 @@ void remove_file(const fs::path& path) {
 }
 
 std::string read_file(const fs::path& path) {
+  std::error_code ignored;
+  if (fs::is_directory(path, ignored))
+    throw OutputError(fmt::format("{}: is a directory, not a file", path.string()));
   errno = 0;
   std::ifstream file(path, std::ios::binary);
   if (!file) fail(path, "cannot be read");

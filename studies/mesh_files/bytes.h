@@ -21,6 +21,16 @@ T number_from(std::string_view bytes, std::endian order = std::endian::little) {
   return value;
 }
 
+/// How numbers of one type stand in a binary file.
+struct BinaryNumber {
+  std::size_t size;  ///< bytes
+  double (*value)(std::string_view bytes, std::endian order);
+};
+template <class T>
+constexpr BinaryNumber binary{sizeof(T), [](std::string_view bytes, std::endian order) {
+                                return double(number_from<T>(bytes, order));
+                              }};
+
 /// Appends the bytes of a number, little-endian.
 template <class T>
 void append_number(std::string& bytes, T value) {

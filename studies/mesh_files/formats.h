@@ -12,8 +12,11 @@ MeshFile parse_obj(std::string_view text, const std::string& file);
 MeshFile parse_off(std::string_view text, const std::string& file);
 MeshFile parse_ply(std::string_view text, const std::string& file);
 MeshFile parse_stl(std::string_view text, const std::string& file);
-/// By VTK's readers; `poly_data` for VTP.
-MeshFile read_vtk(const std::string& file, bool poly_data);
+/// XML or legacy, whatever the suffix.
+MeshFile parse_vtk(std::string_view text, const std::string& file);
+/// By VTK's readers, from the file itself.
+MeshFile parse_vtk_xml(std::string_view text, const std::string& file);
+MeshFile parse_vtk_legacy(std::string_view text, const std::string& file);
 
 std::string obj_text(const meshing::TriangleMesh& mesh);
 std::string off_text(const meshing::TriangleMesh& mesh);

@@ -27,9 +27,8 @@ std::string suffix_of(const fs::path& path) {
 std::string text_of(const fs::path& path) {
   constexpr std::uintmax_t largest = std::uintmax_t(1) << 30;
   std::error_code unreadable;
-  if (fs::is_directory(path, unreadable))
-    throw InputError(fmt::format("{}: is a directory, not a file", path.string()));
-  if (fs::exists(path, unreadable) && !fs::is_regular_file(path, unreadable))
+  if (fs::exists(path, unreadable) && !fs::is_directory(path, unreadable)
+      && !fs::is_regular_file(path, unreadable))
     throw InputError(fmt::format("{}: is not a file that can be read as a mesh", path.string()));
   if (fs::file_size(path, unreadable) > largest && !unreadable)
     throw InputError(fmt::format("{}: has more than {} bytes", path.string(), largest));
@@ -40,57 +39,39 @@ std::string text_of(const fs::path& path) {
   }
 }
 
-// Of plain faces.
 struct Format {
   std::string_view suffix;
   MeshFile (*parse)(std::string_view text, const std::string& file);
-  std::string (*text)(const meshing::TriangleMesh& mesh);
+  std::string (*text)(const meshing::TriangleMesh& mesh) =
+      nullptr;  // plain faces, where they are written
 };
 const Format* format_of(std::string_view suffix) {
   static constexpr Format formats[] = {{".obj", parse_obj, obj_text},
                                        {".off", parse_off, off_text},
                                        {".ply", parse_ply, ply_text},
-                                       {".stl", parse_stl, stl_text}};
+                                       {".stl", parse_stl, stl_text},
+                                       {".vtk", parse_vtk},
+                                       {".vtp", parse_vtk},
+                                       {".vtu", parse_vtk}};
   const auto* found = std::ranges::find(formats, suffix, &Format::suffix);
   return found == std::end(formats) ? nullptr : found;
 }
 
-bool is_vtk(std::string_view suffix) { return suffix == ".vtu" || suffix == ".vtp"; }
-
-// What another file is for, where that can be told.
-std::string_view advice_for(std::string_view suffix) {
-  if (suffix == ".toml") return ", and this is an input: sbeh check tells of which command";
-  if (suffix == ".csv") return ", and this is a table: sbeh mesh revolve takes profiles";
-  return {};
-}
-
 }  // namespace
 
-bool is_mesh_name(const fs::path& path) {
-  const std::string suffix = suffix_of(path);
-  return is_vtk(suffix) || format_of(suffix);
-}
+bool is_mesh_name(const fs::path& path) { return format_of(suffix_of(path)) != nullptr; }
 
 MeshFile read_mesh(const fs::path& path) {
   const std::string suffix = suffix_of(path), file = path.string();
-  MeshFile mesh;
-  if (is_vtk(suffix)) {
-    const std::string text = text_of(path);  // says why, when it cannot be read
-    if (text.find("<VTKFile") == std::string::npos)
-      throw InputError(fmt::format("{}: is no XML file of VTK", file));
-    if (text.find("</VTKFile>", text.size() - std::min<std::size_t>(text.size(), 100))
-        == std::string::npos)  // VTK itself would take what is missing for numbers
-      throw InputError(fmt::format("{}: is cut off: does not end with </VTKFile>", file));
-    mesh = read_vtk(file, suffix == ".vtp");
-  } else if (const Format* format = format_of(suffix)) {
-    const std::string text = text_of(path);
-    if (text.empty()) throw InputError(fmt::format("{}: is empty", file));
-    mesh = format->parse(text, file);
-  } else {
-    throw InputError(fmt::format(
-        "{}: unknown suffix \"{}\"; meshes can be read from .obj, .off, .ply, .stl, .vtu, .vtp{}",
-        file, suffix, advice_for(suffix)));
-  }
+  const Format* format = format_of(suffix);
+  if (!format)
+    throw InputError(
+        fmt::format("{}: unknown suffix \"{}\"; meshes can be read from .obj, .off, .ply, .stl, "
+                    ".vtk, .vtp, .vtu",
+                    file, suffix));
+  const std::string text = text_of(path);
+  if (text.empty()) throw InputError(fmt::format("{}: is empty", file));
+  MeshFile mesh = format->parse(text, file);
   const int faces = mesh.face_count();
   if (faces == 0) throw InputError(fmt::format("{}: has no triangles", file));
   if (faces > meshing::most_triangles)
@@ -134,7 +115,8 @@ std::optional<CurvedFile> read_curved_mesh(const fs::path& path) {
 
 void require_mesh_suffix(const fs::path& path) {
   const std::string suffix = suffix_of(path);
-  if (keeps_curved(path) || format_of(suffix)) return;
+  const Format* format = format_of(suffix);
+  if (keeps_curved(path) || (format && format->text)) return;
   throw InputError(fmt::format(
       "{}: unknown suffix \"{}\"; meshes can be written to .vtu (curved), .obj, .off, .ply, .stl",
       path.string(), suffix));

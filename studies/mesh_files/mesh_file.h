@@ -1,4 +1,4 @@
-// Meshes in files: OBJ, OFF, PLY, STL and VTK's VTU and VTP, by the suffix of the name.
+// Meshes in files: OBJ, OFF, PLY, STL and VTK's XML (VTU, VTP) and legacy ones, by the suffix of the name.
 //
 // Digits. Texts (OBJ, OFF) are written with as many as a double needs, PLY and VTU in binary
 // doubles: numbers read back are the same bits. STL is single precision by its nature, 7 digits.

@@ -16,15 +16,7 @@ namespace sbeh::studies {
 
 namespace {
 
-// How a number stands in a binary file.
-struct Number {
-  std::size_t size;  // bytes
-  double (*value)(std::string_view bytes, std::endian order);
-};
-template <class T>
-constexpr Number binary{sizeof(T), [](std::string_view bytes, std::endian order) {
-                          return double(number_from<T>(bytes, order));
-                        }};
+using Number = BinaryNumber;
 
 std::optional<Number> number_of(std::string_view word) {
   static const std::map<std::string_view, Number> known{

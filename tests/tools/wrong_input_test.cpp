@@ -2,9 +2,12 @@
 #include "tests/tools/workplace.h"
 
 #include <algorithm>
+#include <filesystem>
 
 namespace sbeh::tools::test {
 namespace {
+
+namespace fs = std::filesystem;
 
 using WrongInput = Workplace;
 
@@ -60,7 +63,7 @@ const std::string relax = "model = 'SBEH'\ntime.end = 0.1\n[start]\nshape = ";
 const std::string axes_differ = ": must not differ by more than a factor of 1000";
 
 const std::vector<Case> wrong_evolutions{
-    {scan, ": is no input of sbeh relax but of sbeh scan"},
+    {scan, ": is an input: for sbeh scan in.toml or sbeh check in.toml"},
     {relax + "'sphere'",
      ":4: [start] shape = 'sphere': must be one of 'ellipsoid', 'harmonics', 'scan'"},
     {relax + "'ellipsoid'\nreduced_volume = 2",
@@ -108,16 +111,40 @@ TEST_F(WrongInput, of_another_command_is_refused_with_its_name) {
       if (command == own) continue;
       write("in.toml", text);
       must_refuse({command, "in.toml"},
-                  "in.toml: is no input of sbeh " + command + " but of sbeh " + own);
+                  "in.toml: is an input: for sbeh " + own + " in.toml or sbeh check in.toml");
     }
-  write("a.obj", "v 0 0 0\n");
+}
+
+TEST_F(WrongInput, that_is_a_file_or_a_folder_of_another_kind_is_refused_with_the_commands_for_it) {
+  write("in.toml", scan);
+  must(into("out", "scan"));
+  must({"mesh", "sphere", "--triangles", "80", "-o", "a.stl"});
+  const std::string profile =
+      "out/points/" + fs::directory_iterator(path("out/points"))->path().filename().string();
+  const std::vector<std::pair<std::string, std::string>> kinds{
+      {"in.toml", "is an input: for sbeh scan in.toml or sbeh check in.toml"},
+      {"a.stl", "is a mesh: for sbeh mesh file a.stl or sbeh picture mesh a.stl"},
+      {profile, "is a profile: for sbeh mesh revolve " + profile},
+      {"out/scan.csv",
+       "is a table of the results of sbeh scan: for sbeh report out or sbeh picture scan out"},
+      {"out", "holds the results of sbeh scan: for sbeh report out or sbeh picture scan out"}};
+  for (const std::string command :
+       {"run", "check", "report", "mesh file", "mesh revolve", "picture run", "picture mesh"})
+    for (const auto& [file, what] : kinds) {
+      if (what.find("sbeh " + command + ' ') != std::string::npos) continue;
+      std::vector<std::string> arguments{file};
+      arguments.insert(arguments.begin(), command.substr(command.find(' ') + 1));
+      if (command.find(' ') != std::string::npos)
+        arguments.insert(arguments.begin(), command.substr(0, command.find(' ')));
+      if (command.starts_with("mesh")) arguments.emplace_back("--report");
+      const Ended ended = sbeh(arguments);
+      EXPECT_EQ(ended.exit_code, 2);
+      EXPECT_NE(ended.err.find(file + ": " + what + '\n'), std::string::npos)
+          << command << ended.err;
+    }
   write("t.csv", "a\n");
-  for (const char* command : {"scan", "run", "relax"})
-    must_refuse({command, "a.obj"}, "a.obj: is a mesh: for sbeh mesh file a.obj");
-  must_refuse({"mesh", "file", "in.toml", "--report"},
-              "in.toml: unknown suffix \".toml\"; meshes can be read from .obj, .off, .ply, .stl, "
-              ".vtu, .vtp, and this is an input: sbeh check tells of which command");
   must_refuse({"mesh", "file", "t.csv", "--report"}, "t.csv: unknown suffix \".csv\"");
+  must_refuse({"mesh", "revolve", "t.csv", "--report"}, "t.csv: is no profile of this program");
 }
 
 TEST_F(WrongInput, is_refused_by_the_check_with_the_same_words) {

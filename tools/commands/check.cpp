@@ -1,6 +1,7 @@
 // `sbeh check`: whether an input is right, and what it asks for.
 #include "studies/io/errors.h"
 #include "studies/parameters/input_kind.h"
+#include "studies/report/path_kind.h"
 #include "tools/commands/commands.h"
 
 #include <stdexcept>
@@ -35,6 +36,9 @@ Command add_check(CLI::App& program) {
             try {
               check(*file);
               return 0;
+            } catch (const studies::InputError&) {
+              studies::refuse_other_kind(*file, "check");
+              throw;
             } catch (const std::invalid_argument& error) {  // only the start itself could tell
               throw studies::InputError(fmt::format("{}: {}", *file, error.what()));
             }

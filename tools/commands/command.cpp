@@ -3,7 +3,7 @@
 #include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
-#include "studies/mesh_files/mesh_file.h"
+#include "studies/report/path_kind.h"
 
 #include <tbb/global_control.h>
 
@@ -17,29 +17,6 @@ namespace fs = std::filesystem;
 fs::path Study::results() const {
   return folder.empty() ? fs::path("results") / fs::path(input).stem() : fs::path(folder);
 }
-
-namespace {
-
-// The kind of a file that can be read as an input of some kind.
-std::optional<studies::InputKind> known_kind(const std::string& file) {
-  try {
-    return studies::kind_of(file);
-  } catch (const studies::InputError&) {
-    return {};
-  }
-}
-
-[[noreturn]] void refuse(const std::string& file, studies::InputKind kind,
-                         const studies::InputError& error) {
-  if (studies::is_mesh_name(file))
-    throw studies::InputError(fmt::format("{}: is a mesh: for sbeh mesh file {}", file, file));
-  const auto known = known_kind(file);
-  if (!known || *known == kind) throw error;
-  throw studies::InputError(fmt::format("{}: is no input of sbeh {} but of sbeh {}", file,
-                                        sbeh::name(kind), sbeh::name(*known)));
-}
-
-}  // namespace
 
 Command add_study(CLI::App& program, studies::InputKind kind, const char* text,
                   std::function<int(const Study&)> run) {
@@ -58,8 +35,9 @@ Command add_study(CLI::App& program, studies::InputKind kind, const char* text,
                             std::size_t(study->threads));
             try {
               return run(*study);
-            } catch (const studies::InputError& error) {
-              refuse(study->input, kind, error);
+            } catch (const studies::InputError&) {
+              studies::refuse_other_kind(study->input, sbeh::name(kind));
+              throw;
             } catch (const std::invalid_argument& error) {  // only the start itself could tell
               throw studies::InputError(fmt::format("{}: {}", study->input, error.what()));
             }

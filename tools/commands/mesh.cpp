@@ -2,6 +2,7 @@
 #include "studies/io/csv.h"
 #include "studies/io/errors.h"
 #include "studies/mesh/make_mesh.h"
+#include "studies/report/path_kind.h"
 #include "studies/scan/scan_row.h"
 #include "tools/commands/commands.h"
 
@@ -9,6 +10,7 @@
 #include <cmath>
 #include <filesystem>
 #include <numbers>
+#include <stdexcept>
 
 namespace sbeh::tools {
 
@@ -88,6 +90,16 @@ studies::MeshRequest request_of(const MeshWords& w) {
   return request;
 }
 
+studies::MadeMesh make(const MeshWords& w) {
+  try {
+    return studies::make_mesh(request_of(w));
+  } catch (const std::runtime_error&) {  // of a mesh or of a table
+    if (*w.revolve) studies::refuse_other_kind(w.input, "mesh revolve");
+    if (*w.file) studies::refuse_other_kind(w.input, "mesh file");
+    throw;
+  }
+}
+
 int make_and_write(const MeshWords& w) {
   if (w.output.empty() && !w.report)
     throw InputError("mesh: nothing to do: give a file with -o, or --report, or both");
@@ -95,7 +107,7 @@ int make_and_write(const MeshWords& w) {
     studies::require_mesh_suffix(w.output);
     if (!w.overwrite) refuse_to_overwrite(w.output);
   }
-  const studies::MadeMesh made = studies::make_mesh(request_of(w));
+  const studies::MadeMesh made = make(w);
   for (const std::string& note : made.notes) complain(note);
   if (*w.revolve)
     if (const auto remark = studies::remark_on_profile(w.input)) complain(*remark);
@@ -151,7 +163,7 @@ Command add_mesh(CLI::App& program) {
   w.revolve = add("revolve", "a profile from a scan, revolved, with its order");
   w.revolve->add_option("PROFILE", w.input, "table of nodes (points/*.csv)")->required();
   w.file = add("file", "triangles of a file, curved; without --triangles they stay as they are");
-  w.file->add_option("FILE", w.input, ".obj, .off, .ply, .stl, .vtu or .vtp")->required();
+  w.file->add_option("FILE", w.input, ".obj, .off, .ply, .stl, .vtk, .vtp or .vtu")->required();
   w.file->add_flag("--repair", w.repair, "mend what can be mended safely, and say what was done");
   return {mesh, [words] { return make_and_write(*words); }};
 }

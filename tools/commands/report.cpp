@@ -1,14 +1,25 @@
 // `sbeh report`: a folder of results as one page of HTML.
 #include "studies/report/report.h"
 
+#include "studies/io/errors.h"
+#include "studies/report/path_kind.h"
 #include "tools/commands/commands.h"
 
 namespace sbeh::tools {
 
 namespace {
 
+studies::ResultsKind kind_of(const std::filesystem::path& folder) {
+  try {
+    return studies::kind_of_results(folder);
+  } catch (const studies::InputError&) {
+    studies::refuse_other_kind(folder, "report");
+    throw;
+  }
+}
+
 int report(const std::filesystem::path& folder, bool no_pictures) {
-  const studies::ResultsKind kind = studies::kind_of_results(folder);
+  const studies::ResultsKind kind = kind_of(folder);
   if (!no_pictures)
     for (const std::string& picture : studies::missing_pictures(folder, kind))
       if (draw({sbeh::name(kind), folder.string(), "--only", picture}) != 0)

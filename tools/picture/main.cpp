@@ -1,6 +1,7 @@
 // sbeh-picture: the pictures of a scan, of one evolution, of the classical branches, of a comparison, of a
 // study of stability or of a mesh, and the paper's figures, from the files they leave.
 #include "studies/io/output.h"
+#include "studies/report/path_kind.h"
 #include "tools/picture/canvas/virtual_display.h"
 #include "tools/picture/command_line.h"
 #include "tools/picture/evolution/evolution.h"
@@ -10,6 +11,9 @@
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
+
+#include <stdexcept>
+#include <string>
 
 namespace sbeh::picture {
 namespace {
@@ -66,6 +70,16 @@ const Command commands[] = {
      {{"stability", draw_stability}}},
 };
 
+void draw(const CLI::App& app, const Options& options) {
+  Canvas canvas;
+  if (app.got_subcommand("scan")) draw_scan(canvas, options);
+  if (app.got_subcommand("mesh")) draw_mesh(canvas, options);
+  for (const Command& command : commands)
+    if (app.got_subcommand(command.name))
+      for (const Picture& picture : command.pictures)
+        if (options.wants(picture.name)) picture.draw(canvas, options);
+}
+
 int run(int count, char** arguments) {
   CLI::App app(
       "Pictures (PNG, SVG, PDF) of a scan, an evolution, the classical branches, a comparison, a "
@@ -103,13 +117,13 @@ int run(int count, char** arguments) {
   }
   read_words(words, options);
   ensure_display(arguments);
-  Canvas canvas;
-  if (scan->parsed()) draw_scan(canvas, options);
-  if (mesh->parsed()) draw_mesh(canvas, options);
-  for (const Command& command : commands)
-    if (app.got_subcommand(command.name))
-      for (const Picture& picture : command.pictures)
-        if (options.wants(picture.name)) picture.draw(canvas, options);
+  try {
+    draw(app, options);
+  } catch (const std::runtime_error&) {  // of a mesh or of a table
+    const std::string kind = app.get_subcommands().front()->get_name();
+    studies::refuse_other_kind(options.directory, "picture " + kind);
+    throw;
+  }
   return 0;
 }
 

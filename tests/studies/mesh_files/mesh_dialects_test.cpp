@@ -1,7 +1,5 @@
 // One tetrahedron in the many ways in which programs write it.
-#include "meshing/defects.h"
-#include "meshing/measures.h"
-#include "tests/studies/mesh_files/mesh_file_fixture.h"
+#include "tests/studies/mesh_files/tetrahedron.h"
 
 #include <fmt/format.h>
 
@@ -13,27 +11,10 @@
 namespace sbeh::studies {
 namespace {
 
-using meshing::TriangleMesh;
 namespace fs = std::filesystem;
+using test::expect_a_tetrahedron;
+using test::replaced;
 using MeshDialects = test::MeshFileTest;
-
-// Four points and four faces in one way of writing or another.
-void expect_a_tetrahedron(const fs::path& file) {
-  const MeshFile read = read_mesh(file);
-  const auto* plain = std::get_if<PlainFile>(&read.mesh);
-  ASSERT_TRUE(plain) << file;
-  EXPECT_EQ(plain->mesh.point_count(), 4) << file;
-  EXPECT_EQ(first_polygon(plain->mesh), -1) << file;
-  const TriangleMesh mesh = triangle_mesh(plain->mesh);
-  EXPECT_FALSE(meshing::find_defect(mesh)) << file << meshing::find_defect(mesh)->text;
-  EXPECT_NEAR(meshing::volume(mesh), 1. / 6, 1e-15) << file;
-}
-
-std::string replaced(std::string text, std::string_view from, std::string_view to) {
-  for (std::size_t at = 0; (at = text.find(from, at)) != std::string::npos; at += to.size())
-    text.replace(at, from.size(), to);
-  return text;
-}
 
 TEST_F(MeshDialects, reads_off_with_whatever_a_point_has_besides) {
   const std::string faces = "3 0 2 1\n3 0 1 3 0.5 0 0\n3 0 3 2\n3 1 2 3\n";
@@ -167,37 +148,6 @@ TEST_F(MeshDialects, reads_texts_of_all_systems) {
       write("b.obj", obj.substr(obj.find('f')) + '\n' + obj.substr(0, obj.find('f'))));
   EXPECT_NE(read_mesh(write("b.obj", obj + "\nl 1 2\np 3\n")).notes.at(0).find("2 points or lines"),
             std::string::npos);
-}
-
-// A file of VTK with these cells of the tetrahedron's points.
-std::string vtu(std::string_view connectivity, std::string_view offsets, std::string_view types,
-                int cells) {
-  return fmt::format(
-      "<VTKFile type=\"UnstructuredGrid\" version=\"0.1\"><UnstructuredGrid>"
-      "<Piece NumberOfPoints=\"4\" NumberOfCells=\"{}\"><Points><DataArray type=\"Float64\" "
-      "NumberOfComponents=\"3\" format=\"ascii\">0 0 0 1 0 0 0 1 0 0 0 "
-      "1</DataArray></Points><Cells>"
-      "<DataArray type=\"Int64\" Name=\"connectivity\" format=\"ascii\">{}</DataArray>"
-      "<DataArray type=\"Int64\" Name=\"offsets\" format=\"ascii\">{}</DataArray>"
-      "<DataArray type=\"UInt8\" Name=\"types\" format=\"ascii\">{}</DataArray>"
-      "</Cells></Piece></UnstructuredGrid></VTKFile>",
-      cells, connectivity, offsets, types);
-}
-
-TEST_F(MeshDialects, reads_the_faces_of_vtk_and_says_what_it_leaves_out) {
-  const fs::path plain = write("a.vtu", vtu("0 2 1 0 1 3 0 3 2 1 2 3", "3 6 9 12", "5 5 5 5", 4));
-  expect_a_tetrahedron(plain);
-  EXPECT_TRUE(read_mesh(plain).notes.empty());
-  const fs::path mixed = write("b.vtu", vtu("0 0 1 0 2 1 1 2 0 1 3 0 3 2 1 2 3 0 1 2",
-                                            "1 3 6 8 11 14 17 20", "1 3 5 3 7 5 5 4", 8));
-  expect_a_tetrahedron(mixed);
-  EXPECT_NE(read_mesh(mixed).notes.at(0).find("4 points or lines left out"), std::string::npos);
-  EXPECT_EQ(std::get<PlainFile>(read_mesh(mixed).mesh).mesh.names.triangles,
-            (std::vector{2, 4, 5, 6}));
-  expect_a_tetrahedron(write("c.vtu", vtu("0 2 1 3 0 2", "6", "6", 1)));  // a strip
-  EXPECT_TRUE(refusal("d.vtu", vtu("0 1 2 3", "4", "10", 1))
-                  .starts_with(": cell 0 (VTK's type 10, 4 points): must be a triangle"));
-  EXPECT_TRUE(refusal("e.vtu", vtu("0 1 1 2", "2 4", "3 3", 2)).starts_with(": has no triangles"));
 }
 
 }  // namespace

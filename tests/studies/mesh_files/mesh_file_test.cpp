@@ -148,10 +148,12 @@ TEST_F(MeshFileTest, refuses_what_is_none_where_it_is_wrong) {
       {"a.stl", "solid\nfacet\nvertex 0 0 0\nendfacet\n",
        ":4: a facet with 1 corners: must have three"},
       {"a.stl", "solid\n", ":1: the file ends here, without endsolid"},
-      {"a.vtu", "hello", ": is no XML file of VTK"},
+      {"a.vtu", "hello", ": is no file of VTK: neither XML nor a legacy one"},
       {"a.vtu", "<VTKFile type=\"UnstructuredGrid\">",
        ": is cut off: does not end with </VTKFile>"},
-      {"a.vtp", "<VTKFile type=\"Nonsense\"></VTKFile>", ": is damaged or cut off"},
+      {"a.vtp", "<VTKFile type=\"Nonsense\"></VTKFile>",
+       ": holds \"Nonsense\", not PolyData or UnstructuredGrid"},
+      {"a.vtu", "<VTKFile type=\"PolyData\"></VTKFile>", ": is damaged or cut off"},
       {"a.txt", "hello", ": unknown suffix \".txt\"; meshes can be read from .obj, .off, .ply"},
   };
   for (const auto& [name, text, message] : wrong) {
