@@ -25,11 +25,14 @@ void for_each_zero(double first, double middle, double last, Visit&& visit) {
 
 }  // namespace
 
-Circle widest_circle(const Nodes& X, const Field& H) {
-  Circle widest{0, 0};
+CurvePlace widest_place(const Nodes& X) {
+  CurvePlace widest{0, 0};
+  double radius = 0;
   const auto offer = [&](int e, double x) {
-    const Circle c = circle_at(X, H, e, shape_values(x));
-    if (c.radius > widest.radius) widest = c;
+    const double r = curve_point(X, e, shape_values(x)).x[0];
+    if (r <= radius) return;
+    widest = {e, x};
+    radius = r;
   };
   for (int e = 0; e < element_count(X); ++e) {
     const auto slope = [&](double x) { return curve_point(X, e, shape_values(x)).dx[0]; };
@@ -37,6 +40,11 @@ Circle widest_circle(const Nodes& X, const Field& H) {
     for_each_zero(slope(0), slope(0.5), slope(1), [&](double x) { offer(e, x); });
   }
   return widest;
+}
+
+Circle widest_circle(const Nodes& X, const Field& H) {
+  const CurvePlace at = widest_place(X);
+  return circle_at(X, H, at.element, shape_values(at.x));
 }
 
 Circle middle_circle(const Nodes& X, const Field& H) {

@@ -10,7 +10,14 @@ struct Circle {
   double radius, H;
 };
 
-/// The widest: where r has its largest value, between the nodes as well.
+/// A point of the curve: its element, and where in it, 0 … 1.
+struct CurvePlace {
+  int element;
+  double x;
+};
+
+/// Where r has its largest value, between the nodes as well; and the circle there.
+CurvePlace widest_place(const Nodes& X);
 Circle widest_circle(const Nodes& X, const Field& H);
 
 /// That of an up-down symmetric curve in its plane of symmetry, of a dumbbell the waist; the widest where the

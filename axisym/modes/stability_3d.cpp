@@ -5,12 +5,9 @@
 
 namespace sbeh::axisym {
 
-namespace {
-
-// The lowest modes of m, so many that all negative ones are among them.
-std::optional<ModeSpectrum> negative_modes(const SecondVariation& second, int m) {
-  constexpr int first_count = 1, most = 64;
-  for (int count = first_count; count <= most; count *= 2) {
+std::optional<ModeSpectrum> lowest_and_negative_modes(const SecondVariation& second, int m,
+                                                      int count) {
+  for (const int most = 64 * count; count <= most; count *= 2) {
     auto found = lowest_modes(second, m, count);
     if (!found || found->modes.empty()) return {};
     // Each parity has `count` modes: all are there when the highest of each is not negative.
@@ -25,8 +22,6 @@ std::optional<ModeSpectrum> negative_modes(const SecondVariation& second, int m)
   return {};
 }
 
-}  // namespace
-
 std::optional<Stability3d> stability_3d(const model::Material& material, model::Model model,
                                         const StationaryState& state, int largest_m) {
   const SecondVariation second = second_variation(material, model, state);
@@ -35,7 +30,7 @@ std::optional<Stability3d> stability_3d(const model::Material& material, model::
   int negative = 0;
   double nearest_to_zero = std::numeric_limits<double>::infinity();
   for (int m = 0; m <= largest_m; ++m) {
-    const auto found = negative_modes(second, m);
+    const auto found = lowest_and_negative_modes(second, m, 1);
     if (!found) return {};
     result.eigenvalue[std::size_t(m)] = found->modes.front().eigenvalue;
     result.rigid_residual = std::max(result.rigid_residual, found->rigid_residual);

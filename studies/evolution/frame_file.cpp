@@ -4,11 +4,10 @@
 #include "studies/io/output.h"
 #include "studies/mesh_files/mesh_file.h"
 #include "studies/parameters/input_kind.h"
+#include "studies/parameters/physics_numbers.h"
 
 #include <fmt/format.h>
 
-#include <algorithm>
-#include <string_view>
 
 namespace sbeh::studies {
 
@@ -121,52 +120,6 @@ FlowMoment moment_of(const CurvedFile& file, const std::filesystem::path& path) 
                          .dissipation = {step[1], step[2], step[3]}};
   }
   return frame;
-}
-
-// ---- model and material -------------------------------------------------------------------------
-
-constexpr std::string_view parameter_prefix = "material.";
-
-Eigen::VectorXd as_numbers(double value) { return number(value); }
-Eigen::VectorXd as_numbers(const model::Potential& potential) {
-  const std::vector<double>& c = potential.coefficients();
-  return Eigen::Map<const Eigen::VectorXd>(c.data(), Eigen::Index(c.size()));
-}
-void set(double& value, const Eigen::VectorXd& numbers) { value = numbers[0]; }
-void set(model::Potential& potential, const Eigen::VectorXd& numbers) {
-  potential = model::Potential({numbers.begin(), numbers.end()});
-}
-
-void write_physics(const Physics& physics, Globals& globals) {
-  globals["model"] = number(int(physics.model));
-  for_each_parameter(physics.material, [&](const model::Parameter& parameter, const auto& value) {
-    globals[std::string(parameter_prefix) + parameter.name] = as_numbers(value);
-  });
-}
-
-// Empty when the frame does not say it. Parameters that it lacks, of a version which did not know them, have
-// their defaults.
-std::optional<Physics> physics_in(const Globals& globals, const std::string& file) {
-  const auto model = globals.find("model");
-  if (model == globals.end()) return {};
-  const auto fail = [&](const std::string& what) {
-    throw InputError(fmt::format("{}: its {} is not known to this version of sbeh", file, what));
-  };
-  constexpr auto models = values_of(model::Model{});
-  const double place = model->second[0];
-  if (!(place >= 0 && place < double(models.size()))) fail("model");
-  Physics physics{.model = models.at(std::size_t(place)), .material = {}};
-  std::size_t known = 0;
-  for_each_parameter(physics.material, [&](const model::Parameter& parameter, auto& value) {
-    const auto at = globals.find(std::string(parameter_prefix) + parameter.name);
-    if (at == globals.end() || at->second.size() == 0) return;
-    set(value, at->second);
-    ++known;
-  });
-  const auto parameters = std::ranges::count_if(
-      globals, [](const auto& global) { return global.first.starts_with(parameter_prefix); });
-  if (std::size_t(parameters) != known) fail("material");
-  return physics;
 }
 
 // Of the run in whose folder the frame lies.

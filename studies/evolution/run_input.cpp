@@ -3,6 +3,7 @@
 #include "meshing/resolution.h"
 #include "studies/evolution/frame_file.h"
 #include "studies/io/input_path.h"
+#include "studies/modes/mode_file.h"
 #include "studies/parameters/material_input.h"
 
 #include <functional>
@@ -42,6 +43,14 @@ void read_frame_file(const TomlTable& surface, RunInput& input) {
 }
 void write_shape(TomlText& toml, const FrameStart& frame) { toml.value("file", frame.file); }
 
+void read_mode_file(const TomlTable& surface, RunInput& input) {
+  input.start = ModeStart{surface.path("file"), surface.number("amplitude")};
+}
+void write_shape(TomlText& toml, const ModeStart& mode) {
+  toml.value("file", mode.file);
+  toml.value("amplitude", mode.amplitude);
+}
+
 std::vector<std::string> and_triangles(std::vector<std::string> keys) {
   keys.emplace_back("triangles");
   return keys;
@@ -54,6 +63,7 @@ const std::vector<StartShape<RunInput>>& run_shapes() {
       {"mesh", {"file", "order"}, read_mesh_file},
       {"scan", and_triangles(scan_row_keys()), read_scan, true},
       {"frame", {"file"}, read_frame_file, true},
+      {"mode", {"file", "amplitude", "triangles"}, read_mode_file, true},
   };
   return all;
 }
@@ -135,6 +145,12 @@ RunInput read_resumed_run(const fs::path& path, const fs::path& folder) {
       return Origin{description.string(), read_physics(description)};
     return origin_of_any(input.start);
   });
+}
+
+bool is_there(const ModeStart& mode) { return fs::exists(mode.file); }
+Origin origin_of(const ModeStart& mode) {
+  require_there(mode.file);
+  return {mode.file, static_cast<const Physics&>(read_mode(mode.file))};
 }
 
 std::string describe(const RunInput& input, std::string_view version) {

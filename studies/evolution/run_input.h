@@ -42,10 +42,21 @@ bool is_there(const FrameStart& frame);
 /// Throws InputError when it is no frame.
 Origin origin_of(const FrameStart& frame);
 
+/// A mode of a stationary state, out of the folder of `sbeh modes`: the state revolved and displaced.
+struct ModeStart {
+  std::string file;
+  double amplitude = 0;  ///< the largest displacement, along the normal; < 0: the other way
+
+  bool operator==(const ModeStart&) const = default;
+};
+bool is_there(const ModeStart& mode);
+/// Throws InputError when it is no mode.
+Origin origin_of(const ModeStart& mode);
+
 /// Top-level key `model`; tables [surface] and [time], optional [material] and [numerics]. What a start that is
 /// a result was computed with stands for what the file does not say of model and material.
 struct RunInput : Physics {
-  std::variant<Ellipsoid, HarmonicSphere, MeshFileStart, ScanRow, FrameStart> start;
+  std::variant<Ellipsoid, HarmonicSphere, MeshFileStart, ScanRow, FrameStart, ModeStart> start;
   int triangles = 320;                          ///< about so many; files bring their own
   double initial_order = model::full_order;     ///< where the start brings none, 0 … 1
   std::vector<meshing::Harmonic> perturbation;  ///< displaces along the normal by Σ a_lm Y_lm

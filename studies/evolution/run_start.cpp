@@ -10,6 +10,7 @@
 #include "studies/mesh/file_surface.h"
 #include "studies/mesh/make_mesh.h"
 #include "studies/mesh_files/mesh_file.h"
+#include "studies/modes/mode_file.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/profile_file.h"
 
@@ -116,6 +117,25 @@ Start make(const FrameStart& start, const RunInput&) {
   if (!frame.state.beta.allFinite())
     throw InputError(fmt::format("{}: its order is no finite number everywhere", start.file));
   return {sound(curved_mesh(frame), start.file), frame.state.beta};
+}
+
+// Throws std::invalid_argument where the order would leave its range, or the surface not be one.
+Start make(const ModeStart& start, const RunInput& input) {
+  RevolvedMode mode = revolved(read_mode(start.file), {.triangles = input.triangles});
+  Eigen::VectorXd beta = mode.beta + start.amplitude * mode.order_change;
+  if (!(orders.contains(beta.minCoeff()) && orders.contains(beta.maxCoeff())))
+    throw std::invalid_argument(
+        fmt::format("amplitude = {}: is too large: the order would reach from {:.3g} to {:.3g}, "
+                    "which must be {}",
+                    start.amplitude, beta.minCoeff(), beta.maxCoeff(), orders.text()));
+  mode.mesh.nodes += start.amplitude * mode.displacement;
+  try {
+    require_sound(mode.mesh);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(
+        fmt::format("amplitude = {}: is too large: {}", start.amplitude, error.what()));
+  }
+  return {std::move(mode.mesh), std::move(beta)};
 }
 
 // Not a number where the surface is degenerate.

@@ -9,20 +9,22 @@ namespace sbeh::studies {
 InputKind kind_of(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const bool scan = file.has("scan"), relax = file.has("start"), run = file.has("surface"),
-             compare = file.has("compare"), stability = file.has("stability");
-  const int count = scan + relax + run + compare + stability;
+             compare = file.has("compare"), stability = file.has("stability"),
+             modes = file.has("modes");
+  const int count = scan + relax + run + compare + stability + modes;
   if (count != 1)
     throw InputError(fmt::format(
         "{}: must have {}[scan] (a scan), [start] (one axisymmetric evolution), [surface] (one "
-        "3D run), [compare] (one case by several methods) or [stability] (axisymmetric states, "
-        "perturbed in 3D){}",
+        "3D run), [compare] (one case by several methods), [stability] (axisymmetric states, "
+        "perturbed in 3D) or [modes] (the modes of one state){}",
         path.string(), count > 1 ? "only one of " : "a table ",
         count > 1 ? "" : "; it has none of them"));
-  return scan    ? InputKind::scan
-       : relax   ? InputKind::relax
-       : run     ? InputKind::run
-       : compare ? InputKind::compare
-                 : InputKind::stability;
+  return scan      ? InputKind::scan
+       : relax     ? InputKind::relax
+       : run       ? InputKind::run
+       : compare   ? InputKind::compare
+       : stability ? InputKind::stability
+                   : InputKind::modes;
 }
 
 }  // namespace sbeh::studies

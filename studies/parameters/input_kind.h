@@ -9,16 +9,17 @@
 namespace sbeh::studies {
 
 enum class InputKind {
-  scan,      ///< has a table [scan]: read_scan
-  relax,     ///< has a table [start]: read_relax
-  run,       ///< has a table [surface]: read_run
-  compare,   ///< has a table [compare]: read_compare
-  stability  ///< has a table [stability]: read_stability
+  scan,       ///< has a table [scan]: read_scan
+  relax,      ///< has a table [start]: read_relax
+  run,        ///< has a table [surface]: read_run
+  compare,    ///< has a table [compare]: read_compare
+  stability,  ///< has a table [stability]: read_stability
+  modes       ///< has a table [modes]: read_modes
 };
 
 /// Those of the commands.
 constexpr auto names(InputKind) {
-  return std::array{"scan", "relax", "run", "compare", "stability"};
+  return std::array{"scan", "relax", "run", "compare", "stability", "modes"};
 }
 
 /// Throws InputError if the file cannot be read or has not one of these tables.

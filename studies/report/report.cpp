@@ -54,6 +54,14 @@ const std::vector<Contents>& all_contents() {
          "Which states are stable in 3D, with the rates at which perturbations grow or decay"}},
        {{"thresholds.csv", "Where a state changes from stable to unstable"},
         {"stability.csv", "All runs"}}},
+      {ResultsKind::modes,
+       {"modes.csv"},
+       {{"profiles", "The state in grey, displaced by its modes"},
+        {"surfaces", "The displaced surfaces"},
+        {"contour", "Fluctuations of the contour"}},
+       {{"modes.csv", "Eigenvalues and rates"},
+        {"fluctuations.csv", "Mean square amplitudes"},
+        {"contour.csv", "The contour's spectrum"}}},
       {ResultsKind::seifert,
        {"branches.csv", "points.csv"},
        {{"branches", "Reduced energy of the branches"}},
@@ -246,8 +254,10 @@ ResultsKind kind_of_results(const fs::path& folder) {
 std::vector<std::string> missing_pictures(const fs::path& folder, ResultsKind kind) {
   std::vector<std::string> missing;
   for (const auto& [name, caption] : contents_of(kind).pictures) {
-    const bool never =
-        kind == ResultsKind::scan && std::string_view(name) == "energy" && !has_histories(folder);
+    const std::string_view picture = name;
+    const bool never = (kind == ResultsKind::scan && picture == "energy" && !has_histories(folder))
+                    || (kind == ResultsKind::modes && picture == "contour"
+                        && !fs::exists(folder / "contour.csv"));
     if (!never && picture_file(folder, name).empty()) missing.emplace_back(name);
   }
   return missing;

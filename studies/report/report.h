@@ -12,9 +12,9 @@
 namespace sbeh::studies {
 
 /// What a folder holds, by the command that made it.
-enum class ResultsKind { scan, run, relax, seifert, compare, stability };
+enum class ResultsKind { scan, run, relax, seifert, compare, stability, modes };
 constexpr auto names(ResultsKind) {
-  return std::array{"scan", "run", "relax", "seifert", "compare", "stability"};
+  return std::array{"scan", "run", "relax", "seifert", "compare", "stability", "modes"};
 }
 
 /// Told by the tables in the folder. Throws InputError, naming what is missing, when it is none.

@@ -1,6 +1,7 @@
 // The numbers of a folder of results that matter most.
 #include "studies/compare/compare.h"
 #include "studies/io/toml_reader.h"
+#include "studies/modes/modes.h"
 #include "studies/report/report.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/seifert/seifert.h"
@@ -204,6 +205,20 @@ KeyNumbers of_stability(const fs::path& folder) {
           facts};
 }
 
+KeyNumbers of_modes(const fs::path& folder) {
+  const auto modes = rows_of(mode_columns(), folder / "modes.csv");
+  const ModesInput input = read_modes(folder / "run.toml");
+  const auto& state = input.state;
+  std::vector<Fact> facts{
+      number("reduced volume", state.reduced_volume), number("elastic constant L", state.L()),
+      count("negative eigenvalues", modes, [](const ModeRow& row) { return row.eigenvalue < 0; })};
+  for (const ModeRow& row : modes)
+    if (row.key.number == 1)
+      facts.push_back(
+          number(fmt::format("λ of m = {}, {}", row.key.m, name(row.key.parity)), row.eigenvalue));
+  return {fmt::format("Modes of the {} {}", sbeh::name(state.model), name(state.branch)), facts};
+}
+
 }  // namespace
 
 KeyNumbers key_numbers(const fs::path& folder, ResultsKind kind) {
@@ -219,6 +234,8 @@ KeyNumbers key_numbers(const fs::path& folder, ResultsKind kind) {
       return of_compare(folder);
     case ResultsKind::stability:
       return of_stability(folder);
+    case ResultsKind::modes:
+      return of_modes(folder);
   }
   return {};
 }

@@ -258,6 +258,15 @@ PointOutcome order_from(const StationaryCase& of, const State& ssh) {
   return failed_point("Newton's method found no ordered state near the SSH shape, even at small L");
 }
 
+PointOutcome branch_point(const StationaryCase& of) {
+  StationaryCase classical = of;
+  classical.model = Model::SSH;
+  axisym::SshBranch branch(of.branch, of.material, of.numerics);
+  PointOutcome ssh = ssh_point(classical, branch);
+  if (of.model == Model::SSH || !has_state_here(ssh)) return ssh;
+  return order_from(of, *ssh.state);
+}
+
 PointOutcome sphere_point(const StationaryCase& of) {
   const Stopwatch watch;
   const std::optional<double> order =

@@ -59,6 +59,9 @@ inline constexpr double small_L = 1e-5;
 /// The first SBEH state at a reduced volume, from SSH's: at a small L, then along the branch.
 PointOutcome order_from(const axisym::StationaryCase& of, const axisym::State& ssh);
 
+/// The state of the case, from the branch's entry on: SSH's, then for a free order along L.
+PointOutcome branch_point(const axisym::StationaryCase& of);
+
 /// The fold in which the branch of SBEH ends as L grows, from the case's state; empty when there is none below
 /// L = 2.
 std::optional<axisym::BranchState> fold_above(const axisym::StationaryCase& of,

@@ -6,9 +6,7 @@
 
 namespace sbeh::studies {
 
-namespace {
-
-// Arc length at the nodes, by quadrature up to each of them.
+// By quadrature up to each of them.
 axisym::Field arc_lengths(const axisym::Nodes& X) {
   axisym::Field s = axisym::Field::Zero(X.cols());
   for (int e = 0; e < axisym::element_count(X); ++e)
@@ -21,8 +19,6 @@ axisym::Field arc_lengths(const axisym::Nodes& X) {
     }
   return s;
 }
-
-}  // namespace
 
 const Columns<ProfileRow>& profile_columns() {
   static const Columns<ProfileRow> columns{

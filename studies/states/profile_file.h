@@ -15,6 +15,9 @@ struct ProfileRow {
 };
 const Columns<ProfileRow>& profile_columns();
 
+/// From the first pole to each node.
+axisym::Field arc_lengths(const axisym::Nodes& X);
+
 /// A row for every node of the P3 elements (3 per element and one). Numbers read back are the same bits.
 /// Throws OutputError.
 void write_profile(const std::filesystem::path& path, const axisym::State& state);

@@ -46,16 +46,6 @@ WitnessState failed(Witness witness, std::string reason) {
   return {.witness = witness, .failure = std::move(reason)};
 }
 
-// Follows the branch of SSH from its entry, then, for a free order, to the elastic constant.
-PointOutcome follow_branch(const StationaryCase& of) {
-  StationaryCase classical = of;
-  classical.model = Model::SSH;
-  axisym::SshBranch branch(of.branch, of.material, of.numerics);
-  PointOutcome ssh = ssh_point(classical, branch);
-  if (of.model == Model::SSH || !has_state_here(ssh)) return ssh;
-  return order_from(of, *ssh.state);
-}
-
 }  // namespace
 
 const std::vector<Quantity>& quantities() {
@@ -89,7 +79,7 @@ Measures classical_measures(const model::Material& m, double energy, double pres
 }
 
 WitnessState newton_state(const StationaryCase& of) {
-  const PointOutcome point = follow_branch(of);
+  const PointOutcome point = branch_point(of);
   if (point.row.status != PointStatus::stationary) {
     const std::string& reason = point.row.stop_reason;  // of a row, whose values are not taken here
     return failed(Witness::newton, reason.substr(0, reason.find("; the values")));

@@ -105,7 +105,8 @@ TEST_F(WrongInput, of_another_command_is_refused_with_its_name) {
       {"run",
        "model = \"SSH\"\ntime.end = 1\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.8\n"},
       {"compare", "[compare]\nbranch = \"oblate\"\n"},
-      {"stability", "[stability]\nscan = \"out\"\n"}};
+      {"stability", "[stability]\nscan = \"out\"\n"},
+      {"modes", "[modes]\nreduced_volume = 0.8\nL = 0.05\n"}};
   for (const auto& [own, text] : inputs)
     for (const auto& [command, ignored] : inputs) {
       if (command == own) continue;
@@ -156,8 +157,9 @@ TEST_F(WrongInput, is_refused_by_the_check_with_the_same_words) {
   write("in.toml", "x = 1\n");
   must_refuse({"check", "in.toml"},
               "in.toml: must have a table [scan] (a scan), [start] (one axisymmetric evolution), "
-              "[surface] (one 3D run), [compare] (one case by several methods) or [stability] "
-              "(axisymmetric states, perturbed in 3D); it has none of them");
+              "[surface] (one 3D run), [compare] (one case by several methods), [stability] "
+              "(axisymmetric states, perturbed in 3D) or [modes] (the modes of one state); it has "
+              "none of them");
 }
 
 TEST_F(WrongInput, that_is_no_readable_file_is_refused_with_the_reason) {

@@ -22,6 +22,8 @@ void check(const std::string& file) {
       return check_compare(file);
     case studies::InputKind::stability:
       return check_stability(file);
+    case studies::InputKind::modes:
+      return check_modes(file);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "tools/picture/command_line.h"
 #include "tools/picture/evolution/evolution.h"
 #include "tools/picture/figures/figures.h"
+#include "tools/picture/modes/modes.h"
 #include "tools/picture/scan/scan.h"
 #include "tools/picture/studies/studies.h"
 
@@ -68,6 +69,12 @@ const Command commands[] = {
     {"stability",
      "which states are stable in 3D, from DIR/stability.csv",
      {{"stability", draw_stability}}},
+    {"modes",
+     "the modes of one state from DIR/modes.csv, modes/, contour.csv",
+     {{"profiles", draw_mode_profiles},
+      {"surfaces", draw_mode_surfaces},
+      {"contour", draw_contour_spectrum}},
+     {.fields = true, .views = true}},
 };
 
 void draw(const CLI::App& app, const Options& options) {

@@ -3,6 +3,7 @@
 #include "studies/evolution/relax.h"
 #include "studies/evolution/run_start.h"
 #include "studies/io/csv.h"
+#include "studies/modes/modes_input.h"
 #include "studies/parameters/input_kind.h"
 #include "studies/scan/scan_input.h"
 #include "studies/stability/stability_input.h"
@@ -101,6 +102,9 @@ void check_input(const fs::path& path, std::vector<ScanInput>& scans) {
       break;
     case InputKind::stability:
       read_stability(path);
+      break;
+    case InputKind::modes:
+      read_modes(path);
       break;
   }
 }

@@ -161,10 +161,10 @@ TEST(RunInput, with_a_wrong_surface_is_refused_with_line_key_and_value) {
   const std::vector<Case> cases{
       {"",
        ":3: [surface] shape: missing; must be one of 'ellipsoid', 'harmonics', 'mesh', 'scan', "
-       "'frame'"},
+       "'frame', 'mode'"},
       {"shape = 3",
        ":4: [surface] shape = 3: must be one of 'ellipsoid', 'harmonics', 'mesh', "
-       "'scan', 'frame'"},
+       "'scan', 'frame', 'mode'"},
       {"shap = 'mesh'", ":4: [surface] shap: unknown key; did you mean 'shape'?"},
   };
   expect_messages(read_run, "model = \"SBEH\"\ntime.end = 1\n[surface]\n", cases);
@@ -189,7 +189,8 @@ TEST(RunInput, with_a_wrong_surface_is_refused_with_line_key_and_value) {
       {"modes = [[2, 0, 0.1]]",
        ":5: [surface] modes = [[2, 0, 0.1]]: belongs to shape = 'harmonics', not to 'ellipsoid'"},
       {"file = 'a.obj'",
-       ":5: [surface] file = 'a.obj': belongs to shape = 'mesh' and 'frame', not to 'ellipsoid'"},
+       ":5: [surface] file = 'a.obj': belongs to shape = 'mesh' and 'frame' and 'mode', not to "
+       "'ellipsoid'"},
   };
   expect_messages(read_run, "model = \"SBEH\"\ntime.end = 1\n[surface]\nshape = \"ellipsoid\"\n",
                   ellipsoids);
@@ -236,8 +237,14 @@ TEST(RunInput, with_a_wrong_start_from_files_is_refused_with_line_key_and_value)
       {"'mesh'\nfile = 3", ":5: [surface] file = 3: must be a text in quotes"},
       {"'mesh'\nfile = ''", ":5: [surface] file = '': must not be empty"},
       {"'mesh'\nfile = 'a.obj'\ntriangles = 80",
-       ":6: [surface] triangles = 80: belongs to shape = 'ellipsoid' and 'harmonics' and 'scan', "
-       "not to 'mesh'"},
+       ":6: [surface] triangles = 80: belongs to shape = 'ellipsoid' and 'harmonics' and 'scan' "
+       "and 'mode', not to 'mesh'"},
+      {"'mode'\nfile = 'm2_even_1.vtu'", ":3: [surface] amplitude: missing; must be a number"},
+      {"'mode'\nfile = 'm2_even_1.vtu'\namplitude = inf",
+       ":6: [surface] amplitude = inf: must be a finite number"},
+      {"'mode'\namplitude = 0.1", ":3: [surface] file: missing; must be a text in quotes"},
+      {"'frame'\nfile = 'a.vtu'\namplitude = 0.1",
+       ":6: [surface] amplitude = 0.1: belongs to shape = 'mode', not to 'frame'"},
       {"'frame'\nfile = ['a']", ":5: [surface] file = ['a']: must be a text in quotes"},
       {"'frame'\nfile = 'a.vtu'\norder = 0.5",
        ":6: [surface] order = 0.5: belongs to shape = 'ellipsoid' and 'harmonics' and 'mesh', not "

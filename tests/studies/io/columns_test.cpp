@@ -3,6 +3,7 @@
 #include "studies/evolution/evolution_files.h"
 #include "studies/figures/figures.h"
 #include "studies/io/growing_table.h"
+#include "studies/modes/modes.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/lowest.h"
 #include "studies/seifert/seifert.h"
@@ -167,6 +168,9 @@ TEST(Tables, have_these_columns) {
          "wall_seconds,stop_reason");
   expect(perturbed_columns(), "time,time_step,energy,amplitude,normal_speed,order_speed");
   expect(threshold_columns(), "model,L,branch,l,m,reduced_volume,error,below,above,harmonics");
+  expect(mode_columns(), "m,parity,number,eigenvalue,rate");
+  expect(fluctuation_columns(), "m,parity,number,eigenvalue,mean_square");
+  expect(contour_columns(), "m,mean_square,spectrum");
   expect(figures::energy_columns(), "solver,model,reduced_volume,L,triangles,at_rest,time,energy");
   expect(figures::shape_columns(),
          "reduced_volume,L,energy,energy_SSH,order_min,order_max,H_abs_max,order_min_radius,"

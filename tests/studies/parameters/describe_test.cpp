@@ -24,16 +24,16 @@ TEST(InputKind, is_told_by_the_tables) {
   const std::vector<Case> neither_or_both{
       {"",
        ": must have a table [scan] (a scan), [start] (one axisymmetric evolution), [surface] "
-       "(one 3D run), [compare] (one case by several methods) or [stability] (axisymmetric "
-       "states, perturbed in 3D); it has none of them"},
+       "(one 3D run), [compare] (one case by several methods), [stability] (axisymmetric "
+       "states, perturbed in 3D) or [modes] (the modes of one state); it has none of them"},
       {"[scna]",
        ": must have a table [scan] (a scan), [start] (one axisymmetric evolution), [surface] "
-       "(one 3D run), [compare] (one case by several methods) or [stability] (axisymmetric "
-       "states, perturbed in 3D); it has none of them"},
+       "(one 3D run), [compare] (one case by several methods), [stability] (axisymmetric "
+       "states, perturbed in 3D) or [modes] (the modes of one state); it has none of them"},
       {"[scan]\n[start]",
        ": must have only one of [scan] (a scan), [start] (one axisymmetric evolution), [surface] "
-       "(one 3D run), [compare] (one case by several methods) or [stability] (axisymmetric "
-       "states, perturbed in 3D)"},
+       "(one 3D run), [compare] (one case by several methods), [stability] (axisymmetric "
+       "states, perturbed in 3D) or [modes] (the modes of one state)"},
   };
   expect_messages(kind_of, "", neither_or_both);
 }

@@ -1,0 +1,79 @@
+#include "tools/picture/modes/shown_modes.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+
+namespace sbeh::picture {
+namespace {
+
+constexpr std::size_t most_columns = 6;
+constexpr double line = 1.25;  // of the text
+
+std::string signed_text(const char* letter, double value) {
+  return fmt::format("{} = {}{:.3g}", letter, value < 0.0 ? "−" : "", std::abs(value));
+}
+
+}  // namespace
+
+ShownModes::ShownModes(const Options& options)
+    : by_order(false), colours(chosen_colours(options, Palette::cividis, {-1.0, 1.0})) {
+  const std::filesystem::path table = options.directory / "modes.csv";
+  std::set<int> ms;
+  std::set<axisym::Parity> parities;
+  std::vector<studies::ModeKey> keys;
+  for (const studies::ModeRow& row : studies::read_rows(studies::mode_columns(), table)) {
+    if (row.key.number != 1) continue;
+    keys.push_back(row.key);
+    ms.insert(row.key.m);
+    parities.insert(row.key.parity);
+  }
+  if (keys.empty()) throw InputError(table.string() + ": has no rows yet.");
+  columns = std::min(most_columns, ms.size());
+  rows = parities.size() * ((ms.size() + columns - 1) / columns);
+  for (const studies::ModeKey& key : keys) {
+    const auto at = std::size_t(std::distance(ms.begin(), ms.find(key.m)));
+    const auto parity = std::size_t(std::distance(parities.begin(), parities.find(key.parity)));
+    modes.push_back({studies::read_mode(options.directory / "modes" / (stem(key) + ".vtu")),
+                     at % columns, at / columns * parities.size() + parity});
+  }
+  const bool has_order =
+      std::ranges::any_of(modes, [](const ShownMode& one) { return !one.mode.b.isZero(0.0); });
+  by_order = has_order && options.field != Field::curvature;
+}
+
+std::string ShownModes::title() const {
+  return by_order ? "change of the order, over its largest" : "displacement, over its largest";
+}
+
+std::vector<std::string> words_of(const ShownModes& all, const studies::StateMode& mode) {
+  const studies::ModeKey& key = mode.key;
+  std::vector<std::string> words{key.parity == axisym::Parity::none
+                                     ? fmt::format("m = {}", key.m)
+                                     : fmt::format("m = {}, {}", key.m, name(key.parity)),
+                                 signed_text("λ", mode.eigenvalue)};
+  if (std::isfinite(mode.rate)) words.back() += ",  " + signed_text("σ", mode.rate);
+  if (all.by_order)
+    words.push_back(fmt::format("max |b| = {:.2g} max |u|", mode.b.cwiseAbs().maxCoeff()));
+  return words;
+}
+
+double height_of_words(const ShownModes& all, double text) {
+  return ((all.by_order ? 3.0 : 2.0) * line + 0.4) * text;
+}
+
+void draw_words(Canvas& canvas, const Rect& cell, const ShownModes& all,
+                const studies::StateMode& mode, double text) {
+  const std::vector<std::string> words = words_of(all, mode);
+  const double size = fitted_size(canvas, words, 0.96 * cell.width, 0.9 * text);
+  for (std::size_t i = 0; i < words.size(); ++i)
+    canvas.text(cell.centre_x(), cell.top() - (double(i) + 0.5) * line * text, words[i],
+                {.size = i == 0 ? std::min(text, size / 0.9) : size,
+                 .colour = i == 1 && mode.eigenvalue < 0.0 ? red
+                         : i == 0                          ? black
+                                                           : dark_grey});
+}
+
+}  // namespace sbeh::picture
