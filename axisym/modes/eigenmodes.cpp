@@ -162,6 +162,7 @@ std::optional<model::RitzPairs> modes_of(const Problem& problem, Parity parity,
 
 std::optional<ModeSpectrum> lowest_modes(const SecondVariation& second, int m, int count) {
   constexpr double first_shift = -10, lowest_shift = -1e9, growth = 4;  // stiffnesses
+  constexpr double rounding = 1e-9;
   const auto parities = is_symmetric(second.state.X) ? std::vector{Parity::even, Parity::odd}
                                                      : std::vector{Parity::none};
   const Problem problem(second, m);
@@ -175,7 +176,7 @@ std::optional<ModeSpectrum> lowest_modes(const SecondVariation& second, int m, i
     for (const Parity parity : parities) {
       const auto pairs = modes_of(problem, parity, inverse, count);
       if (!pairs) return {};
-      is_below = is_below && pairs->values.minCoeff() > 0;
+      is_below = is_below && pairs->least > -rounding * std::abs(pairs->values[0]);
       int kept = 0;
       for (Eigen::Index k = 0; k < pairs->values.size(); ++k) {
         const Eigen::VectorXd x = pairs->vectors.col(k);

@@ -14,6 +14,7 @@ namespace sbeh::model {
 struct RitzPairs {
   Eigen::VectorXd values;   ///< those of largest absolute value, largest first
   Eigen::MatrixXd vectors;  ///< in their columns, of length 1 in the mass
+  double least;  ///< of all values that the space shows: where it is negative, so is an eigenvalue
 };
 
 /// A basis that is orthonormal in the mass, and the operator x → apply(mass x) on it, symmetric in (x, mass y).
@@ -52,7 +53,8 @@ class KrylovSpace {
     std::ranges::sort(order, std::greater{},
                       [&](int i) { return std::abs(eigen.eigenvalues()[i]); });
     order.resize(std::min(order.size(), std::size_t(count)));
-    return {eigen.eigenvalues()(order), eigen.eigenvectors()(Eigen::all, order)};
+    return {eigen.eigenvalues()(order), eigen.eigenvectors()(Eigen::all, order),
+            eigen.eigenvalues()[0]};
   }
   /// From coordinates in the basis.
   Eigen::MatrixXd vectors(const Eigen::MatrixXd& coordinates) const {

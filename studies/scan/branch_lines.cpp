@@ -2,11 +2,10 @@
 
 #include "axisym/rim/nested_spheres.h"
 #include "axisym/stationary/stationary.h"
-#include "studies/io/interrupt.h"
+#include "studies/scan/collect.h"
 #include "studies/states/profile_file.h"
 
 #include <fmt/format.h>
-#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
@@ -20,18 +19,6 @@ namespace {
 
 bool is_stationary(const std::optional<PointOutcome>& point) {
   return point && point->row.status == PointStatus::stationary && point->state;
-}
-
-// Runs find(k) for every k in parallel; the rows in the order of k. Incomplete when interrupted.
-template <class Row, class Find>
-std::vector<Row> collect(std::size_t count, Find&& find) {
-  std::vector<std::vector<Row>> found(count);
-  tbb::parallel_for(std::size_t(0), count, [&](std::size_t k) {
-    if (!interrupt_signal()) found[k] = find(k);
-  });
-  std::vector<Row> rows;
-  for (const auto& some : found) rows.insert(rows.end(), some.begin(), some.end());
-  return rows;
 }
 
 // The fold that the scan has run into, or else the one ahead of its largest L.

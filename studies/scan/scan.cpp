@@ -7,6 +7,7 @@
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/branch_points.h"
 #include "studies/scan/lowest.h"
+#include "studies/scan/stability_lines.h"
 #include "studies/states/profile_file.h"
 #include "studies/states/series_file.h"
 
@@ -225,6 +226,9 @@ int write_lines(Scan& scan) {
                    profile_text(state.state));
     }
   }
+  if (input.modes > 0)
+    write("stability_lines.csv", stability_line_columns(),
+          find_stability_lines(input, scan.table, point));
   if (input.branches.size() > 1)
     write("equal_energy.csv", equal_energy_columns(), find_equal_energies(input, point));
   if (input.branches.size() < 2 && !input.beyond_fold) return 0;

@@ -200,5 +200,24 @@ TEST(Eigenmodes, of_the_ordered_oblate_of_0_6_and_0_07_are_negative_for_m_1_and_
   EXPECT_LT(modes->rigid_residual, 1e-6);
 }
 
+// They are looked for first above a multiple of the stiffness; this prolate has one of −7 and the next of its parity
+// nearer to zero.
+TEST(Eigenmodes, are_the_lowest_however_far_below_zero) {
+  SshBranch branch(Branch::prolate, Material{}, Numerics{});
+  const auto ssh = branch.at(0.594);
+  const auto first = ssh ? solve_at({}, Model::SBEH, {0.594, 1e-4}, ssh->state) : std::nullopt;
+  ASSERT_TRUE(first);
+  const FollowResult there = follow({}, Model::SBEH, *first, {0.594, 0.12}, Numerics{});
+  ASSERT_EQ(there.arrival, Arrival::reached);
+  auto second = second_variation(Material{}.with_L(0.12), Model::SBEH, there.state);
+  const double whole = second.stiffness;
+  for (const double share : {10., 1., 0.1, 0.001}) {
+    second.stiffness = share * whole;
+    const auto found = lowest_modes(second, 2, 1);
+    ASSERT_TRUE(found);
+    EXPECT_NEAR(found->modes.front().eigenvalue, -7.02617, 1e-5) << share;
+  }
+}
+
 }  // namespace
 }  // namespace sbeh::axisym

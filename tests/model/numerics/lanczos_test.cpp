@@ -38,6 +38,8 @@ TEST(Lanczos, finds_the_largest_of_both_signs) {
       EXPECT_NEAR(x.dot(p.M * x), 1, 1e-11);
       EXPECT_LT((apply(p.M * x) - theta[k] * x).norm(), 1e-6);
     }
+    EXPECT_EQ(found->least < 0, theta.minCoeff() < 0);
+    EXPECT_GE(found->least, theta.minCoeff() - 1e-11);
   }
 }
 

@@ -6,6 +6,7 @@
 #include "studies/modes/modes.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/lowest.h"
+#include "studies/scan/stability_lines.h"
 #include "studies/seifert/seifert.h"
 #include "studies/stability/stability.h"
 #include "studies/states/profile_file.h"
@@ -137,6 +138,7 @@ TEST(Tables, have_these_columns) {
   expect(equal_energy_columns(), "first,second,L,reduced_volume,energy");
   expect(lowest_columns(),
          "model,L,reduced_volume,branch,energy,bound,bound_of,negative_directions_3d");
+  expect(stability_line_columns(), "model,branch,m,parity,along,reduced_volume,L,error,reason");
   expect(rim_columns(),
          "reduced_volume,L,kind,energy,order_rim,H_rim,H_abs_max,resolution,status,jump,pressure,"
          "negative_directions");
