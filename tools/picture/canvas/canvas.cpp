@@ -18,6 +18,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 #include <vector>
 
 namespace sbeh::picture {
@@ -120,6 +121,19 @@ double fitted_size(const Canvas& canvas, const std::vector<std::string>& texts, 
   for (const std::string& text : texts)
     if (!text.empty()) widest = std::max(widest, canvas.text_width(text, size));
   return widest > room ? size * room / widest : size;
+}
+
+std::vector<std::string> in_lines(const Canvas& canvas, const std::string& text, double room,
+                                  double size) {
+  std::vector<std::string> lines;
+  std::istringstream words(text);
+  for (std::string word; words >> word;) {
+    if (!lines.empty() && canvas.text_width(lines.back() + ' ' + word, size) <= room)
+      lines.back() += ' ' + word;
+    else
+      lines.push_back(word);
+  }
+  return lines;
 }
 
 void Canvas::add(vtkContextItem* item) {

@@ -100,6 +100,10 @@ void require_room(const Rect& place, double width, double height);
 double fitted_size(const Canvas& canvas, const std::vector<std::string>& texts, double room,
                    double size);
 
+/// The text in lines of at most `room`, broken between words.
+std::vector<std::string> in_lines(const Canvas& canvas, const std::string& text, double room,
+                                  double size);
+
 /// The pieces of a line in pixels that are drawn. Not left to VTK, whose patterns are of a fixed size.
 std::vector<Points> drawn_pieces(const Points& line, const LineStyle& style);
 

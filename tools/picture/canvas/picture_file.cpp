@@ -50,8 +50,10 @@ std::string with_images(std::string text, const std::string& images) {
   return text.insert(at, images);
 }
 
+// A chart finds its final place only when it is rendered for the second time.
 void write_png(vtkRenderWindow* window, const fs::path& file) {
   window->SetMultiSamples(8);
+  window->Render();
   window->Render();
   vtkNew<vtkWindowToImageFilter> image;
   image->SetInput(window);
@@ -135,7 +137,6 @@ void write_picture(vtkRenderWindow* window, const std::vector<PageImage>& images
     std::ofstream(temporary(kind), std::ios::binary) << text;
     put(temporary(kind), fs::path(stem) += "." + kind);
   };
-  // First the SVG: a chart finds its final place only when it is rendered for the second time.
   if (wants(Format::svg) || wants(Format::pdf)) {
     const fs::path draft = temporary("svg");
     const std::string svg = svg_of(window, images, draft, name, output.width);

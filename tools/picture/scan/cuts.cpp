@@ -56,8 +56,19 @@ struct CutMatrix {
   std::vector<double> half_heights() const;
 };
 
-CutMatrix::CutMatrix(const ScanGrid& of, const Options& options)
-    : scan(of), volumes(evenly_spread(of.reduced_volumes().size(), most_volumes)) {
+// So many that their titles are legible.
+std::size_t columns_that_fit(const Options& options) {
+  constexpr double cell = 5.0, margins = 14.0;  // in letters' sizes
+  const double room = options.width(widest_picture) / options.text_size() - margins;
+  return std::size_t(std::max(1.0, room / cell));
+}
+
+CutMatrix::CutMatrix(const ScanGrid& of, const Options& options) : scan(of) {
+  const std::size_t most = columns_that_fit(options), all_volumes = scan.reduced_volumes().size(),
+                    all_lengths = scan.lengths().size();
+  const auto lengths = evenly_spread(all_lengths, std::min(most_lengths, most));
+  const bool is_row = all_lengths == 1;
+  volumes = evenly_spread(all_volumes, is_row ? std::min(most_volumes, most) : most_volumes);
   for (const std::size_t volume : volumes)
     for (std::size_t length = 0; length < scan.lengths().size(); ++length)
       for (const Model model : {Model::SBEH, Model::SSH}) {
@@ -73,10 +84,6 @@ CutMatrix::CutMatrix(const ScanGrid& of, const Options& options)
     for (const Model model : {Model::SBEH, Model::SSH})
       if (auto map = lowest_branches(scan, options.directory, model)) lowest.emplace(model, *map);
 
-  const std::size_t all_volumes = scan.reduced_volumes().size(),
-                    all_lengths = scan.lengths().size();
-  const auto lengths = evenly_spread(all_lengths, most_lengths);
-  const bool is_row = lengths.size() == 1;
   for (std::size_t v = 0; v < volumes.size(); ++v) {
     row_titles.push_back(volume_title(scan.reduced_volumes()[volumes[v]]));
     for (std::size_t l = 0; l < lengths.size(); ++l)
@@ -149,9 +156,10 @@ std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const CutColours& co
 
 // Where everything stands; all in pixels.
 struct Layout {
-  double text = 0.0;   // size of letters
-  double left = 0.0;   // margin of the row titles
-  double right = 0.0;  // margin of the colour bar
+  double text = 0.0;                 // size of letters
+  std::vector<std::string> title{};  // in lines
+  double left = 0.0;                 // margin of the row titles
+  double right = 0.0;                // margin of the colour bar
   double legend = 0.0;
   double remarks = 0.0;  // room for a line below each cell of the matrix
   double cell_width = 0.0;
@@ -165,11 +173,14 @@ struct Layout {
   }
 };
 
+constexpr double title_size = 1.15, title_line = 1.5;  // in letters' sizes
+
 // Fills `at.rows` from the top, and the height if that is ours to choose.
 void stack_rows(Layout& at, const CutMatrix& matrix, const Options& options) {
   at.rows.clear();
   const double gap = 1.3 * at.text;
-  const double titles = 4.4 * at.text, overlay_title = 1.7 * at.text, separator = 0.6 * at.text;
+  const double titles = (4.4 + title_line * (double(at.title.size()) - 1.0)) * at.text,
+               overlay_title = 1.7 * at.text, separator = 0.6 * at.text;
   const double bottom = at.legend + 0.8 * at.text;
   const std::vector<double> halves = matrix.half_heights();
   const auto count = double(halves.size());
@@ -210,8 +221,13 @@ Layout layout_of(const Canvas& canvas, const CutMatrix& matrix, const Options& o
   at.cell_width = (at.width - margins) / columns;
   if (std::ranges::any_of(matrix.cells, [](const auto& cell) { return !cell.remark.empty(); }))
     at.remarks = 0.7 * at.text;
-  at.legend = legend_height(canvas, entries, at.width - 2.0 * at.text, at.text);
-  stack_rows(at, matrix, options);
+  const auto stack = [&] {
+    const double room = at.width - 2.0 * at.text;
+    at.title = in_lines(canvas, matrix.title, room, title_size * at.text);
+    at.legend = legend_height(canvas, entries, room, at.text);
+    stack_rows(at, matrix, options);
+  };
+  stack();
   if (options.has_size()) return at;
 
   // High cuts leave narrower cells; title and legend want some width all the same.
@@ -220,8 +236,7 @@ Layout layout_of(const Canvas& canvas, const CutMatrix& matrix, const Options& o
     needed = std::max(needed, canvas.text_width(column_title, at.text) + at.text);
   at.width = std::max(margins + columns * needed, 40.0 * at.text);
   at.cell_width = (at.width - margins) / columns;
-  at.legend = legend_height(canvas, entries, at.width - 2.0 * at.text, at.text);
-  stack_rows(at, matrix, options);
+  stack();
   return at;
 }
 
@@ -260,12 +275,15 @@ void draw_overlay(Canvas& canvas, const CutMatrix& matrix, std::size_t index, co
   }
   if (ssh) lines.push_back({.cut = ssh, .style = ssh_style});
   if (!lines.empty()) draw_cuts(canvas, cell, at.scale, lines);
-  canvas.text(cell.centre_x(), cell.top() + 0.7 * at.text,
-              volume_title(matrix.scan.reduced_volumes()[volume]), {.size = at.text});
+  const std::string title = volume_title(matrix.scan.reduced_volumes()[volume]);
+  canvas.text(cell.centre_x(), cell.top() + 0.7 * at.text, title,
+              {.size = fitted_size(canvas, {title}, 0.94 * cell.width, at.text)});
 }
 
 void draw_titles(Canvas& canvas, const CutMatrix& matrix, const Layout& at) {
-  canvas.text(0.5 * at.width, at.height - 1.4 * at.text, matrix.title, {.size = 1.15 * at.text});
+  for (std::size_t line = 0; line < at.title.size(); ++line)
+    canvas.text(0.5 * at.width, at.height - (1.4 + title_line * double(line)) * at.text,
+                at.title[line], {.size = title_size * at.text});
   for (std::size_t row = 0; row < matrix.rows(); ++row) {
     canvas.text(at.left - 0.8 * at.text, at.rows[row].centre_y(), matrix.row_titles[row],
                 {.size = at.text, .align = Align::right});

@@ -1,3 +1,4 @@
+#include "tools/picture/chart/panels.h"
 #include "tools/picture/scan/diagram_lines.h"
 #include "tools/picture/scan/scan.h"
 
@@ -50,6 +51,10 @@ struct Contents {
   std::optional<BranchMap> branches{};
   std::vector<DiagramLine> lines{};
   std::vector<LegendEntry> legend{};
+
+  const std::string& title(std::size_t panel) const {
+    return panels[panel] ? panels[panel]->quantity.title : branches->quantity.title;
+  }
 };
 
 // Whether any of its points is among the scan's.
@@ -95,49 +100,72 @@ Contents contents_of(const ScanGrid& scan, const Options& options) {
   return c;
 }
 
+const char *const volume_axis = "reduced volume Vᵣ", *const length_axis = "elastic constant L";
+
+// The legend stands below all panels, the colour bar of each to its right.
+PanelGrid panels_for(const Canvas& canvas, const ScanGrid& scan, const Contents& contents,
+                     const Options& options) {
+  constexpr double letters_in_a_cell = 1.6;
+  const double text = options.text_size(), gap = 1.8 * text;
+  PanelNeeds needs{.count = contents.panels.size(),
+                   .most_columns = contents.panels.size(),
+                   .usual_width = 533.0,
+                   .least_width = canvas.text_width(volume_axis, text),
+                   .height_by_width = 1.15,
+                   .side = 5.2 * text,
+                   .right = gap,
+                   .below = below_axis(text),
+                   .above = 2.6 * text};
+  if (contents.as_table)
+    needs.least_width = std::max(needs.least_width,
+                                 letters_in_a_cell * text * double(scan.reduced_volumes().size()));
+  double bar = 0.0;  // with its numbers
+  for (std::size_t i = 0; i < contents.panels.size(); ++i) {
+    needs.least_width =
+        std::max(needs.least_width, 0.75 * canvas.text_width(contents.title(i), text) - gap);
+    if (const auto& panel = contents.panels[i])
+      bar = std::max(bar, 1.7 * text + colour_bar_margin(canvas, panel->colours, false, text));
+  }
+  needs.right += bar;
+  const double width = arranged(needs, options).width;
+  if (!contents.legend.empty())
+    needs.bottom = 0.8 * text + legend_height(canvas, contents.legend, width - 2.0 * text, text);
+  return arranged(needs, options);
+}
+
 void draw_heat_maps(Canvas& canvas, const ScanGrid& scan, const Options& options) {
   const Contents contents = contents_of(scan, options);
   const double text = options.text_size();
-  const auto bar_of = [&](const std::optional<DiagramPanel>& panel) {  // with its numbers
-    return panel ? 1.7 * text + colour_bar_margin(canvas, panel->colours, false, text) : 0.0;
-  };
-  double bars = 0.0;
-  for (const auto& panel : contents.panels) bars += bar_of(panel);
-  const auto count = double(contents.panels.size());
-  const double width = options.width(533.0 * count);
-  const double left = 5.2 * text, gap = 1.8 * text;
-  const double inner_width = (width - left - bars - gap * count) / count;
-  const double legend_at = legend_height(canvas, contents.legend, width - 2.0 * text, text);
-  const double below = below_axis(text) + (contents.legend.empty() ? 0.0 : 0.8 * text + legend_at),
-               above = 2.6 * text;
-  const double height = options.height(below + above + 1.15 * inner_width);
-  const double inner_height = height - below - above;
-
-  const char *volume = "reduced volume Vᵣ", *constant = "elastic constant L";
+  const PanelGrid panels = panels_for(canvas, scan, contents, options);
   HeatMapGrid grid{.as_table = contents.as_table};
-  grid.x = grid.as_table ? table_axis(scan.reduced_volumes(), volume)
-                         : distance_axis(scan.reduced_volumes(), volume, inner_width, 3.2 * text);
-  grid.y = grid.as_table ? table_axis(scan.lengths(), constant)
-                         : distance_axis(scan.lengths(), constant, inner_height, 3.0 * text);
+  grid.x = grid.as_table
+             ? table_axis(scan.reduced_volumes(), volume_axis)
+             : distance_axis(scan.reduced_volumes(), volume_axis, panels.inner_width, 3.2 * text);
+  grid.y = grid.as_table
+             ? table_axis(scan.lengths(), length_axis)
+             : distance_axis(scan.lengths(), length_axis, panels.inner_height, 3.0 * text);
+  HeatMapGrid inner = grid;  // without numbers on the axis that the first in the row has
+  inner.y.axis.title.clear();
+  std::ranges::fill(inner.y.axis.labels, "");
 
-  canvas.start(width, height, options.unit());
-  double x = left;
-  for (const auto& panel : contents.panels) {
-    const Rect inside{x, below, inner_width, inner_height};
+  canvas.start(panels.width, panels.height, options.unit());
+  for (std::size_t i = 0; i < contents.panels.size(); ++i) {
+    const auto& panel = contents.panels[i];
+    const Rect inside = panels.inside(i);
+    const HeatMapGrid& shown = panels.begins_row(i) ? grid : inner;
     if (panel)
-      draw_heat_map(canvas, inside, panel->quantity, panel->colours, grid, text);
+      draw_heat_map(canvas, inside, panel->quantity, panel->colours, shown, text);
     else
-      draw_branch_map(canvas, inside, *contents.branches, grid, text);
-    if (!panel || !grid.as_table) draw_diagram_lines(canvas, inside, contents.lines, grid);
-    const std::string& title = panel ? panel->quantity.title : contents.branches->quantity.title;
-    require_room(inside, 0.7 * canvas.text_width(title, text) - gap, 0.0);
+      draw_branch_map(canvas, inside, *contents.branches, shown, text);
+    if (!panel || !grid.as_table) draw_diagram_lines(canvas, inside, contents.lines, shown);
+    const std::string& title = contents.title(i);
+    require_room(inside, 0.7 * canvas.text_width(title, text) - 1.8 * text, 0.0);
     canvas.text(inside.centre_x(), inside.top() + 1.2 * text, title,
-                {.size = fitted_size(canvas, {title}, inner_width + gap, text)});
-    x += inner_width + bar_of(panel) + gap;
-    grid.y.axis.title.clear();  // the next one has no numbers on its axis
-    std::ranges::fill(grid.y.axis.labels, "");
+                {.size = fitted_size(canvas, {title}, inside.width + 1.8 * text, text)});
   }
-  draw_legend(canvas, contents.legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  draw_legend(canvas, contents.legend,
+              {text, 0.4 * text, panels.width - 2.0 * text, panels.needs.bottom - 0.8 * text},
+              text);
   canvas.write(options.directory / "diagram", options.output());
 }
 

@@ -1,4 +1,5 @@
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/chart/panels.h"
 #include "tools/picture/scan/quantity.h"
 #include "tools/picture/scan/scan.h"
 
@@ -149,33 +150,40 @@ void draw_line_diagram(Canvas& canvas, const ScanGrid& scan, const Options& opti
   const std::vector<double>& parameter = over_volume ? scan.reduced_volumes() : scan.lengths();
   const std::vector<Panel> panels = panels_of(scan, options);
   const auto legend = legend_of(panels);
+  constexpr double least_letters = 12.0;
   const double text = options.text_size();
-  const auto count = double(panels.size());
-  const double width = options.width(533.0 * count);
-  const double left = 4.6 * text, right = 1.2 * text;
-  const double inner_width = width / count - left - right;
-  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
-  const double below = below_axis(text) + 0.8 * text + legend_at, above = 4.6 * text;
-  const double height = options.height(below + above + 0.85 * inner_width);
-  const double inner_height = height - below - above;
+  const char* title = over_volume ? "reduced volume Vᵣ" : "elastic constant L";
+  PanelNeeds needs{.count = panels.size(),
+                   .most_columns = panels.size(),
+                   .usual_width = 533.0,
+                   .least_width = std::max(canvas.text_width(title, text), least_letters * text),
+                   .height_by_width = 0.85,
+                   .left = 4.6 * text,
+                   .right = 1.2 * text,
+                   .below = below_axis(text),
+                   .above = 2.4 * text,
+                   .top = 2.2 * text};
+  const double room = arranged(needs, options).width - 2.0 * text,
+               legend_at = legend_height(canvas, legend, room, text);
+  needs.bottom = 0.8 * text + legend_at;
+  const PanelGrid grid = arranged(needs, options);
+  const Axis x =
+      roomy_axis(parameter.front(), parameter.back(), grid.inner_width, 3.5 * text, title);
 
-  const Axis x = roomy_axis(parameter.front(), parameter.back(), inner_width, 3.5 * text,
-                            over_volume ? "reduced volume Vᵣ" : "elastic constant L");
-
-  canvas.start(width, height, options.unit());
+  canvas.start(grid.width, grid.height, options.unit());
   canvas.text(
-      0.5 * width, height - 1.4 * text,
+      0.5 * grid.width, grid.height - 1.4 * text,
       over_volume ? length_title(scan.lengths()[0]) : volume_title(scan.reduced_volumes()[0]),
       {.size = 1.15 * text});
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    const Rect inside{double(i) * width / count + left, below, inner_width, inner_height};
-    const Axis y = value_axis(panels[i], inner_height, 3.0 * text);
+    const Rect inside = grid.inside(i);
+    const Axis y = value_axis(panels[i], inside.height, 3.0 * text);
     Chart chart(canvas, inside, text, x, y);
     for (const Series& series : panels[i].series)
       draw_series(chart, series, parameter, y, 0.6 * text);
     canvas.text(inside.centre_x(), inside.top() + 1.2 * text, panels[i].title, {.size = text});
   }
-  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  draw_legend(canvas, legend, {text, 0.4 * text, room, legend_at}, text);
   canvas.write(options.directory / "diagram", options.output());
 }
 

@@ -1,6 +1,7 @@
 #include "studies/stability/stability.h"
 
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/chart/panels.h"
 #include "tools/picture/studies/studies.h"
 
 #include <fmt/format.h>
@@ -17,6 +18,8 @@ namespace sbeh::picture {
 namespace {
 
 using studies::Verdict;
+
+const char* const volume_axis = "reduced volume Vᵣ";
 
 struct Look {
   Verdict verdict;
@@ -70,8 +73,7 @@ std::string signed_text(double value) {
 
 // A marker per run with its rate below.
 void draw_map(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs, double text) {
-  const GridAxis x = table_axis(values_of(runs, &StabilityKey::reduced_volume),
-                                "reduced volume Vᵣ"),
+  const GridAxis x = table_axis(values_of(runs, &StabilityKey::reduced_volume), volume_axis),
                  y = table_axis(values_of(runs, &StabilityKey::L), "elastic constant L");
   Chart chart(canvas, inside, text, x.axis, y.axis);
   for (const Run& run : runs) {
@@ -100,7 +102,7 @@ void draw_rates(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs
   const auto volumes = values_of(runs, &StabilityKey::reduced_volume);
   const double side = 0.1 * std::max(volumes.back() - volumes.front(), 0.05);
   const double left = volumes.front() - side, right = volumes.back() + side;
-  const Axis x = exact_axis(left, right, inside.width, 4.0 * text, "reduced volume Vᵣ");
+  const Axis x = exact_axis(left, right, inside.width, 4.0 * text, volume_axis);
   const bool any = rates.width() > 0.0;
   const Axis y =
       any ? exact_axis(rates.low - room, rates.high + room, inside.height, 3.0 * text, "rate/κ")
@@ -153,30 +155,44 @@ std::vector<LegendEntry> legend_of(const Panels& panels) {
   return entries;
 }
 
+constexpr double least_picture = 820.0;
+
+// Rates stand side by side in a map.
+double least_width(const Canvas& canvas, const Panels& panels, double text) {
+  double letters = 0.0;
+  for (const auto& [key, runs] : panels)
+    if (values_of(runs, &StabilityKey::L).size() > 1)
+      letters =
+          std::max(letters, 3.0 * double(values_of(runs, &StabilityKey::reduced_volume).size()));
+  return std::max(letters * text, canvas.text_width(volume_axis, text));
+}
+
 }  // namespace
 
 void draw_stability(Canvas& canvas, const Options& options) {
   const Panels panels = read_panels(options.directory / "stability.csv");
   const double text = options.text_size();
   const auto legend = legend_of(panels);
-  const std::size_t across = std::min<std::size_t>(panels.size(), 3),
-                    down = (panels.size() + across - 1) / across;
-  const double width = options.width(std::max(560.0 * double(across), 820.0));
-  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
-  const double bottom = 1.6 * text + legend_at, below = below_axis(text), above = 2.8 * text;
-  const double left = 5.8 * text, right = 1.2 * text, top = 2.2 * text;
-  const double inner_width = width / double(across) - left - right;
-  const double height = options.height(bottom + top + double(down) * (below + above + inner_width));
-  const double inner_height = (height - bottom - top) / double(down) - below - above;
-  canvas.start(width, height, options.unit());
-  canvas.text(0.5 * width, height - 1.2 * text, "Growth rate of a perturbation, over κ(2/3)",
-              {.size = 1.1 * text});
+  const double room = options.width(least_picture) - 2.0 * text,
+               legend_at = legend_height(canvas, legend, room, text);
+  const PanelGrid grid = arranged({.count = panels.size(),
+                                   .most_columns = 3,
+                                   .usual_width = 560.0,
+                                   .least_picture = least_picture,
+                                   .least_width = least_width(canvas, panels, text),
+                                   .left = 5.8 * text,
+                                   .right = 1.2 * text,
+                                   .below = below_axis(text),
+                                   .above = 2.8 * text,
+                                   .bottom = 1.6 * text + legend_at,
+                                   .top = 2.2 * text},
+                                  options);
+  canvas.start(grid.width, grid.height, options.unit());
+  canvas.text(0.5 * grid.width, grid.height - 1.2 * text,
+              "Growth rate of a perturbation, over κ(2/3)", {.size = 1.1 * text});
   std::size_t i = 0;
   for (const auto& [key, runs] : panels) {
-    const double x = double(i % across) * width / double(across) + left;
-    const std::size_t row = i / across;
-    const double y = height - top - double(row + 1) * (below + above + inner_height) + below;
-    const Rect inside{x, y, inner_width, inner_height};
+    const Rect inside = grid.inside(i++);
     const auto& [model, branch, l, m] = key;
     canvas.text(inside.centre_x(), inside.top() + 1.2 * text,
                 fmt::format("{} {}, l = {}, m = {}", name(model), name(branch), l, m),
@@ -185,9 +201,8 @@ void draw_stability(Canvas& canvas, const Options& options) {
       draw_map(canvas, inside, runs, text);
     else
       draw_rates(canvas, inside, runs, text);
-    ++i;
   }
-  draw_legend(canvas, legend, {text, 0.6 * text, width - 2.0 * text, legend_at}, text);
+  draw_legend(canvas, legend, {0.5 * (grid.width - room), 0.6 * text, room, legend_at}, text);
   canvas.write(options.directory / "stability", options.output());
 }
 
