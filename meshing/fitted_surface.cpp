@@ -84,23 +84,37 @@ double mean_edge(const HalfEdgeMesh& mesh, int point) {
 void require_smooth(const TriangleMesh& plain, const Names& names) {
   const HalfEdgeMesh mesh = half_edge_mesh(plain);
   constexpr double sharpest = 60;  // degrees between the normals
+  constexpr double most_sharp =
+      0.1;  // of the edges, unless there are few: no places, but all of the surface
+  constexpr std::size_t few = 100;
   const auto normal = [&](OpenMesh::SmartHalfedgeHandle h) {
     const Vector3d a = meshing::point(mesh, h.from());
     return Vector3d(
         (meshing::point(mesh, h.to()) - a).cross(meshing::point(mesh, h.next().to()) - a));
   };
+  std::string first;
+  std::size_t sharp = 0;
   for (const auto edge : mesh.edges()) {
     if (edge.is_boundary()) throw std::invalid_argument("fitted surface: the mesh is open");
     const Vector3d n = normal(edge.h0()), m = normal(edge.h1());
     const double angle = std::atan2(n.cross(m).norm(), n.dot(m)) * 180 / std::numbers::pi;
-    if (angle > sharpest)
-      throw std::invalid_argument(fmt::format(
-          "{}: {} and {} meet at {:.0f} degrees, more than {}: no smooth surface can be put "
-          "through them; more triangles there would help",
-          edge_name(plain, edge.v0().idx(), edge.v1().idx(), names),
-          triangle_name(plain, edge.h0().face().idx(), names),
-          triangle_name(plain, edge.h1().face().idx(), names), angle, sharpest));
+    if (angle <= sharpest || ++sharp > 1) continue;
+    first = fmt::format(
+        "{}: {} and {} meet at {:.0f} degrees, more than {}: no smooth surface can be put through "
+        "them",
+        edge_name(plain, edge.v0().idx(), edge.v1().idx(), names),
+        triangle_name(plain, edge.h0().face().idx(), names),
+        triangle_name(plain, edge.h1().face().idx(), names), angle, sharpest);
   }
+  if (sharp == 0) return;
+  const bool everywhere =
+      mesh.n_faces() > few && double(sharp) > most_sharp * double(mesh.n_edges());
+  throw std::invalid_argument(
+      first
+      + (everywhere ? fmt::format("; nor at {} of the {} edges: the surface of voxels, say, should "
+                                  "be smoothed in the program it comes from",
+                                  sharp, mesh.n_edges())
+                    : "; more triangles there would help"));
 }
 
 FittedSurface::FittedSurface(const TriangleMesh& mesh, const Names& names) : mesh_(mesh) {

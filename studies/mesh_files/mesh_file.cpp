@@ -71,6 +71,9 @@ MeshFile read_mesh(const fs::path& path) {
                     file, suffix));
   const std::string text = text_of(path);
   if (text.empty()) throw InputError(fmt::format("{}: is empty", file));
+  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
+    throw InputError(
+        fmt::format("{}: is text of two bytes a letter (UTF-16): save it as UTF-8 or ASCII", file));
   MeshFile mesh = format->parse(text, file);
   const int faces = mesh.face_count();
   if (faces == 0) throw InputError(fmt::format("{}: has no triangles", file));

@@ -14,11 +14,6 @@ namespace sbeh::studies {
 
 TextLines::TextLines(std::string_view text, std::string file)
     : text_(text), file_(std::move(file)) {
-  if (text_.starts_with("\xff\xfe") || text_.starts_with("\xfe\xff"))
-    throw InputError(
-        fmt::format("{}: is text of two bytes a letter (UTF-16): save it as UTF-8 or "
-                    "ASCII",
-                    file_));
   if (text_.starts_with("\xef\xbb\xbf")) text_.remove_prefix(3);
 }
 

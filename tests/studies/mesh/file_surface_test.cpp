@@ -7,7 +7,10 @@
 
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace sbeh::studies {
 namespace {
@@ -144,6 +147,59 @@ TEST_F(FileSurfaceTest, is_said_to_be_rough_before_it_is_run) {
     ASSERT_EQ(said.size(), 1u);
     EXPECT_NE(said[0].find("a.obj: is rough: "), std::string::npos) << said[0];
   }
+}
+
+// The outer sides of the voxels of a ball; corners are shared where they are one point.
+Shape voxels(int across) {
+  Shape shape;
+  std::map<std::array<int, 3>, int> points;
+  const auto is_inside = [&](const std::array<int, 3>& voxel) {
+    double distance = 0;
+    for (const int x : voxel) distance += std::pow(x + 0.5, 2);
+    return distance < std::pow(across / 2.0, 2);
+  };
+  const auto point = [&](const std::array<int, 3>& x) {
+    const auto [at, is_new] = points.try_emplace(x, int(points.size()));
+    if (is_new) shape.points.emplace_back(x[0], x[1], x[2]);
+    return at->second;
+  };
+  const int n = across;
+  for (int code = 0; code < 8 * n * n * n; ++code) {
+    const std::array voxel{code % (2 * n) - n, code / (2 * n) % (2 * n) - n,
+                           code / (4 * n * n) - n};
+    if (!is_inside(voxel)) continue;
+    for (std::size_t axis = 0; axis < 3; ++axis)
+      for (const int side : {-1, 1}) {
+        std::array neighbour = voxel;
+        neighbour[axis] += side;
+        if (is_inside(neighbour)) continue;
+        std::array corner = voxel;
+        corner[axis] += side > 0 ? 1 : 0;
+        std::vector<int> face;
+        for (const auto& [u, v] : {std::pair(0, 0), {1, 0}, {1, 1}, {0, 1}}) {
+          std::array x = corner;
+          x[(axis + 1) % 3] += side > 0 ? u : v;
+          x[(axis + 2) % 3] += side > 0 ? v : u;
+          face.push_back(point(x));
+        }
+        shape.faces.push_back({face[0], face[1], face[2]});
+        shape.faces.push_back({face[0], face[2], face[3]});
+      }
+  }
+  return shape;
+}
+
+TEST_F(FileSurfaceTest, of_voxels_is_told_to_be_smoothed) {
+  for (const int across : {6, 9, 14}) {
+    const std::string text = said(voxels(across), false);
+    EXPECT_NE(text.find("meet at 90 degrees"), std::string::npos) << text;
+    EXPECT_NE(text.find("the surface of voxels, say, should be smoothed"), std::string::npos)
+        << text;
+    EXPECT_EQ(text.find("more triangles"), std::string::npos) << text;
+  }
+  Shape spike = sphere();
+  spike.points[0] *= 2;
+  EXPECT_NE(said(spike, false).find("more triangles there would help"), std::string::npos);
 }
 
 TEST_F(FileSurfaceTest, has_no_numbers_for_the_points_of_stl) {

@@ -141,7 +141,8 @@ TEST_F(MeshDialects, reads_texts_of_all_systems) {
          {text, text + "\n", replaced(text, "\n", "\r\n"), replaced(text, "\n", "\r"),
           "\xef\xbb\xbf" + text, replaced(text, " ", "\t "), replaced(text, "\n", " # x\n\n")})
       expect_a_tetrahedron(write(name, variant));
-  EXPECT_TRUE(refusal("a.obj", std::string("\xff\xfev\0 \0", 6)).starts_with(": is text of two"));
+  for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.vtk", "a.vtu"})
+    EXPECT_TRUE(refusal(name, std::string("\xff\xfev\0 \0", 6)).starts_with(": is text of two"));
   // A line that goes on, faces before their points, points and lines beside.
   expect_a_tetrahedron(write("b.obj", replaced(obj, "f 1 3 2", "f 1 \\\n3 2\nl 1 2\np 3")));
   expect_a_tetrahedron(
