@@ -2,6 +2,7 @@
 #include "meshing/measures.h"
 #include "studies/mesh_files/mesh_file.h"
 #include "tools/picture/evolution/evolution.h"
+#include "tools/picture/surface/frames.h"
 #include "tools/picture/surface/scene.h"
 
 #include <fmt/format.h>
@@ -36,17 +37,6 @@ Quantity3d quantity_of(const studies::CurvedFile& file, const Options& options) 
   return {meshing::node_mean_curvature(file.mesh), Field::curvature};
 }
 
-// The range without the last percent on either side: a few extreme values would take all colours.
-Range shown_range(const Eigen::VectorXd& values) {
-  std::vector<double> sorted(values.begin(), values.end());
-  std::sort(sorted.begin(), sorted.end());
-  const std::size_t cut = sorted.size() / 100;
-  const double low = sorted[cut], high = sorted[sorted.size() - 1 - cut];
-  const double room = std::max(high - low, 0.02 * std::max(std::abs(low), std::abs(high)));
-  const double middle = (low + high) / 2;
-  return {middle - room / 2, middle + room / 2};
-}
-
 }  // namespace
 
 void draw_mesh(Canvas& canvas, const Options& options) {
@@ -54,8 +44,9 @@ void draw_mesh(Canvas& canvas, const Options& options) {
   const studies::CurvedFile file = read(path);
   const meshing::CurvedMesh& mesh = file.mesh;
   const Quantity3d quantity = quantity_of(file, options);
-  const ColourMap colours = chosen_colours(options, palette_of(quantity.field),
-                                           shown_range(quantity.values), white_on_surfaces);
+  const Range range = shown_range({quantity.values.begin(), quantity.values.end()}, quantity.field);
+  const ColourMap colours =
+      chosen_colours(options, palette_of(quantity.field), range, white_on_surfaces);
 
   const double text = options.text_size();
   const double width = options.width(1600.0), height = options.height(880.0);
@@ -86,7 +77,7 @@ void draw_mesh(Canvas& canvas, const Options& options) {
                   mesh.triangle_count(), mesh.order, area, meshing::reduced_volume(area, volume)),
       {.size = 1.15 * text});
   draw_short_bar(canvas, left + count * side + 0.4 * text, {bottom, bottom + side}, colours,
-                 title_of(quantity.field), text);
+                 shown_title(quantity.field, options), text);
   canvas.write(std::filesystem::path(path).replace_extension(), options.output({Format::png}));
 }
 

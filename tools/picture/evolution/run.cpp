@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace sbeh::picture {
 namespace {
@@ -19,12 +20,12 @@ struct Shown {
 };
 
 Range range_of(const std::vector<studies::CurvedFile>& states, Field field) {
-  Range range;
+  std::vector<double> values;
   for (const auto& state : states) {
-    const Eigen::VectorXd values = field_of(state, field);
-    range.include({values.minCoeff(), values.maxCoeff()});
+    const Eigen::VectorXd of_state = field_of(state, field);
+    values.insert(values.end(), of_state.begin(), of_state.end());
   }
-  return range;
+  return shown_range(std::move(values), field);
 }
 
 Shown read_states(const std::vector<studies::FrameEntry>& frames, const Options& options) {
@@ -82,7 +83,7 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
     }
   }
   draw_short_bar(canvas, width - right + 1.4 * text, {1.5 * text, height - 1.5 * text}, colours,
-                 title_of(shown.field), text);
+                 shown_title(shown.field, options), text);
   canvas.write(options.directory / "shapes", options.output({Format::png}));
 }
 

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 #include <optional>
+#include <utility>
 
 namespace sbeh::picture {
 namespace {
@@ -35,13 +36,13 @@ struct Evolution {
 };
 
 Range range_of(const Model3d& model, Field field) {
-  Range range;
+  std::vector<double> values;
   for (const auto& shape : model.shapes)
     if (shape) {
-      const Eigen::VectorXd values = field_of(shape->state, field);
-      range.include({values.minCoeff(), values.maxCoeff()});
+      const Eigen::VectorXd of_shape = field_of(shape->state, field);
+      values.insert(values.end(), of_shape.begin(), of_shape.end());
     }
-  return range;
+  return values.empty() ? Range() : shown_range(std::move(values), field);
 }
 
 Evolution read_evolution(const std::filesystem::path& file, const Options& options) {
@@ -76,7 +77,7 @@ void draw_shape(Canvas& canvas, const std::optional<Shape>& shape, double instan
                 const ColourMap& colours, const View& view, double half_width, const Rect& cell,
                 double text) {
   const double time = shape ? shape->time : instant;
-  canvas.text(cell.centre_x(), cell.top() - 0.8 * text, "t = " + short_number(time),
+  canvas.text(cell.centre_x(), cell.top() - 1.3 * text, "t = " + short_number(time),
               {.size = text, .colour = shape ? black : dark_grey});
   if (!shape) {
     canvas.text(cell.centre_x(), cell.centre_y(), "not there", {.size = text, .colour = dark_grey});
@@ -106,7 +107,7 @@ void draw_figure_evolution(Canvas& canvas, const Options& options) {
   const double right = 3.0 * text + bar;
   const double width = options.width(right + text + 290.0 * columns);
   const double side = std::floor((width - right - text) / columns);
-  const double title = 1.6 * text, heading = 2.0 * text, row_height = side + title;
+  const double title = 2.2 * text, heading = 2.0 * text, row_height = side + title;
   const auto models = double(all.models.size());
   const double height = options.height(models * (heading + double(rows) * row_height) + 0.5 * text);
   canvas.start(width, height, options.unit());
@@ -124,7 +125,7 @@ void draw_figure_evolution(Canvas& canvas, const Options& options) {
     }
     const double bottom = top - double(rows) * row_height;
     draw_short_bar(canvas, width - right + 1.4 * text, {bottom + text, top - text}, colours[m],
-                   title_of(model.field), text);
+                   shown_title(model.field, options), text);
     top = bottom;
   }
   canvas.write(options.directory / "evolution", options.output());

@@ -72,4 +72,21 @@ Eigen::VectorXd field_of(const studies::CurvedFile& state, Field field) {
   return state.fields.at(name).row(0).transpose();
 }
 
+Range shown_range(std::vector<double> values, Field field) {
+  constexpr double least_width = 0.02;  // relatively: otherwise noise is all that is seen
+  std::ranges::sort(values);
+  const std::size_t cut = field == Field::curvature ? values.size() / 100 : 0;
+  const double low = values[cut], high = values[values.size() - 1 - cut];
+  if (field == Field::order) return {low, high};
+  const double width = std::max(high - low, least_width * std::max(std::abs(low), std::abs(high)));
+  const double middle = 0.5 * (low + high);
+  return {middle - 0.5 * width, middle + 0.5 * width};
+}
+
+std::string shown_title(Field field, const Options& options) {
+  const std::string title = title_of(field);
+  return field == Field::curvature && !options.scale ? title + ", but for 1 % at either end"
+                                                     : title;
+}
+
 }  // namespace sbeh::picture

@@ -6,6 +6,7 @@
 #include "tools/picture/options.h"
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 namespace sbeh::picture {
@@ -30,5 +31,11 @@ std::vector<studies::FrameEntry> shown_frames(const std::filesystem::path& table
 studies::CurvedFile read_state(const std::filesystem::path& frame);
 /// At its nodes.
 Eigen::VectorXd field_of(const studies::CurvedFile& state, Field field);
+
+/// That of the colours: all values of an order; of a curvature, where a few extremes would take all colours, all but a
+/// hundredth at either end.
+Range shown_range(std::vector<double> values, Field field);
+/// Of the bar of these colours; says what they leave out.
+std::string shown_title(Field field, const Options& options);
 
 }  // namespace sbeh::picture
