@@ -57,6 +57,13 @@ const Format* format_of(std::string_view suffix) {
   return found == std::end(formats) ? nullptr : found;
 }
 
+// What another file is for, where that can be told.
+std::string_view advice_for(std::string_view suffix) {
+  if (suffix == ".toml") return ", and this is an input: sbeh check tells of which command";
+  if (suffix == ".csv") return ", and this is a table: sbeh mesh revolve takes profiles";
+  return {};
+}
+
 }  // namespace
 
 bool is_mesh_name(const fs::path& path) { return format_of(suffix_of(path)) != nullptr; }
@@ -64,11 +71,14 @@ bool is_mesh_name(const fs::path& path) { return format_of(suffix_of(path)) != n
 MeshFile read_mesh(const fs::path& path) {
   const std::string suffix = suffix_of(path), file = path.string();
   const Format* format = format_of(suffix);
+  std::error_code ignored;
+  if (!format && fs::is_directory(path, ignored))
+    throw InputError(fmt::format("{}: is a directory, not a file", file));
   if (!format)
     throw InputError(
         fmt::format("{}: unknown suffix \"{}\"; meshes can be read from .obj, .off, .ply, .stl, "
-                    ".vtk, .vtp, .vtu",
-                    file, suffix));
+                    ".vtk, .vtp, .vtu{}",
+                    file, suffix, advice_for(suffix)));
   const std::string text = text_of(path);
   if (text.empty()) throw InputError(fmt::format("{}: is empty", file));
   if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))

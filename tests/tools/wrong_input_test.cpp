@@ -145,6 +145,11 @@ TEST_F(WrongInput, that_is_a_file_or_a_folder_of_another_kind_is_refused_with_th
     }
   write("t.csv", "a\n");
   must_refuse({"mesh", "file", "t.csv", "--report"}, "t.csv: unknown suffix \".csv\"");
+  const std::string of_mesh = "model = \"SSH\"\ntime.end = 1\n[surface]\nshape = \"mesh\"\nfile = ";
+  write("in.toml", of_mesh + "\"t.csv\"\n");
+  must_refuse({"check", "in.toml"}, "t.csv: unknown suffix \".csv\"; meshes can be read from .obj");
+  write("in.toml", of_mesh + "\"out\"\n");
+  must_refuse({"check", "in.toml"}, "out: is a directory, not a file");
   must_refuse({"mesh", "revolve", "t.csv", "--report"}, "t.csv: is no profile of this program");
 }
 

@@ -41,13 +41,17 @@ Command add_scan(CLI::App& program) {
 
 namespace {
 
-// Measured on one core of 2026: a branch is entered at every reduced volume and followed from there in L.
+// Measured on one core of 2026: a branch is entered at every reduced volume and followed from there in L. Lines between
+// stable and unstable states are looked for along both.
 double seconds_of(const studies::ScanInput& input) {
   const auto points = double(studies::point_count(input));
   if (input.method != studies::Method::newton) return points;
   const auto volumes = double(input.reduced_volume.size());
-  const double entries = volumes * double(input.models.size() * input.branches.size());
-  return 0.035 * entries + 0.004 * points + (input.beyond_fold ? 0.75 * volumes : 0);
+  const auto branches = double(input.models.size() * input.branches.size());
+  const double modes = 0.0011 * (input.modes + 1) * points
+                     + 0.037 * (volumes + double(input.L.size())) * branches;
+  return 0.035 * volumes * branches + 0.004 * points + (input.modes > 0 ? modes : 0)
+       + (input.beyond_fold ? 0.75 * volumes : 0);
 }
 
 }  // namespace
