@@ -7,6 +7,7 @@ namespace {
 
 TEST(ColoursOfSurfaces, show_all_of_an_order_and_a_curvature_without_its_extremes) {
   std::vector<double> values;
+  values.reserve(1000);
   for (int i = 0; i < 1000; ++i) values.push_back(0.01 * i);
   values.front() = -500.0;
   values.back() = 1000.0;
