@@ -1,7 +1,7 @@
 // The lowest eigenvalues of a stationary state's second variation, by angular number m.
 #pragma once
 
-#include "axisym/modes/second_variation.h"
+#include "axisym/modes/mode_problem.h"
 
 #include <array>
 #include <optional>
@@ -9,11 +9,7 @@
 
 namespace sbeh::axisym {
 
-/// Whether a mode of an up-down symmetric state goes into itself upside down (even), or into its negative.
-enum class Parity { even, odd, none };
-constexpr auto names(Parity) { return std::array{"even", "odd", "none"}; }
-
-/// u(s) cos mφ along the normal and b(s) cos mφ of the order at fixed (s, φ), ∫(u² + b²) cos² mφ dS = 1.
+/// A mode of the second variation; its fields are normalised as those of AzimuthalMode.
 struct Eigenmode {
   int m;
   Parity parity;

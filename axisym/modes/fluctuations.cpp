@@ -28,13 +28,13 @@ Eigen::VectorXd widening(const Nodes& X) {
 
 // What the response to a load must be orthogonal to; of a sphere area and volume are one.
 Eigen::MatrixXd borders(const SecondVariation& second, int m) {
-  const std::vector<Eigen::VectorXd> rigid = rigid_motions(second, m);
+  const std::vector<RigidMotion> rigid = rigid_motions(second, m);
   const model::BandMatrix mass = second.mass_of(m);
   const Eigen::Index kept = m == 0 ? second.constraints.cols() : 0;
   Eigen::MatrixXd columns(second.constraints.rows(), kept + Eigen::Index(rigid.size()));
   if (kept > 0) columns.leftCols(kept) = second.constraints;
   for (std::size_t k = 0; k < rigid.size(); ++k)
-    columns.col(kept + Eigen::Index(k)) = mass.times(rigid[k]);
+    columns.col(kept + Eigen::Index(k)) = mass.times(unknowns_of(rigid[k]));
   if (columns.cols() == 0) return columns;
   Eigen::ColPivHouseholderQR<Eigen::MatrixXd> independent(columns.colwise().normalized());
   independent.setThreshold(1e-6);

@@ -7,9 +7,17 @@
 
 namespace sbeh::axisym {
 
-/// The rigid motions that go with cos mφ as (u, b) of the unknowns of SecondVariation, orthonormal in its mass: the
-/// translation along the axis for m = 0, that across and the rotation about an axis across for m = 1. The order stays
-/// on its material, b = −(tangential part)·∇β. Without the rotation on a sphere, which moves nothing.
-std::vector<Eigen::VectorXd> rigid_motions(const SecondVariation& second, int m);
+/// A velocity of rigid motion at the nodes: u cos mφ along the normal, v_t cos mφ along the meridian, v_φ sin mφ across;
+/// and b cos mφ, what becomes of the order at fixed (s, φ) when it stays on its material, −v_t ∂_sβ.
+struct RigidMotion {
+  Field u, b, v_t, v_phi;
+};
+
+/// Those that go with cos mφ, orthonormal in ∫(u² + b²) r ds: the translation along the axis for m = 0, that across and
+/// the rotation about an axis across for m = 1. Without the rotation of a sphere, which moves nothing.
+std::vector<RigidMotion> rigid_motions(const SecondVariation& second, int m);
+
+/// (u, b) in the unknowns of SecondVariation.
+Eigen::VectorXd unknowns_of(const RigidMotion& motion);
 
 }  // namespace sbeh::axisym

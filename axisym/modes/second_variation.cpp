@@ -2,6 +2,7 @@
 
 #include "axisym/modes/mode_density.h"
 #include "axisym/stationary/newton_system.h"
+#include "axisym/stationary/normal_shapes.h"
 #include "model/numerics/contraction.h"
 #include "model/numerics/second_order.h"
 
@@ -113,35 +114,21 @@ void add_hessian(const model::Material& material, const StationaryState& state,
   }
 }
 
-// A vector field along the node normals at a point: shape values times their components.
-struct Along {
-  std::array<double, 4> r, r_xi, z, z_xi;
-  Along(const Nodes& n, int e, const ShapeValues& s) {
-    for (std::size_t a = 0; a < 4; ++a) {
-      const auto node = n.col(3 * e + int(a));
-      r[a] = s.phi[a] * node[0];
-      r_xi[a] = s.dphi[a] * node[0];
-      z[a] = s.phi[a] * node[1];
-      z_xi[a] = s.dphi[a] * node[1];
-    }
-  }
-};
-
 constexpr int unknown(NodeUnknown c) { return 4 * c; }  // of an element, component by component
 
-std::array<model::DataRow<4>, perturbations> rows_of(const Along& n, const ShapeValues& s) {
+std::array<model::DataRow<4>, perturbations> rows_of(const NormalShapes& n, const ShapeValues& s) {
   constexpr int d = unknown(node_d), Lambda = unknown(node_Lambda);
   return {{{d, n.r.data()},
-           {d, n.r_xi.data()},
+           {d, n.dr.data()},
            {d, n.z.data()},
-           {d, n.z_xi.data()},
+           {d, n.dz.data()},
            {unknown(node_H), s.phi.data()},
            {unknown(node_beta), s.phi.data()},
            {unknown(node_beta), s.dphi.data()},
            {Lambda, n.r.data()},
-           {Lambda, n.r_xi.data()},
+           {Lambda, n.dr.data()},
            {Lambda, n.z.data()},
-           {Lambda, n.z_xi.data()}}};
+           {Lambda, n.dz.data()}}};
 }
 
 double sum(const std::array<double, 4>& shape, const Field& f, int e) {
@@ -151,7 +138,7 @@ double sum(const std::array<double, 4>& shape, const Field& f, int e) {
 }
 
 // What an axisymmetric state has of the data: no derivatives by φ.
-std::array<double, mode_data> point_data(const StationaryState& state, const Along& n,
+std::array<double, mode_data> point_data(const StationaryState& state, const NormalShapes& n,
                                          const CurvePoint& p, int e, const ShapeValues& s) {
   std::array<double, mode_data> q{};
   q[in_r] = p.x[0];
@@ -162,8 +149,8 @@ std::array<double, mode_data> point_data(const StationaryState& state, const Alo
   q[in_beta_xi] = slope_at(state.beta, e, s);
   q[in_Lambda_r] = sum(n.r, state.Lambda, e);
   q[in_Lambda_z] = sum(n.z, state.Lambda, e);
-  q[in_Lambda_r_xi] = sum(n.r_xi, state.Lambda, e);
-  q[in_Lambda_z_xi] = sum(n.z_xi, state.Lambda, e);
+  q[in_Lambda_r_xi] = sum(n.dr, state.Lambda, e);
+  q[in_Lambda_z_xi] = sum(n.dz, state.Lambda, e);
   return q;
 }
 
@@ -196,14 +183,14 @@ SecondVariation second_variation(const model::Material& material, model::Model m
     powers.fill(ElementMatrix::Zero());
     ElementMatrix mass = ElementMatrix::Zero();
     for (const ShapeValues& s : assembly_points()) {
-      const Along along(n, e, s);
+      const NormalShapes shapes(n, e, s);
       const CurvePoint p = curve_point(state.X, e, s);
-      const auto at = point_data(state, along, p, e, s);
+      const auto at = point_data(state, shapes, p, e, s);
       Hessian hessian = Hessian::Zero();
       add_hessian(material, state, at, with_cosine, hessian);
       add_hessian(material, state, at, with_sine, hessian);
       const auto forms = forms_of(hessian);
-      const auto rows = rows_of(along, s);
+      const auto rows = rows_of(shapes, s);
       for (std::size_t k = 0; k < 3; ++k)
         model::add_matrix(rows, rows, forms[k], s.weight, powers[k]);
       model::add_matrix(rows, rows, squares(p.nu, out.has_order), s.weight * p.x[0] * p.stretch,

@@ -1,5 +1,6 @@
 #include "axisym/stationary/lagrangian.h"
 
+#include "axisym/stationary/normal_shapes.h"
 #include "model/numerics/contraction.h"
 #include "model/numerics/second_order.h"
 
@@ -13,20 +14,6 @@ constexpr int data = lagrangian_data;
 constexpr int element_unknowns = 4 * node_unknowns;
 using First = ceres::Jet<double, nonlinear_data>;
 using Second = model::SecondOrder<nonlinear_data>;
-
-// Shape values times a component of the node normals, for the fields that live on the normals.
-struct NormalShapes {
-  std::array<double, 4> r, z, dr, dz;
-  NormalShapes(const Nodes& n, int e, const ShapeValues& s) {
-    for (std::size_t a = 0; a < 4; ++a) {
-      const auto node = n.col(3 * e + int(a));
-      r[a] = s.phi[a] * node[0];
-      z[a] = s.phi[a] * node[1];
-      dr[a] = s.dphi[a] * node[0];
-      dz[a] = s.dphi[a] * node[1];
-    }
-  }
-};
 
 // Rows of B in the order of LagrangianData; element unknowns component-wise.
 std::array<model::DataRow<4>, data> data_rows(const NormalShapes& n, const ShapeValues& s) {

@@ -5,6 +5,7 @@
 #include "axisym/stationary/stability.h"
 #include "model/order_step.h"
 #include "tests/axisym/cases.h"
+#include "tests/axisym/modes/states.h"
 
 #include <Eigen/Eigenvalues>
 
@@ -14,16 +15,6 @@ namespace {
 using namespace test;
 using model::Material;
 using model::Model;
-
-// At rest under a tension that counts the potential too.
-StationaryState sphere(const Material& material, double order, double tension, int elements) {
-  StationaryState s = guess_from(
-      material, {spheroid(1., 1., elements, 0.5), Field::Constant(3 * elements + 1, order)});
-  s.H.setConstant(-2);
-  s.tension = tension - material.potential.value(order);
-  s.pressure = 2 * tension;
-  return s;
-}
 
 // The lowest eigenvalues of m against those of l = m, m + 1, … with the parity of l − m.
 template <class Exact>
@@ -48,7 +39,7 @@ TEST(Eigenmodes, of_the_SSH_sphere_are_those_of_the_harmonics) {
       for (int m = 0; m <= 5; ++m)
         expect_eigenvalues(
             second_variation(material, Model::SSH,
-                             sphere(material, model::full_order, tension, elements)),
+                             sphere_at_rest(material, model::full_order, tension, elements)),
             m, [&](int l) { return (l - 1) * (l + 2) * (kappa * l * (l + 1) + tension); },
             accuracy);
 }
@@ -68,8 +59,8 @@ TEST(Eigenmodes, of_the_SBEH_sphere_are_those_of_shape_and_order_together) {
     };
     for (int m = 0; m <= 4; ++m)
       expect_eigenvalues(
-          second_variation(material, Model::SBEH, sphere(material, order, tension, 96)), m, exact,
-          1e-8);
+          second_variation(material, Model::SBEH, sphere_at_rest(material, order, tension, 96)), m,
+          exact, 1e-8);
   }
 }
 
@@ -99,24 +90,6 @@ TEST(SecondVariation, of_m_0_is_that_of_the_axisymmetric_Lagrangian) {
       difference = std::max(difference, std::abs(2 * pi * second.powers[0](i, j) - there));
     }
   EXPECT_LT(difference, 1e-13 * largest);
-}
-
-std::optional<BranchState> ssh_oblate(double v, int elements) {
-  Numerics numerics;
-  numerics.elements = elements;
-  SshBranch branch(Branch::oblate, Material{}, numerics);
-  const auto found = branch.at(v);
-  return found && found->arrival == Arrival::reached ? std::optional(found->state) : std::nullopt;
-}
-
-std::optional<BranchState> ordered_oblate(double v, double L, int elements) {
-  Numerics numerics;
-  numerics.elements = elements;
-  const auto ssh = ssh_oblate(v, elements);
-  const auto first = ssh ? solve_at({}, Model::SBEH, {v, 1e-4}, *ssh) : std::nullopt;
-  if (!first) return {};
-  const FollowResult there = follow({}, Model::SBEH, *first, {v, L}, numerics);
-  return there.arrival == Arrival::reached ? std::optional(there.state) : std::nullopt;
 }
 
 // The shapes of the paper's scan.

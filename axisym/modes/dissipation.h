@@ -1,0 +1,42 @@
+// What small motions of a stationary state dissipate, by fields that go with cos mφ and sin mφ.
+#pragma once
+
+#include "axisym/modes/second_variation.h"
+#include "axisym/stationary/newton_system.h"
+
+namespace sbeh::axisym {
+
+/// Of a node: those of NewtonSystem first, then the velocity along the meridian over that of the displacement's
+/// rate, the velocity along e_φ, and the pressure, which has a value at the joints and in the middle of elements.
+enum FlowUnknown {
+  flow_d,
+  flow_Lambda,
+  flow_H,
+  flow_beta,
+  flow_v_t,
+  flow_v_phi,
+  flow_p,
+  flow_unknowns
+};
+static_assert(int(flow_d) == int(node_d) && int(flow_beta) == int(node_beta)
+              && int(flow_v_t) == int(node_unknowns));
+
+/// Place of a node's unknown in the global vector.
+inline int flow_index(Eigen::Index node, FlowUnknown c) { return flow_unknowns * int(node) + c; }
+
+/// A band matrix or a vector of the unknowns of SecondVariation among those of the flow.
+model::BandMatrix among_flow_unknowns(const model::BandMatrix& matrix);
+Eigen::VectorXd among_flow_unknowns(const Eigen::VectorXd& x);
+
+/// The quadratic form of  V = (Σ ḋ_i φ_i n_i + v_t t + …) cos mφ + v_φ e_φ sin mφ,  of ḃ and p
+///
+///   ∫ [ γ_∥ (V_t² + V_φ²) + γ_⊥ V_n² + (η/2)|σ(V)|² + m_β (ḃ + v_t ∂_sβ)² + 2 p Div_C V ] r ds
+///
+/// What is not free is 0 in it. `m_0`: with the φ-part at rest, which nothing else moves.
+model::BandMatrix dissipation(const model::Material& material, model::Model model,
+                              const StationaryState& state, int m);
+
+/// What is not free of the flow for m, besides what SecondVariation holds: 0 in the matrix, and `diagonal`.
+void hold_flow(int nodes, int m, double diagonal, model::BandMatrix& matrix);
+
+}  // namespace sbeh::axisym

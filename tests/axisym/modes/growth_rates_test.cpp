@@ -1,0 +1,157 @@
+// Rates of small perturbations: closed forms on the sphere, rigid motions, the flow of the time stepping.
+#include "axisym/modes/growth_rates.h"
+
+#include "axisym/modes/eigenmodes.h"
+#include "axisym/stationary/continuation.h"
+#include "axisym/stationary/ssh_branch.h"
+#include "model/order_step.h"
+#include "tests/axisym/cases.h"
+#include "tests/axisym/modes/states.h"
+
+#include <Eigen/Eigenvalues>
+
+#include <algorithm>
+
+namespace sbeh::axisym {
+namespace {
+
+using namespace test;
+using model::Material;
+using model::Model;
+
+// The rates of the harmonic l on a sphere under a tension: of shape and order together, where both are free.
+std::vector<double> sphere_rates(const Material& m, Model model, double order, double tension,
+                                 int l) {
+  const double n = l * (l + 1), bend = n - 2;
+  const double drag =
+      m.friction_normal + 4 * m.friction_tangential / n + 4 * m.eta(order) * bend / n;
+  const double bending = bend * (m.kappa(order) * n + tension);
+  if (!has_free_order(model)) return l < 2 ? std::vector<double>{} : std::vector{-bending / drag};
+  const double curvature = (182.25 * order - 81) * order;                     // u″
+  const double stiffening = 2 * m.kappa_slope(1.) + m.kappa_gauss_slope(1.);  // κ″H²/2 + κ_G″K
+  const double ordering = m.l1() * n + stiffening + curvature;
+  if (l < 2) return {-ordering / m.order_drag()};  // the shape only moves as a whole, or not at all
+  const double coupling = (2 * m.kappa_slope(order) + m.kappa_gauss_slope(order)) * bend;
+  Eigen::Matrix2d form, resistance;
+  form << bending, coupling, coupling, ordering;
+  resistance << drag, 0, 0, m.order_drag();
+  const Eigen::Vector2d lambda =
+      Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(form, resistance).eigenvalues();
+  return {-lambda[0], -lambda[1]};
+}
+
+// The two largest rates of each m and parity, against those of all harmonics with it.
+void expect_sphere_rates(const Material& material, Model model, double accuracy) {
+  const double order =
+      has_free_order(model) ? model::sphere_rest_order(material).value() : model::full_order;
+  const double tension = 0.07;
+  const auto second =
+      second_variation(material, model, sphere_at_rest(material, order, tension, 96));
+  for (int m = 0; m <= 4; ++m) {
+    SCOPED_TRACE(m);
+    const auto found = growth_rates(second, material, model, m, 2);
+    ASSERT_TRUE(found);
+    for (const Parity parity : {Parity::even, Parity::odd}) {
+      std::vector<double> exact;
+      for (int l = m; l < 12; ++l)
+        if ((l - m) % 2 == (parity == Parity::odd))
+          std::ranges::copy(sphere_rates(material, model, order, tension, l),
+                            std::back_inserter(exact));
+      std::ranges::sort(exact, std::greater{});
+      std::size_t k = 0;
+      for (const GrowthMode& mode : *found) {
+        if (mode.parity != parity) continue;
+        EXPECT_NEAR(mode.rate / exact[k++], 1, accuracy);
+      }
+      EXPECT_EQ(k, 2U);
+    }
+  }
+}
+
+TEST(GrowthRates, of_the_sphere_are_those_of_the_harmonics) {
+  struct Drag {
+    double viscosity, tangential, normal, order_viscosity;
+  };
+  for (const Drag& drag : {Drag{1, 0.1, 0.1, 0},
+                           {1, 0.1, 0.1, 0.5},
+                           {0, 1, 1, 0},
+                           {1, 0, 0, 0},
+                           {1, 0, 0.3, 0},
+                           {0.001, 0.1, 0.2, -1}}) {
+    SCOPED_TRACE(drag.viscosity);
+    Material material;
+    material.viscosity = drag.viscosity;
+    material.friction_tangential = drag.tangential;
+    material.friction_normal = drag.normal;
+    material.order_viscosity = drag.order_viscosity;
+    expect_sphere_rates(material, Model::SSH, 1e-8);
+    expect_sphere_rates(material, Model::SBEH, 1e-8);
+  }
+}
+
+TEST(GrowthRates, of_the_sphere_know_unequal_moduli) {
+  Material material;
+  material.L2 = 0.02;
+  material.L3 = 0.03;
+  expect_sphere_rates(material, Model::SSH, 1e-8);
+  expect_sphere_rates(material, Model::SBEH, 1e-8);
+}
+
+TEST(GrowthRates, of_the_L2_flow_along_the_normals_are_the_eigenvalues) {
+  const Material material;
+  SshBranch branch(Branch::oblate, material, Numerics{});
+  const auto state = branch.at(0.7);
+  ASSERT_TRUE(state && state->arrival == Arrival::reached);
+  const auto second = second_variation(material, Model::SSH, state->state);
+  for (int m = 0; m <= 3; ++m) {
+    const auto rates = growth_rates(second, material, Model::HelfrichGlobal, m, 1);
+    const auto modes = lowest_modes(second, m, 1);
+    ASSERT_TRUE(rates && modes);
+    ASSERT_EQ(rates->size(), modes->modes.size());
+    for (std::size_t k = 0; k < modes->modes.size(); ++k)
+      EXPECT_EQ((*rates)[k].rate, -modes->modes[k].eigenvalue);
+  }
+}
+
+// Rates and eigenvalues have opposite signs, and there are as many of either.
+TEST(GrowthRates, have_the_inertia_of_the_second_variation) {
+  const auto state = ordered_oblate(0.6, 0.07, 48);
+  ASSERT_TRUE(state);
+  const Material material = Material{}.with_L(0.07);
+  const auto second = second_variation(material, Model::SBEH, *state);
+  int growing = 0;
+  for (int m = 0; m <= 4; ++m) {
+    const auto rates = growth_rates(second, material, Model::SBEH, m, 3);
+    const auto modes = lowest_modes(second, m, 3);
+    ASSERT_TRUE(rates && modes);
+    const auto positive =
+        std::ranges::count_if(*rates, [](const GrowthMode& mode) { return mode.rate > 0; });
+    EXPECT_EQ(positive,
+              std::ranges::count_if(modes->modes,
+                                    [](const Eigenmode& mode) { return mode.eigenvalue < 0; }))
+        << m;
+    growing += int(positive);
+  }
+  EXPECT_EQ(growing, 2);  // m = 1 and m = 2, each with cos and sin
+}
+
+// Where nothing resists motions as a whole the rates are the limit of small friction.
+TEST(GrowthRates, without_friction_are_those_of_little_friction) {
+  const auto state = ordered_oblate(0.7, 0.04, 48);
+  ASSERT_TRUE(state);
+  const auto rate = [&](double friction, int m) {
+    Material material = Material{}.with_L(0.04);
+    material.friction_tangential = material.friction_normal = friction;
+    const auto found =
+        growth_rates(second_variation(material, Model::SBEH, *state), material, Model::SBEH, m, 1);
+    return found ? found->front().rate : std::nan("");
+  };
+  for (int m = 0; m <= 3; ++m) {
+    const double none = rate(0, m);
+    EXPECT_NEAR(rate(1e-6, m) / none, 1, 1e-5) << m;
+    EXPECT_NEAR((rate(2e-4, m) - none) / (rate(1e-4, m) - none), 2, 1e-2) << m;
+  }
+}
+
+}  // namespace
+}  // namespace sbeh::axisym
