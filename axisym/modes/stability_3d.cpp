@@ -1,5 +1,7 @@
 #include "axisym/modes/stability_3d.h"
 
+#include "axisym/modes/growth_rates.h"
+
 #include <algorithm>
 #include <cmath>
 
@@ -34,6 +36,8 @@ std::optional<Stability3d> stability_3d(const model::Material& material, model::
     if (!found) return {};
     result.eigenvalue[std::size_t(m)] = found->modes.front().eigenvalue;
     result.rigid_residual = std::max(result.rigid_residual, found->rigid_residual);
+    if (const auto rates = growth_rates(second, material, model, m, 1))
+      result.rate[std::size_t(m)] = rates->front().rate;
     int falling = 0;
     for (const Eigenmode& mode : found->modes) {
       nearest_to_zero = std::min(nearest_to_zero, std::abs(mode.eigenvalue));

@@ -14,6 +14,8 @@ inline constexpr int most_modes = 6;
 struct Stability3d {
   /// The lowest of each m, rigid motions left out; nan where it was not computed.
   std::array<double, most_modes + 1> eigenvalue = all_unknown();
+  /// Of the model's flow the largest of each m, likewise.
+  std::array<double, most_modes + 1> rate = all_unknown();
   double rigid_residual = std::numeric_limits<double>::quiet_NaN();  ///< see ModeSpectrum
   /// Of how many independent directions the energy falls in; each m ≥ 1 counts twice. Empty where an eigenvalue is
   /// nearer to zero than what rigid motions leave, so that its sign is not known.

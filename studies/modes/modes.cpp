@@ -2,6 +2,7 @@
 
 #include "axisym/circles.h"
 #include "axisym/modes/fluctuations.h"
+#include "axisym/modes/growth_rates.h"
 #include "axisym/modes/stability_3d.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
@@ -80,6 +81,19 @@ std::vector<StateMode> numbered(const axisym::ModeSpectrum& spectrum, const Phys
   return modes;
 }
 
+// To the k-th eigenvalue of a parity belongs the k-th rate: as many are positive as eigenvalues negative.
+void add_rates(const ModesInput& input, const axisym::SecondVariation& second, int m,
+               std::vector<StateMode>& modes) {
+  int most = 0;
+  for (const StateMode& mode : modes) most = std::max(most, mode.key.number);
+  const auto rates = axisym::growth_rates(second, input.state.material, input.state.model, m, most);
+  if (!rates) return;
+  std::map<axisym::Parity, int> count;
+  for (const axisym::GrowthMode& of : *rates)
+    for (const int number = ++count[of.parity]; StateMode & mode : modes)
+      if (mode.key.parity == of.parity && mode.key.number == number) mode.rate = of.rate;
+}
+
 FoundModes find_modes(const ModesInput& input, const axisym::SecondVariation& second) {
   FoundModes found;
   const Physics physics{input.state.model, input.state.material};
@@ -91,8 +105,9 @@ FoundModes find_modes(const ModesInput& input, const axisym::SecondVariation& se
           fmt::format("{}: the modes of m = {} are not found: use more elements in [numerics]",
                       text_of(input.state), m));
     found.rigid_residual = std::max(found.rigid_residual, spectrum->rigid_residual);
-    for (StateMode& mode : numbered(*spectrum, physics, second.state, input.number))
-      found.modes.push_back(std::move(mode));
+    auto modes = numbered(*spectrum, physics, second.state, input.number);
+    add_rates(input, second, m, modes);
+    std::ranges::move(modes, std::back_inserter(found.modes));
   }
   return found;
 }

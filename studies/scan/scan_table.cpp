@@ -29,12 +29,13 @@ bool read_modes(const std::string& field, Stability3d& modes) {
   return numbers.eof();
 }
 
-Columns<PointResult> with_eigenvalues(Columns<PointResult> columns) {
+// A column for each m.
+Columns<PointResult> with_each_m(Columns<PointResult> columns, std::string_view name,
+                                 std::array<double, axisym::most_modes + 1> Stability3d::*values) {
   for (std::size_t m = 0; m <= axisym::most_modes; ++m)
     columns.push_back(known_column<PointResult>(
-        fmt::format("eigenvalue_m{}", m), [m](auto& row) -> auto& {
-          return row.modes.eigenvalue[m];
-        }));
+        fmt::format("{}_m{}", name, m),
+        [ m, values ](auto& row) -> auto& { return (row.modes.*values)[m]; }));
   return columns;
 }
 
@@ -94,7 +95,8 @@ const Columns<PointResult>& scan_columns() {
       known_column<Row>("rigid_residual", inside(&Row::modes, &Stability3d::rigid_residual),
                         "{:.3g}"),
   };
-  static const Columns<Row> all = with_eigenvalues(columns);
+  static const Columns<Row> all = with_each_m(
+      with_each_m(columns, "eigenvalue", &Stability3d::eigenvalue), "rate", &Stability3d::rate);
   return all;
 }
 

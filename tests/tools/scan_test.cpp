@@ -19,7 +19,7 @@ const std::string columns =
     "stop_reason,class,negative_directions,self_contact,fold_side,fold_L,"
     "energy_error,W2_error,H_pole_error,negative_directions_3d,unstable_modes,rigid_residual,"
     "eigenvalue_m0,eigenvalue_m1,eigenvalue_m2,eigenvalue_m3,eigenvalue_m4,eigenvalue_m5,"
-    "eigenvalue_m6";
+    "eigenvalue_m6,rate_m0,rate_m1,rate_m2,rate_m3,rate_m4,rate_m5,rate_m6";
 
 // Around the fold of SBEH's oblate branch at V_r = 0.6, which lies at L = 0.0706.
 const std::string across_the_fold =

@@ -133,7 +133,7 @@ TEST(Tables, have_these_columns) {
          "stop_reason,class,negative_directions,self_contact,fold_side,fold_L,"
          "energy_error,W2_error,H_pole_error,negative_directions_3d,unstable_modes,rigid_residual,"
          "eigenvalue_m0,eigenvalue_m1,eigenvalue_m2,eigenvalue_m3,eigenvalue_m4,eigenvalue_m5,"
-         "eigenvalue_m6");
+         "eigenvalue_m6,rate_m0,rate_m1,rate_m2,rate_m3,rate_m4,rate_m5,rate_m6");
   expect(fold_columns(), "reduced_volume,L,energy,order_min,H_abs_max,branch,kind");
   expect(equal_energy_columns(), "first,second,L,reduced_volume,energy");
   expect(lowest_columns(),
