@@ -7,6 +7,7 @@
 #include "tools/commands/commands.h"
 
 #include <fmt/ranges.h>
+#include <malloc.h>
 
 #include <algorithm>
 #include <cstdio>
@@ -15,6 +16,13 @@ namespace {
 
 using namespace sbeh;
 using tools::complain;
+
+// Matrices come and go by the thousand: their memory is not given back to the system in between.
+void keep_memory() {
+  constexpr int most = 1 << 28;  // bytes
+  mallopt(M_MMAP_THRESHOLD, 1 << 25);
+  mallopt(M_TRIM_THRESHOLD, most);
+}
 
 // A word of the command line that CLI11 did not take, with what may have been meant.
 int complain_of(const std::string& word, const char* what, const std::vector<std::string>& known,
@@ -85,6 +93,7 @@ int run_and_report(int argc, char** argv) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  keep_memory();
   const int code = run_and_report(argc, argv);
   if (std::fflush(stdout) == 0) return code;
   complain("standard output cannot be written");

@@ -18,7 +18,7 @@ std::optional<ModeSpectrum> lowest_modes(const SecondVariation& second, int m, i
                       .rigid = {},
                       .free = {},
                       .scale = second.stiffness};
-  for (const RigidMotion& motion : rigid_motions(second, m))
+  for (const RigidMotion& motion : rigid_motions(second.state, m, mass))
     problem.rigid.push_back(unknowns_of(motion));
   auto found = lowest(problem, is_symmetric(second.state.X), count);
   if (!found) return {};

@@ -28,8 +28,8 @@ Eigen::VectorXd widening(const Nodes& X) {
 
 // What the response to a load must be orthogonal to; of a sphere area and volume are one.
 Eigen::MatrixXd borders(const SecondVariation& second, int m) {
-  const std::vector<RigidMotion> rigid = rigid_motions(second, m);
   const model::BandMatrix mass = second.mass_of(m);
+  const std::vector<RigidMotion> rigid = rigid_motions(second.state, m, mass);
   const Eigen::Index kept = m == 0 ? second.constraints.cols() : 0;
   Eigen::MatrixXd columns(second.constraints.rows(), kept + Eigen::Index(rigid.size()));
   if (kept > 0) columns.leftCols(kept) = second.constraints;

@@ -34,9 +34,8 @@ Eigen::VectorXd drag_on(const Eigen::VectorXd& motion, model::Material material,
 
 // The rigid motions, each with a displacement that it, and none of those before it, changes much.
 std::vector<FreeMotion> free_motions(const SecondVariation& second, const model::Material& material,
-                                     int m) {
-  const model::BandMatrix square = second.mass_of(m);
-  const std::vector<RigidMotion> motions = rigid_motions(second, m);
+                                     int m, const model::BandMatrix& square) {
+  const std::vector<RigidMotion> motions = rigid_motions(second.state, m, square);
   std::vector<Eigen::VectorXd> rest;  // what is left of them where those before are taken off
   for (const RigidMotion& motion : motions) rest.push_back(unknowns_of(motion));
   std::vector<FreeMotion> free;
@@ -70,10 +69,11 @@ ModeProblem problem_of(const SecondVariation& second, const model::Material& mat
       .idle = {},
       .square = second.mass_of(m),
       .rigid = {},
-      .free = free_motions(second, material, m),
+      .free = {},
       .scale = second.stiffness
              / (material.viscosity + material.friction_tangential + material.friction_normal)};
   hold_flow(nodes, m, 1, problem.A);
+  problem.free = free_motions(second, material, m, problem.square);
   // Nothing resists what turns a sphere without tangential friction.
   if (m == 1 && round && material.friction_tangential == 0)
     problem.free.push_back({Eigen::VectorXd::Zero(problem.A.size()), {}, flow_index(0, flow_v_t)});

@@ -37,7 +37,7 @@ class Mass {
       for (Eigen::Index i = 0; i < count; ++i)
         held(i, j) = motion.x[problem.free[std::size_t(i)].held];
     }
-    share_.compute(held);
+    if (count > 0) share_.compute(held);
   }
   Eigen::VectorXd operator()(const Eigen::VectorXd& x) const {
     Eigen::VectorXd product = matrix_.times(x);

@@ -73,14 +73,14 @@ Eigen::VectorXd unknowns_of(const RigidMotion& motion) {
   return x;
 }
 
-std::vector<RigidMotion> rigid_motions(const SecondVariation& second, int m) {
+std::vector<RigidMotion> rigid_motions(const StationaryState& state, int m,
+                                       const model::BandMatrix& mass) {
   constexpr double none = 1e-6;  // a sphere's rotation moves nothing
-  const model::BandMatrix mass = second.mass_of(m);
   const auto product = [&](const RigidMotion& a, const RigidMotion& b) {
     return unknowns_of(a).dot(mass.times(unknowns_of(b)));
   };
   std::vector<RigidMotion> rigid;
-  for (RigidMotion& motion : motions_of(second.state, m)) {
+  for (RigidMotion& motion : motions_of(state, m)) {
     // Without up-down symmetry a translation across and the rotation are not orthogonal.
     for (const RigidMotion& other : rigid) motion = sum(motion, -product(other, motion), other);
     const double square = product(motion, motion);

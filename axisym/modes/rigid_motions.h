@@ -13,9 +13,10 @@ struct RigidMotion {
   Field u, b, v_t, v_phi;
 };
 
-/// Those that go with cos mφ, orthonormal in ∫(u² + b²) r ds: the translation along the axis for m = 0, that across and
+/// Those that go with cos mφ, orthonormal in the mass ∫(u² + b²) r ds of that m: the translation along the axis for m = 0, that across and
 /// the rotation about an axis across for m = 1. Without the rotation of a sphere, which moves nothing.
-std::vector<RigidMotion> rigid_motions(const SecondVariation& second, int m);
+std::vector<RigidMotion> rigid_motions(const StationaryState& state, int m,
+                                       const model::BandMatrix& mass);
 
 /// (u, b) in the unknowns of SecondVariation.
 Eigen::VectorXd unknowns_of(const RigidMotion& motion);
