@@ -107,13 +107,19 @@ Zero polished(const Line& line, const Zero& rough, const Kind& kind) {
   return zero;
 }
 
-// Over twice as many elements; empty where Newton's method fails.
-std::optional<PathState> refined(const Line& line, const PathState& state,
-                                 const Numerics& numerics) {
-  const int elements = 2 * element_count(state.X);
-  return elements <= most_elements
-           ? on_nodes(line, state, redistribute(state, numerics.grading, elements))
-           : std::nullopt;
+// Empty where Newton's method fails.
+std::optional<PathState> over(int elements, const Line& line, const PathState& state,
+                              const Numerics& numerics) {
+  return on_nodes(line, state, redistribute(state, numerics.grading, elements));
+}
+
+// μ at the zero over half as many elements; infinite where there is none.
+double place_over_half(const Line& line, const Zero& zero, const Kind& kind,
+                       const Numerics& numerics) {
+  const auto coarse = over(element_count(zero.state.X) / 2, line, zero.state, numerics);
+  if (!coarse) return infinite;
+  const double value = eigenvalue_of(second_variation_at(line, *coarse), kind);
+  return coarse->mu - coarse->slope() * value / zero.slope;
 }
 
 struct LowestMode {
@@ -168,27 +174,35 @@ double length_to_fold(const Line& line, const PathState& from, double beyond) {
   return slope(fold.low) > 0 ? fold.low : (1 - std::ldexp(1, -bits)) * fold.low;
 }
 
+// Estimated, of the coordinate.
+double error_of(const Line& line, const Zero& zero, double coarser_mu) {
+  constexpr double overestimate = 1. / 16;
+  const double of_length =
+      std::max(std::abs(zero.last_change), zero.rigid_residual / std::abs(zero.slope));
+  return std::abs(coordinate(line, 1) - coordinate(line, 0))
+       * std::max(overestimate * std::abs(zero.state.mu - coarser_mu),
+                  std::abs(zero.state.slope()) * of_length);
+}
+
 Threshold located(const Line& line, const PathState& from, double ds, const Change& change,
-                  const Numerics& numerics) {
+                  const Numerics& numerics, double promised) {
   const Kind& kind = change.kind;
   Threshold threshold{kind.m, kind.parity, {from, line.at(from.mu)}, infinite, false};
-  const double reach = coordinate(line, 1) - coordinate(line, 0);
+  const auto keep = [&](const Zero& zero, double coarser_mu) {
+    const PathState& state = zero.state;
+    threshold.state = {state, line.at(state.mu), state.determinant_sign};
+    threshold.error = error_of(line, zero, coarser_mu);
+    threshold.is_located = threshold.error <= promised;
+  };
   try {
     Zero zero = polished(line, rough_zero(line, from, ds, change), kind);
-    while (!threshold.is_located) {
-      const auto fine = refined(line, zero.state, numerics);
+    keep(zero, place_over_half(line, zero, kind, numerics));
+    while (!threshold.is_located && 2 * element_count(zero.state.X) <= most_elements) {
+      const auto fine = over(2 * element_count(zero.state.X), line, zero.state, numerics);
       if (!fine) break;
       const double before = zero.state.mu;
       zero = polished(line, {*fine, zero.slope}, kind);
-      const PathState& state = zero.state;
-      constexpr double overestimate = 1. / 16;
-      const double of_length =
-          std::abs(state.slope())
-          * std::max(std::abs(zero.last_change), zero.rigid_residual / std::abs(zero.slope));
-      threshold.error =
-          std::abs(reach) * std::max(overestimate * std::abs(state.mu - before), of_length);
-      threshold.state = {state, line.at(state.mu), state.determinant_sign};
-      threshold.is_located = threshold.error <= promised_threshold;
+      keep(zero, before);
     }
   } catch (const std::domain_error&) {  // lost on the way
     threshold.is_located = false;
@@ -199,15 +213,17 @@ Threshold located(const Line& line, const PathState& from, double ds, const Chan
 }  // namespace
 
 Threshold threshold_within(const Line& line, const PathState& from, double ds, int m, Parity parity,
-                           const Numerics& numerics) {
+                           const Numerics& numerics, double promised) {
   const auto eigenvalue_at = [&](double h) {
     return eigenvalue_of(second_variation_at(line, step_to(line, from, h)), {m, parity});
   };
-  return located(line, from, ds, {{m, parity}, eigenvalue_at(0), eigenvalue_at(ds)}, numerics);
+  return located(line, from, ds, {{m, parity}, eigenvalue_at(0), eigenvalue_at(ds)}, numerics,
+                 promised);
 }
 
 std::vector<Threshold> thresholds_along(const Line& line, const StationaryState& from,
-                                        std::span<const int> ms, const Numerics& numerics) {
+                                        std::span<const int> ms, const Numerics& numerics,
+                                        double promised) {
   constexpr int most_steps = 60;
   constexpr double shortest = 1e-6;
   std::vector<Threshold> found;
@@ -226,7 +242,7 @@ std::vector<Threshold> thresholds_along(const Line& line, const StationaryState&
     const std::vector<LowestMode> after = lowest_of_each(line, *next, ms);
     for (const Change& change : changed_signs(before, after)) {
       if (is_over_fold && is_of_fold(change.kind)) continue;
-      Threshold threshold = located(line, *here, ds, change, numerics);
+      Threshold threshold = located(line, *here, ds, change, numerics, promised);
       if (is_between_ends(line, threshold.state.at)) found.push_back(std::move(threshold));
     }
     if (is_over_fold || next->mu >= 1) break;

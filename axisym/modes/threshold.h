@@ -9,7 +9,7 @@
 
 namespace sbeh::axisym {
 
-/// The estimated error, in V_r or L, within which a threshold is located.
+/// The estimated error, in V_r or L, within which a threshold is located unless less is asked for.
 inline constexpr double promised_threshold = 1e-7;
 
 struct Threshold {
@@ -20,17 +20,18 @@ struct Threshold {
   /// or the change over which the eigenvalue is nearer to zero than what rigid motions leave. Infinite where the
   /// branch was lost on the way.
   double error;
-  bool is_located;  ///< within what is promised
+  bool is_located;  ///< within the error that was asked for
 };
 
 /// The threshold between a state on a path and the one ds further, where the eigenvalue has the other sign. Elements
 /// are doubled (to most_elements at the most) until the error is as promised.
 Threshold threshold_within(const Line& line, const PathState& from, double ds, int m, Parity parity,
-                           const Numerics& numerics);
+                           const Numerics& numerics, double promised = promised_threshold);
 
 /// Those of these m between a stationary state at μ = 0 and μ = 1, or the fold before that, which is none of them
 /// itself. Two of one m and parity within a step along the path are not seen.
 std::vector<Threshold> thresholds_along(const Line& line, const StationaryState& from,
-                                        std::span<const int> ms, const Numerics& numerics);
+                                        std::span<const int> ms, const Numerics& numerics,
+                                        double promised = promised_threshold);
 
 }  // namespace sbeh::axisym

@@ -16,25 +16,12 @@
 
 namespace sbeh::axisym {
 
-namespace {
-
 using std::numbers::pi;
 
-// κ = 1 and no potential: the energy is F − 4π and the multipliers are those of F.
 model::Material classical_material() {
   model::Material m;
   m.potential = model::Potential({0});
   return m.with_L(0.5);
-}
-
-BranchState moved(const BranchState& from, double reduced_volume, const Numerics& numerics) {
-  const model::Material m = classical_material();
-  const FollowResult r = follow(m, model::Model::SSH, from, {reduced_volume, m.L1}, numerics);
-  if (r.arrival != Arrival::reached)
-    throw std::domain_error(
-        fmt::format("classical branch: not reached at reduced volume {}, it {}", reduced_volume,
-                    r.arrival == Arrival::fold ? "ends in a fold" : "was lost"));
-  return r.state;
 }
 
 double reduced_energy(const BranchState& b) {
@@ -60,6 +47,18 @@ ClassicalShape shape_of(Branch branch, const BranchState& b) {
     shape.profile.row(1) *= -1;
   }
   return shape;
+}
+
+namespace {
+
+BranchState moved(const BranchState& from, double reduced_volume, const Numerics& numerics) {
+  const model::Material m = classical_material();
+  const FollowResult r = follow(m, model::Model::SSH, from, {reduced_volume, m.L1}, numerics);
+  if (r.arrival != Arrival::reached)
+    throw std::domain_error(
+        fmt::format("classical branch: not reached at reduced volume {}, it {}", reduced_volume,
+                    r.arrival == Arrival::fold ? "ends in a fold" : "was lost"));
+  return r.state;
 }
 
 // Two reduced volumes and energies of branches at equal V_r, moved by Newton to equal energy; the
@@ -132,8 +131,8 @@ SpecialPoints ElementBranches::special_points() {
   };
 }
 
-std::vector<ClassicalShape> ElementBranches::shapes(Branch branch,
-                                                    std::span<const double> reduced_volumes) {
+std::vector<BranchState> ElementBranches::states(Branch branch,
+                                                 std::span<const double> reduced_volumes) {
   // Downwards from the entry, then upwards from it; stomatocytes downwards from the fold.
   std::vector<std::size_t> order(reduced_volumes.size());
   std::iota(order.begin(), order.end(), std::size_t(0));
@@ -145,16 +144,24 @@ std::vector<ClassicalShape> ElementBranches::shapes(Branch branch,
   });
   std::reverse(order.begin(), first_below);
 
-  std::vector<ClassicalShape> shapes(reduced_volumes.size());
+  std::vector<BranchState> states(reduced_volumes.size());
   const auto walk = [&](auto begin, auto end) {
     BranchState here = start;
     for (auto i = begin; i != end; ++i) {
       here = moved(here, reduced_volumes[*i], numerics_);
-      shapes[*i] = shape_of(branch, here);
+      states[*i] = here;
     }
   };
   walk(order.begin(), first_below);
   walk(first_below, order.end());
+  return states;
+}
+
+std::vector<ClassicalShape> ElementBranches::shapes(Branch branch,
+                                                    std::span<const double> reduced_volumes) {
+  std::vector<ClassicalShape> shapes;
+  for (const BranchState& state : states(branch, reduced_volumes))
+    shapes.push_back(shape_of(branch, state));
   return shapes;
 }
 

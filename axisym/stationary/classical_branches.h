@@ -10,6 +10,15 @@
 
 namespace sbeh::axisym {
 
+/// κ = 1 and no potential: the energy is F − 4π and the multipliers are those of F.
+model::Material classical_material();
+
+/// F/(8πκ) of a state of that material.
+double reduced_energy(const BranchState& state);
+
+/// The shape of such a state.
+ClassicalShape shape_of(Branch branch, const BranchState& state);
+
 /// The branches, each entered once: oblates and prolates from spheroids with V_r = 0.95, stomatocytes from
 /// the pitchfork of the oblates over their fold. All functions throw std::domain_error where a branch is
 /// lost.
@@ -17,9 +26,10 @@ class ElementBranches {
  public:
   explicit ElementBranches(const Numerics& numerics) : numerics_(numerics) {}
 
-  /// The shapes of a branch at these reduced volumes, in their order; those of the stomatocytes are the
+  /// The states of a branch at these reduced volumes, in their order; those of the stomatocytes are the
   /// stable ones, beyond the fold. Throws std::domain_error naming the reduced volume that the branch does
   /// not reach.
+  std::vector<BranchState> states(Branch branch, std::span<const double> reduced_volumes);
   std::vector<ClassicalShape> shapes(Branch branch, std::span<const double> reduced_volumes);
 
   /// The five special points. The errors are the differences from half as many elements, which

@@ -13,13 +13,12 @@ using axisym::Diagnostics;
 using axisym::Energy;
 using axisym::Stability3d;
 
-namespace {
-
-// "1 2"; "none" where all are known to be stable; nothing where that is not known.
 std::string text_of_modes(const Stability3d& modes) {
   if (!modes.negative_directions) return "";
   return modes.unstable.empty() ? "none" : fmt::format("{}", fmt::join(modes.unstable, " "));
 }
+
+namespace {
 
 bool read_modes(const std::string& field, Stability3d& modes) {
   modes.unstable.clear();

@@ -15,6 +15,8 @@ using model::Model;
 
 namespace {
 
+constexpr double few_lines = 1e-9;  // the error where lines are solved for once for all L
+
 // Neighbours: a state, and one on whose side lines of these m are looked for.
 struct Stretch {
   PointKey from, to;
@@ -110,9 +112,10 @@ std::vector<StabilityLineRow> rows_on(const ScanInput& input, const Stretch& str
   axisym::Line line{
       input.material, stretch.from.model, start->at, {stretch.to.reduced_volume, stretch.to.L}};
   line.symmetric = axisym::is_symmetric(start->X);
+  const double promised = line.model == Model::SSH ? few_lines : axisym::promised_threshold;
   std::vector<StabilityLineRow> rows;
   for (const axisym::Threshold& threshold :
-       axisym::thresholds_along(line, *start, stretch.ms, input.numerics))
+       axisym::thresholds_along(line, *start, stretch.ms, input.numerics, promised))
     rows.push_back(row_of(stretch, threshold));
   return rows;
 }

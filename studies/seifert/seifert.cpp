@@ -1,16 +1,20 @@
 #include "studies/seifert/seifert.h"
 
+#include "axisym/modes/threshold.h"
 #include "axisym/shooting/seifert_shooting.h"
 #include "axisym/spectral/minimiser.h"
 #include "axisym/stationary/classical_branches.h"
+#include "axisym/stationary/symmetry.h"
 #include "studies/io/output.h"
 #include "studies/io/stopwatch.h"
+#include "studies/scan/scan_table.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sbeh::studies {
 
@@ -32,6 +36,50 @@ std::vector<double> volumes_of(Branch branch) {
   return volumes;
 }
 
+constexpr std::array modes_of_shapes{0, 1, 2, 3, 4};
+
+// Between neighbours.
+std::vector<ClassicalThreshold> thresholds_of(Branch branch,
+                                              const std::vector<axisym::BranchState>& states,
+                                              const axisym::Numerics& numerics) {
+  constexpr double promised = 1e-9;
+  std::vector<ClassicalThreshold> found;
+  for (std::size_t k = 1; k < states.size(); ++k) {
+    axisym::Line line{axisym::classical_material(), model::Model::SSH, states[k - 1].at,
+                      states[k].at};
+    line.symmetric = axisym::is_symmetric(states[k - 1].X);
+    for (const axisym::Threshold& t :
+         axisym::thresholds_along(line, states[k - 1], modes_of_shapes, numerics, promised))
+      found.push_back(
+          {branch, t.m, t.parity,
+           SpecialPoint{
+               .reduced_volume = t.state.at.reduced_volume,
+               .energy = axisym::reduced_energy(t.state),
+               .error = t.is_located ? t.error : std::numeric_limits<double>::infinity()}});
+  }
+  return found;
+}
+
+WitnessReport report_of_elements(const axisym::Numerics& numerics) {
+  const Stopwatch watch;
+  axisym::ElementBranches branches(numerics);
+  WitnessReport r{"elements", {}, {}, 0};
+  for (const Branch branch : values_of(Branch{})) {
+    const auto states = branches.states(branch, volumes_of(branch));
+    for (const axisym::BranchState& state : states) {
+      r.shapes.push_back(axisym::shape_of(branch, state));
+      r.modes.push_back(axisym::stability_3d(axisym::classical_material(), model::Model::SSH, state,
+                                             modes_of_shapes.back())
+                            .value_or(axisym::Stability3d{}));
+    }
+    for (ClassicalThreshold& threshold : thresholds_of(branch, states, numerics))
+      r.thresholds.push_back(threshold);
+  }
+  r.points = branches.special_points_with_errors();
+  r.seconds = watch.seconds();
+  return r;
+}
+
 template <class Shapes, class Points>
 WitnessReport report(std::string name, Shapes&& shapes_of, Points&& points) {
   const Stopwatch watch;
@@ -45,12 +93,7 @@ WitnessReport report(std::string name, Shapes&& shapes_of, Points&& points) {
 }
 
 WitnessReport witness(int which, const axisym::Numerics& numerics) {
-  if (which == 0) {
-    axisym::ElementBranches branches(numerics);
-    return report(
-        "elements", [&](Branch b, const auto& v) { return branches.shapes(b, v); },
-        [&] { return branches.special_points_with_errors(); });
-  }
+  if (which == 0) return report_of_elements(numerics);
   if (which == 1)
     return report(
         "shooting", [](Branch b, const auto& v) { return axisym::shoot_branch(b, v); },
@@ -90,7 +133,9 @@ SpecialPoints agreed_points(const std::vector<WitnessReport>& witnesses) {
 void write_tables(const OutputFolder& folder, const SeifertSummary& summary) {
   std::vector<BranchRow> shapes;
   for (const WitnessReport& w : summary.witnesses)
-    for (const ClassicalShape& shape : w.shapes) shapes.push_back({w.witness, shape});
+    for (std::size_t k = 0; k < w.shapes.size(); ++k)
+      shapes.push_back(
+          {w.witness, w.shapes[k], w.modes.empty() ? axisym::Stability3d{} : w.modes[k]});
   std::vector<PointRow> points, each;
   for (const NamedPoint& p : special_point_names()) {
     points.push_back({"", p.name, summary.points.*p.member});
@@ -103,6 +148,7 @@ void write_tables(const OutputFolder& folder, const SeifertSummary& summary) {
   write("branches.csv", branch_columns(), shapes);
   write("points.csv", point_columns(), points);
   write("points_by_witness.csv", witness_point_columns(), each);
+  write("stability_lines.csv", classical_threshold_columns(), summary.witnesses.front().thresholds);
   write("differences.csv", disagreement_columns(), summary.disagreements);
 }
 
@@ -168,6 +214,11 @@ std::string table_of(const SeifertSummary& summary) {
     text += fmt::format("  {:<22} V_r = {:.9f} +- {:.1e}   F/(8 pi kappa) = {:.8f}\n", p.name,
                         s.reduced_volume, s.error, s.energy);
   }
+  text += "\nwhere the second variation changes its sign (finite elements)\n";
+  for (const ClassicalThreshold& t : summary.witnesses.front().thresholds)
+    text += fmt::format("  {:<22} V_r = {:.9f} +- {:.1e}   F/(8 pi kappa) = {:.8f}\n",
+                        fmt::format("{}, m = {} {}", sbeh::name(t.branch), t.m, name(t.parity)),
+                        t.point.reduced_volume, t.point.error, t.point.energy);
   for (const WitnessReport& w : summary.witnesses)
     text += fmt::format("{}: {} shapes and the points in {:.2f} s\n", w.witness, w.shapes.size(),
                         w.seconds);
@@ -179,16 +230,41 @@ const Columns<BranchRow>& branch_columns() {
   const auto of_shape = [](std::string name, auto member) {
     return column<Row>(std::move(name), inside(&Row::shape, member));
   };
+  static const Columns<Row> columns = [&] {
+    Columns<Row> all{
+        column("witness", &Row::witness),
+        of_shape("branch", &ClassicalShape::branch),
+        of_shape("reduced_volume", &ClassicalShape::reduced_volume),
+        of_shape("energy_reduced", &ClassicalShape::energy),
+        of_shape("H_pole", &ClassicalShape::H_pole),
+        of_shape("pressure", &ClassicalShape::pressure),
+        of_shape("tension", &ClassicalShape::tension),
+        negative_directions(),
+        of_shape("self_contact", &ClassicalShape::self_contact),
+        column<Row>("negative_directions_3d",
+                    inside(&Row::modes, &axisym::Stability3d::negative_directions)),
+        derived_column<Row>("unstable_modes",
+                            [](const Row& row) { return text_of_modes(row.modes); }),
+    };
+    for (const int m : modes_of_shapes)
+      all.push_back(known_column<Row>(
+          fmt::format("eigenvalue_m{}", m), [m](auto& row) -> auto& {
+            return row.modes.eigenvalue[std::size_t(m)];
+          }));
+    return all;
+  }();
+  return columns;
+}
+
+const Columns<ClassicalThreshold>& classical_threshold_columns() {
+  using Row = ClassicalThreshold;
   static const Columns<Row> columns{
-      column("witness", &Row::witness),
-      of_shape("branch", &ClassicalShape::branch),
-      of_shape("reduced_volume", &ClassicalShape::reduced_volume),
-      of_shape("energy_reduced", &ClassicalShape::energy),
-      of_shape("H_pole", &ClassicalShape::H_pole),
-      of_shape("pressure", &ClassicalShape::pressure),
-      of_shape("tension", &ClassicalShape::tension),
-      negative_directions(),
-      of_shape("self_contact", &ClassicalShape::self_contact),
+      column("branch", &Row::branch),
+      column("m", &Row::m),
+      column("parity", &Row::parity),
+      column<Row>("reduced_volume", inside(&Row::point, &SpecialPoint::reduced_volume)),
+      column<Row>("energy_reduced", inside(&Row::point, &SpecialPoint::energy)),
+      column<Row>("error", inside(&Row::point, &SpecialPoint::error), "{:.2g}"),
   };
   return columns;
 }

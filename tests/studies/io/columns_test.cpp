@@ -159,7 +159,9 @@ TEST(Tables, have_these_columns) {
   expect(history_columns(), "method,time,energy");
   expect(branch_columns(),
          "witness,branch,reduced_volume,energy_reduced,H_pole,pressure,tension,"
-         "negative_directions,self_contact");
+         "negative_directions,self_contact,negative_directions_3d,unstable_modes,eigenvalue_m0,"
+         "eigenvalue_m1,eigenvalue_m2,eigenvalue_m3,eigenvalue_m4");
+  expect(classical_threshold_columns(), "branch,m,parity,reduced_volume,energy_reduced,error");
   expect(point_columns(), "name,reduced_volume,energy_reduced,error");
   expect(witness_point_columns(), "witness,name,reduced_volume,energy_reduced,error");
   expect(disagreement_columns(), "first,second,branch,energy_reduced,H_pole,pressure,tension");

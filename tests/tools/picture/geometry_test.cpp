@@ -1,6 +1,7 @@
 // Lines in pictures: what of them lies in a rectangle, and contours.
 #include "tools/picture/canvas/geometry.h"
 
+#include "tools/picture/scan/chains.h"
 #include "tools/picture/scan/contours.h"
 
 #include <gtest/gtest.h>
@@ -177,6 +178,31 @@ TEST(ContoursOfCells, of_a_single_cell_with_a_value_do_not_leave_it) {
   values[2][2] = 1;
   for (const double level : {0.5, 1.5})
     EXPECT_TRUE(contours_of_cells(axis_of(5), axis_of(5), values, level).empty());
+}
+
+// Two branches of a hyperbola in no order.
+TEST(Chains, join_the_points_of_each_curve_in_their_order) {
+  Points points;
+  for (const int k : {3, 0, 7, 5, 1, 8, 2, 6, 4})
+    for (const double sign : {1.0, -1.0}) {
+      const double y = 0.5 * (k - 4);
+      points.push_back({sign * std::sqrt(1.0 + y * y), y});
+    }
+  const auto found = chains(points, 1.0);
+  ASSERT_EQ(found.size(), 2u);
+  for (const auto& chain : found) {
+    ASSERT_EQ(chain.size(), 9u);
+    for (std::size_t k = 1; k < chain.size(); ++k) {
+      const auto &a = points[chain[k - 1]], &b = points[chain[k]];
+      EXPECT_GT(a[0] * b[0], 0.0);
+      EXPECT_NEAR(std::abs(a[1] - b[1]), 0.5, 1e-12);
+    }
+  }
+}
+
+TEST(Chains, end_where_the_next_point_is_too_far) {
+  EXPECT_EQ(chains({{0.0, 0.0}, {3.0, 0.0}, {1.0, 0.0}}, 1.5).size(), 2u);
+  EXPECT_TRUE(chains({}, 1.0).empty());
 }
 
 }  // namespace

@@ -90,6 +90,9 @@ Contents contents_of(const ScanGrid& scan, const Options& options) {
   const bool maps = std::ranges::any_of(c.panels, [](const auto& panel) { return !panel; });
   if (model == Model::SBEH && (maps || !c.as_table))
     c.lines = diagram_lines(options.directory, options.branch);
+  if (maps || !c.as_table)
+    for (DiagramLine& line : stability_lines(options.directory, scan, model, options.branch))
+      c.lines.push_back(std::move(line));
   std::erase_if(c.lines, [&](const DiagramLine& line) { return !is_within(line, scan); });
   const auto add = [&](std::vector<LegendEntry> entries) {
     c.legend.insert(c.legend.end(), entries.begin(), entries.end());
@@ -157,7 +160,7 @@ void draw_heat_maps(Canvas& canvas, const ScanGrid& scan, const Options& options
       draw_heat_map(canvas, inside, panel->quantity, panel->colours, shown, text);
     else
       draw_branch_map(canvas, inside, *contents.branches, shown, text);
-    if (!panel || !grid.as_table) draw_diagram_lines(canvas, inside, contents.lines, shown);
+    if (!panel || !grid.as_table) draw_diagram_lines(canvas, inside, contents.lines, shown, text);
     const std::string& title = contents.title(i);
     require_room(inside, 0.7 * canvas.text_width(title, text) - 1.8 * text, 0.0);
     canvas.text(inside.centre_x(), inside.top() + 1.2 * text, title,

@@ -1,12 +1,16 @@
 #include "tools/picture/scan/diagram_lines.h"
 
 #include "studies/scan/branch_lines.h"
+#include "studies/scan/stability_lines.h"
+#include "tools/picture/scan/chains.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <map>
+#include <tuple>
 #include <utility>
 
 namespace sbeh::picture {
@@ -101,6 +105,44 @@ void add_sharp_rims(const std::vector<axisym::RimRecord>& states, std::vector<Di
   }
 }
 
+// Told apart by their labels.
+LineStyle stability_style(axisym::Branch branch) {
+  switch (branch) {
+    case axisym::Branch::oblate:
+      return {{110, 40, 170}, line_width, Pattern::dotted};
+    case axisym::Branch::prolate:
+      return {{0, 120, 150}, line_width, Pattern::dotted};
+    case axisym::Branch::stomatocyte:
+      return {{90, 110, 0}, line_width, Pattern::dotted};
+  }
+  return {};
+}
+
+// Of the values of a grid, the whole numbers being those.
+double place_in(const std::vector<double>& grid, double value) {
+  if (grid.size() < 2) return 0.0;
+  const auto above = std::ranges::upper_bound(grid, value);
+  const std::size_t i =
+      std::clamp<std::size_t>(std::size_t(above - grid.begin()), 1, grid.size() - 1);
+  return double(i) - (grid[i] - value) / (grid[i] - grid[i - 1]);
+}
+
+// To the right of the line, on white, at this share of its length.
+void draw_label(Canvas& canvas, const Points& piece, const DiagramLine& line, double share,
+                double text_size) {
+  const double size = 0.75 * text_size, width = canvas.text_width(line.label, size) + 0.4 * size,
+               height = 1.1 * size;
+  if (line.label.empty() || length_of(piece) < 2.0 * width) return;
+  const auto k = std::size_t(share * double(piece.size() - 1));
+  const auto &from = piece[k], &to = piece[k + 1];
+  const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
+  const double side = dy < 0.0 ? -1.0 : 1.0, nx = side * dy / length, ny = -side * dx / length;
+  const double away = 0.5 * (width * nx + height * std::abs(ny)) + 0.3 * size;
+  const double x = from[0] + away * nx, y = from[1] + away * ny;
+  canvas.fill({x - 0.5 * width, y - 0.5 * height, width, height}, white);
+  canvas.text(x, y, line.label, {.size = size, .colour = line.style.colour});
+}
+
 }  // namespace
 
 std::vector<DiagramLine> diagram_lines(const fs::path& directory, const std::string& branch) {
@@ -114,9 +156,39 @@ std::vector<DiagramLine> diagram_lines(const fs::path& directory, const std::str
   return lines;
 }
 
+std::vector<DiagramLine> stability_lines(const fs::path& directory, const ScanGrid& scan,
+                                         Model model, const std::string& branch) {
+  constexpr double farthest = 2.5;  // of the grid's steps, between neighbours on one line
+  std::map<std::tuple<axisym::Branch, int, axisym::Parity>, Points> found;
+  for (const auto& row :
+       rows_if_there(studies::stability_line_columns(), directory / "stability_lines.csv")) {
+    const bool is_wanted = row.model == model && (branch.empty() || branch == name(row.branch));
+    if (is_wanted && row.reason.empty())
+      found[{row.branch, row.m, row.parity}].push_back({row.reduced_volume, row.L});
+  }
+  std::vector<DiagramLine> lines;
+  for (const auto& [kind, points] : found) {
+    const auto& [of, m, parity] = kind;
+    Points places;
+    for (const auto& [volume, L] : points)
+      places.push_back({place_in(scan.reduced_volumes(), volume), place_in(scan.lengths(), L)});
+    for (const std::vector<std::size_t>& chain : chains(places, farthest)) {
+      DiagramLine& line = lines.emplace_back();
+      line.name = fmt::format("limit of stability, {}", name(of));
+      line.style = stability_style(of);
+      line.label = fmt::format("m = {}", m);
+      for (const std::size_t k : chain) line.points.push_back(points[k]);
+    }
+  }
+  std::erase_if(lines, [](const DiagramLine& line) { return line.points.size() < 2; });
+  return lines;
+}
+
 void draw_diagram_lines(Canvas& canvas, const Rect& inside, const std::vector<DiagramLine>& lines,
-                        const HeatMapGrid& grid) {
+                        const HeatMapGrid& grid, double text_size) {
+  double share = 0.0;  // another one for each label, so that those of lines side by side are apart
   for (const DiagramLine& line : lines) {
+    share = std::fmod(share + 0.3, 0.9);
     Points pixels;
     for (const auto& [volume, L] : line.points)
       pixels.push_back({inside.x + share_of(grid.x, volume) * inside.width,
@@ -124,6 +196,7 @@ void draw_diagram_lines(Canvas& canvas, const Rect& inside, const std::vector<Di
     for (const Points& piece : clipped(pixels, inside)) {
       canvas.line(piece, {.colour = white, .width = line.style.width + border});
       canvas.line(piece, line.style);
+      draw_label(canvas, piece, line, share, text_size);
     }
   }
 }

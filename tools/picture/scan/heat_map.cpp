@@ -15,6 +15,7 @@ namespace sbeh::picture {
 namespace {
 
 constexpr double hatch_distance = 9.0;  // pixels at the usual size of letters
+constexpr double dot_distance = 14.0, dot_size = 2.2;
 // Of the width: shorter pieces, at the rugged edges of regions and in corners, are only noise.
 constexpr double shortest_contour = 0.12;
 
@@ -31,6 +32,18 @@ void add_hatch(Points& ends, const Rect& r, double unit, bool falling = false) {
     for (const double x : {from, to})
       ends.push_back({r.x + x, falling ? r.y + (c - x) : r.top() - (c - x)});
   }
+}
+
+// On a lattice that goes on from cell to cell, one at least in each.
+void add_dots(Points& ends, const Rect& r, double unit) {
+  const double distance = unit * dot_distance, half = 0.5 * unit * dot_size;
+  const auto first = [&](double edge) { return distance * std::ceil(edge / distance); };
+  const auto add = [&](double x, double y) {
+    ends.insert(ends.end(), {{x - half, y}, {x + half, y}});
+  };
+  if (std::min(r.width, r.height) < distance) return add(r.centre_x(), r.centre_y());
+  for (double x = first(r.x); x < r.right(); x += distance)
+    for (double y = first(r.y); y < r.top(); y += distance) add(x, y);
 }
 
 void add_cross(Points& ends, const Rect& r) {
@@ -64,12 +77,13 @@ struct Cell {
   Mark mark;
   double value;
   bool striped = false;
+  bool dotted = false;
 };
 
 constexpr Colour without_value{205, 205, 205};
 
 void draw_cells(Canvas& canvas, const std::vector<Cell>& cells) {
-  Points hatch, stripes, signs, on_dark, on_light;
+  Points hatch, stripes, signs, on_dark, on_light, dots_on_dark, dots_on_light;
   for (const Cell& cell : cells) {
     canvas.fill(cell.rect, cell.colour);
     if (cell.striped) add_hatch(stripes, cell.rect, canvas.unit(), true);
@@ -77,14 +91,17 @@ void draw_cells(Canvas& canvas, const std::vector<Cell>& cells) {
     if (cell.mark == Mark::singular) add_hatch(stripes, cell.rect, canvas.unit(), true);
     if (cell.mark == Mark::failed) add_cross(signs, cell.rect);
     if (cell.mark == Mark::not_found) add_diamond(signs, cell.rect);
-    if (cell.mark == Mark::limit)
-      add_small_square(ink_on(cell.colour).red == 0 ? on_light : on_dark, cell.rect);
+    const bool is_light = ink_on(cell.colour).red == 0;
+    if (cell.dotted) add_dots(is_light ? dots_on_light : dots_on_dark, cell.rect, canvas.unit());
+    if (cell.mark == Mark::limit) add_small_square(is_light ? on_light : on_dark, cell.rect);
   }
   canvas.segments(stripes, {.colour = dark_grey, .width = 1.2});
   canvas.segments(hatch, {.colour = {150, 150, 150}, .width = 1.0});
   canvas.segments(signs, {.colour = dark_grey, .width = 1.0});
   canvas.segments(on_dark, {.colour = white, .width = 1.2});
   canvas.segments(on_light, {.colour = black, .width = 1.2});
+  canvas.segments(dots_on_dark, {.colour = white, .width = dot_size});
+  canvas.segments(dots_on_light, {.colour = black, .width = dot_size});
 }
 
 // As many decimals as show three digits of the largest value and two of the differences.
@@ -154,7 +171,8 @@ std::vector<Cell> cells_of(const Rect& inside, const Quantity& quantity, const H
                        look.colour,
                        quantity.marks[i][j],
                        value,
-                       look.striped});
+                       look.striped,
+                       quantity.saddles[i][j]});
     }
   }
   return cells;
@@ -238,6 +256,11 @@ std::vector<LegendEntry> mark_legend(const std::vector<Quantity>& quantities, bo
                            draw_cells(canvas, {{r, without_value, mark, 0.0}});
                          },
                          meaning});
+  if (std::ranges::any_of(quantities, &Quantity::has_saddle))
+    entries.push_back({[](Canvas& canvas, const Rect& r) {
+                         draw_cells(canvas, {{r, light_grey, Mark::none, 0.0, false, true}});
+                       },
+                       "no minimum in 3D"});
   if (any(Mark::absent)) {
     const auto frame = [](Canvas& canvas, const Rect& r) {
       canvas.line(r.outline(), {.colour = light_grey, .width = 1.5});

@@ -35,6 +35,7 @@ struct Entry {
   double value;
   Mark mark;
   int region;
+  bool is_saddle = false;
 };
 using Value = std::function<Entry(std::size_t volume, std::size_t length)>;
 
@@ -43,6 +44,13 @@ int branch_index(const ScanGrid& scan, const PointResult* point) {
   if (!has_value(mark_of(point))) return -1;
   return int(std::ranges::find(scan.branches(), sbeh::name(point->key.branch))
              - scan.branches().begin());
+}
+
+bool is_saddle(std::optional<int> negative_directions) {
+  return negative_directions.value_or(0) > 0;
+}
+bool is_saddle(const PointResult* point) {
+  return point && is_saddle(point->modes.negative_directions);
 }
 
 // A quantity without values yet.
@@ -58,13 +66,15 @@ Quantity tabulate(const ScanGrid& scan, Kind kind, const Value& value) {
     auto& values = quantity.values.emplace_back();
     auto& marks = quantity.marks.emplace_back();
     auto& regions = quantity.regions.emplace_back();
+    auto& saddles = quantity.saddles.emplace_back();
     for (std::size_t length = 0; length < scan.lengths().size(); ++length) {
-      auto [number, mark, region] = value(volume, length);
+      auto [number, mark, region, is_saddle] = value(volume, length);
       if (has_value(mark) && !std::isfinite(number))
         mark = mark == Mark::limit ? Mark::singular : Mark::failed;
       values.push_back(has_value(mark) ? number : none);
       marks.push_back(mark);
       regions.push_back(has_value(mark) ? region : -1);
+      saddles.push_back(has_value(mark) && is_saddle);
     }
   }
   return quantity;
@@ -76,7 +86,7 @@ Quantity of_model(const ScanGrid& scan, Model model, Kind kind, Value value) {
   return tabulate(scan, std::move(kind), [&](std::size_t volume, std::size_t length) {
     const PointResult* point = scan.find(model, volume, length);
     return Entry{point && point->diagnostics ? std::invoke(value, *point->diagnostics) : none,
-                 mark_of(point), branch_index(scan, point)};
+                 mark_of(point), branch_index(scan, point), is_saddle(point)};
   });
 }
 
@@ -89,6 +99,11 @@ std::string with_name(const char* title, Model model) {
 bool Quantity::has(Mark mark) const {
   return std::ranges::any_of(
       marks, [&](const auto& row) { return std::ranges::find(row, mark) != row.end(); });
+}
+
+bool Quantity::has_saddle() const {
+  return std::ranges::any_of(
+      saddles, [&](const auto& row) { return std::ranges::find(row, true) != row.end(); });
 }
 
 Range Quantity::range() const {
@@ -104,15 +119,19 @@ std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
   const std::filesystem::path file = directory / "lowest.csv";
   if (!std::filesystem::exists(file)) return {};
   BranchMap map{{}, scan.branches(), {}, scan.branches().size()};
-  std::map<std::pair<double, double>, std::pair<int, double>> lowest;  // branch, energy
+  struct Lowest {
+    int branch;
+    double energy;
+    bool is_saddle;
+  };
+  std::map<std::pair<double, double>, Lowest> lowest;
   for (const studies::LowestRow& row : studies::read_rows(studies::lowest_columns(), file)) {
     if (row.model != model) continue;
-    auto& [index, energy] = lowest[{row.reduced_volume, row.L}];
-    energy = row.energy;
-    index = -1;
+    Lowest& found = lowest[{row.reduced_volume, row.L}];
+    found = {-1, row.energy, is_saddle(row.negative_directions_3d)};
     if (row.branch == studies::not_found) continue;
     const auto place = std::ranges::find(map.names, row.branch);
-    index = int(place - map.names.begin());
+    found.branch = int(place - map.names.begin());
     if (place == map.names.end()) map.names.push_back(row.branch);
   }
   if (map.names.size() < 2) return {};
@@ -124,9 +143,9 @@ std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
         const auto found = lowest.find({scan.reduced_volumes()[volume], scan.lengths()[length]});
         if (found == lowest.end())
           return Entry{none, mark_of(scan.find(model, volume, length)), -1};
-        const auto [index, energy] = found->second;
+        const auto& [index, energy, is_saddle] = found->second;
         map.energies[volume][length] = energy;
-        return Entry{double(index), index < 0 ? Mark::not_found : Mark::none, index};
+        return Entry{double(index), index < 0 ? Mark::not_found : Mark::none, index, is_saddle};
       });
   return map;
 }
@@ -141,6 +160,7 @@ void show_lowest(
       if (!is_limit && lowest.quantity.marks[i][j] != Mark::not_found) continue;
       const double value = is_limit && of_limit ? of_limit(i, j, lowest.energies[i][j]) : none;
       quantity.values[i][j] = value;
+      quantity.saddles[i][j] = false;
       quantity.marks[i][j] = !is_limit            ? Mark::not_found
                            : std::isfinite(value) ? Mark::none
                                                   : Mark::singular;
@@ -167,7 +187,7 @@ Quantity energy_gap(const ScanGrid& scan, const std::optional<BranchMap>& lowest
                             const int region =
                                 branch_index(scan, sbeh) * int(scan.branches().size())
                                 + branch_index(scan, ssh);
-                            return Entry{of_ssh - of_sbeh, mark, region};
+                            return Entry{of_ssh - of_sbeh, mark, region, is_saddle(sbeh)};
                           });
   if (lowest)
     show_lowest(*lowest, gap, [&](std::size_t volume, std::size_t length, double energy) {

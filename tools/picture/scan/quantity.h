@@ -32,7 +32,11 @@ struct Quantity {
   std::vector<std::vector<int>>
       regions{};  ///< no contour crosses from one to another, or enters −1
 
+  /// Where the state is none of the minima among shapes without an axis.
+  std::vector<std::vector<bool>> saddles{};
+
   bool has(Mark mark) const;
+  bool has_saddle() const;
 
   /// Of all values.
   Range range() const;

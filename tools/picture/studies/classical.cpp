@@ -32,14 +32,17 @@ const std::vector<BranchCurve> branch_curves{
 struct Branches {
   std::vector<std::string> witnesses;
   std::map<std::pair<std::string, Branch>, Points> points;
+  Points saddles;  // those with directions of falling energy among shapes without an axis
 };
 
 Branches read_branches(const std::filesystem::path& file) {
   Branches all;
-  for (const auto& [witness, shape] : studies::read_rows(studies::branch_columns(), file)) {
+  for (const auto& [witness, shape, modes] : studies::read_rows(studies::branch_columns(), file)) {
     if (std::ranges::find(all.witnesses, witness) == all.witnesses.end())
       all.witnesses.push_back(witness);
     all.points[{witness, shape.branch}].push_back({shape.reduced_volume, shape.energy});
+    if (modes.negative_directions.value_or(0) > 0)
+      all.saddles.push_back({shape.reduced_volume, shape.energy});
   }
   for (auto& [key, points] : all.points) std::ranges::sort(points);
   if (all.points.empty())
@@ -103,6 +106,17 @@ std::vector<Special> special_points(const std::filesystem::path& file) {
   return points;
 }
 
+// Where m ≥ 1 changes its sign: that of m = 0 is a special point already.
+std::vector<Special> limits_of_stability(const std::filesystem::path& file) {
+  std::vector<Special> limits;
+  if (!std::filesystem::exists(file)) return limits;
+  for (const auto& row : studies::read_rows(studies::classical_threshold_columns(), file))
+    if (row.m > 0 && std::isfinite(row.point.error))
+      limits.push_back(
+          {"m = " + std::to_string(row.m), "", {row.point.reduced_volume, row.point.energy}});
+  return limits;
+}
+
 // The place of a letter beside a point, as far as can be from `occupied`, all in pixels.
 std::array<double, 2> free_place(const std::array<double, 2>& point, const Points& occupied,
                                  double distance) {
@@ -124,7 +138,7 @@ std::array<double, 2> free_place(const std::array<double, 2>& point, const Point
   return best;
 }
 
-// Letters beside the points.
+// Letters, or what else they are called, beside the points.
 void draw_letters(Canvas& canvas, const std::vector<Special>& special, const Branches& all,
                   const Rect& inside, const Axis& x, const Axis& y, double text) {
   const auto pixel = [&](const std::array<double, 2>& at) {
@@ -185,6 +199,12 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
     others += (i > 1 ? ", " : "") + all.witnesses[i];
   if (!others.empty()) legend.push_back(marker_entry(Marker::hollow, dark_grey, others));
   legend.push_back(marker_entry(Marker::full, black, "special points"));
+  if (!all.saddles.empty())
+    legend.push_back(marker_entry(Marker::cross, dark_grey, "no minimum in 3D"));
+  const std::vector<Special> limits =
+      limits_of_stability(options.directory / "stability_lines.csv");
+  if (!limits.empty())
+    legend.push_back(marker_entry(Marker::diamond, black, "limit of stability in 3D"));
 
   const double width = options.width(1100.0), height = options.height(0.55 * width + 10.0 * text);
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
@@ -215,7 +235,13 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
   marked.reserve(special.size());
   for (const Special& point : special) marked.push_back(point.at);
   chart.markers(marked, Marker::full, black, 0.5 * text);
-  draw_letters(canvas, special, all, inside, x, y, text);
+  chart.markers(all.saddles, Marker::cross, dark_grey, 0.7 * text);
+  std::vector<Special> lettered = special;
+  for (const Special& limit : limits) {
+    chart.markers({limit.at}, Marker::diamond, black, 0.7 * text);
+    lettered.push_back(limit);
+  }
+  draw_letters(canvas, lettered, all, inside, x, y, text);
   draw_key(canvas, special, inside, text);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "branches", options.output());

@@ -1,0 +1,15 @@
+// Points that lie on curves, in no order, joined to these.
+#pragma once
+
+#include "tools/picture/canvas/geometry.h"
+
+#include <cstddef>
+#include <vector>
+
+namespace sbeh::picture {
+
+/// The nearest are joined first, each point to two others at the most, none farther than `farthest`; the indices of the
+/// points along each open chain.
+std::vector<std::vector<std::size_t>> chains(const Points& points, double farthest);
+
+}  // namespace sbeh::picture
