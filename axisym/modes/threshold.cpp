@@ -82,10 +82,13 @@ Zero rough_zero(const Line& line, const PathState& from, double ds, const Change
     return value;
   };
   model::root_between(eigenvalue, 0, ds, bits);
-  std::ranges::sort(seen, {}, [](const auto& point) { return std::abs(point.second); });
-  const auto [h, value] = seen.front();
-  const auto [other, other_value] = *std::ranges::find_if(
-      seen, [h = h, ds](const auto& point) { return std::abs(point.first - h) > apart * ds; });
+  const auto size = [](const auto& point) { return std::abs(point.second); };
+  const auto [h, value] = *std::ranges::min_element(seen, {}, size);
+  const auto distance = [h = h, ds](const auto& point) {
+    const double away = std::abs(point.first - h);
+    return away > apart * ds ? away : infinite;
+  };
+  const auto [other, other_value] = *std::ranges::min_element(seen, {}, distance);
   return {step_to(line, from, h), (value - other_value) / (h - other)};
 }
 

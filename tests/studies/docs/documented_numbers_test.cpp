@@ -6,7 +6,9 @@
 #include "axisym/spectral/minimiser.h"
 #include "axisym/stationary/classical_branches.h"
 #include "studies/io/csv.h"
+#include "studies/scan/branch_lines.h"
 #include "studies/scan/scan.h"
+#include "studies/scan/stability_lines.h"
 #include "tests/studies/docs/document.h"
 #include "tests/studies/parameters/input_file.h"
 
@@ -39,6 +41,67 @@ TEST(ReadmeTable, of_special_points_is_that_of_shooting_and_of_minimisation) {
       expect_printed(rows[k][1], points[k].reduced_volume, 1e-10);
       expect_printed(rows[k][2], points[k].energy, 1e-9);
     }
+  }
+}
+
+// ---- studies/docs/stability.md -----------------------------------------------------------------------
+
+// In other steps of L than those of the scan that was printed, with finer elements.
+TEST(StabilityTable, of_the_ordered_oblates_is_that_of_their_lines) {
+  const auto rows =
+      table_below("studies/docs/stability.md", "| V_r | minimum from L | m = 1 from L |");
+  ScanInput input;
+  for (const auto& row : rows) input.reduced_volume.push_back(std::stod(row[0]));
+  input.L = {0.02, 0.055, 0.09, 0.122, 0.152, 0.173, 0.185};
+  input.models = {Model::SBEH};
+  input.modes = 2;
+  input.numerics.elements = 64;
+  const auto folder = scanned("stability_lines", input);
+  const auto lines = read_rows(stability_line_columns(), folder / "stability_lines.csv");
+  const auto of = [&](double volume, int m) {  // ascending
+    std::vector<double> L;
+    for (const StabilityLineRow& line : lines)
+      if (line.along == Along::L && line.reduced_volume == volume && line.m == m)
+        L.push_back(line.L);
+    std::ranges::sort(L);
+    return L;
+  };
+  const auto folds = read_rows(fold_columns(), folder / "folds.csv");
+  ASSERT_EQ(folds.size(), rows.size());
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    SCOPED_TRACE(rows[k][0]);
+    const auto first = of(input.reduced_volume[k], 1);
+    auto second = of(input.reduced_volume[k], 2);
+    if (rows[k][1] == "0") second.insert(second.begin(), 0);
+    ASSERT_EQ(first.size(), 1u);
+    ASSERT_EQ(second.size(), 2u);
+    expect_printed(rows[k][1], second[0], 1e-7);
+    expect_printed(rows[k][2], first[0], 1e-7);
+    expect_printed(rows[k][3], second[1], 1e-7);
+    expect_printed(rows[k][4], folds[k].L, 1e-7);
+  }
+}
+
+TEST(StabilityTable, of_the_limit_of_m_2_is_that_of_the_lines) {
+  const auto rows = table_below("studies/docs/stability.md", "| L | V_r of m = 2 |");
+  ScanInput input;
+  input.reduced_volume = {0.735, 0.78, 0.81};
+  for (const auto& row : rows) input.L.push_back(std::stod(row[0]));
+  input.modes = 2;
+  input.numerics.elements = 64;
+  const auto lines =
+      read_rows(stability_line_columns(), scanned("limit_of_m_2", input) / "stability_lines.csv");
+  for (const auto& row : rows) {
+    double largest = 0;
+    for (const StabilityLineRow& line : lines)
+      if (line.along == Along::reduced_volume && line.L == std::stod(row[0]) && line.m == 2) {
+        if (line.model == Model::SBEH) {
+          largest = std::max(largest, line.reduced_volume);
+        } else {
+          EXPECT_NEAR(line.reduced_volume, 0.749729050, 1e-9);
+        }
+      }
+    expect_printed(row[1], largest, 1e-8);
   }
 }
 

@@ -72,6 +72,17 @@ TEST(StabilityLines, lie_before_folds_and_between_neighbours_that_differ) {
   }
 }
 
+// From 0.735 on, close to its own zero below, the eigenvalue of m = 2 rises before it falls.
+TEST(StabilityLines, are_found_where_eigenvalues_rise_and_fall) {
+  ScanInput input;
+  input.reduced_volume = {0.735, 0.78};
+  input.L = {0.1};
+  input.models = {Model::SBEH};
+  const auto found = crossings(tables_of(input), Model::SBEH, Along::reduced_volume, 0.1, 2);
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0], 0.7705654351, 2e-8);
+}
+
 // Between neighbours an odd number of lines of an m is crossed where one of them alone is unstable.
 TEST(StabilityLines, separate_stable_from_unstable_states) {
   const Tables tables = tables_of(oblates());

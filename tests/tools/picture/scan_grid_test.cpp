@@ -77,6 +77,19 @@ TEST_F(ScanGridTest, gives_quantities_with_marks_and_regions) {
 }
 
 // Order that is free can only lower the energy.
+TEST_F(ScanGridTest, knows_the_states_that_are_no_minima_without_an_axis) {
+  std::vector<PointResult> rows{point(0.6, 0.05, Model::SBEH, Branch::oblate, 1),
+                                point(0.7, 0.05, Model::SBEH, Branch::oblate, 1),
+                                point(0.8, 0.05, Model::SBEH, Branch::oblate, 1)};
+  rows[0].modes.negative_directions = 0;
+  rows[1].modes.negative_directions = 2;  // of the last it is not known
+  const Quantity quantity = energy(grid_of(rows), Model::SBEH);
+  EXPECT_EQ(quantity.saddles, (std::vector<std::vector<bool>>{{false}, {true}, {false}}));
+  EXPECT_TRUE(quantity.has_saddle());
+  rows[1].modes.negative_directions = 0;
+  EXPECT_FALSE(energy(grid_of(rows), Model::SBEH).has_saddle());
+}
+
 TEST_F(ScanGridTest, has_no_gap_where_SSH_is_below_all_of_SBEH) {
   struct Gap {
     double ssh, sbeh;
