@@ -35,7 +35,8 @@ Command add_report(CLI::App& program) {
   const auto folder = std::make_shared<std::string>();
   const auto no_pictures = std::make_shared<bool>(false);
   CLI::App* app = program.add_subcommand("report", "a folder of results as one page of HTML");
-  app->add_option("DIR", *folder, "folder of a scan, run, relax, seifert, compare, stability or modes")
+  app->add_option("DIR", *folder,
+                  "folder of a scan, run, relax, seifert, compare, stability or modes")
       ->required();
   app->add_flag("--no-pictures", *no_pictures, "do not draw those that are missing");
   return {app, [=] { return report(*folder, *no_pictures); }};
