@@ -41,12 +41,14 @@ std::string stem(const ModeKey& key) {
 }
 
 void normalise(axisym::Field& u, axisym::Field& b) {
-  const double largest = u.cwiseAbs().maxCoeff();
-  constexpr double nearly =
-      1 - 1e-6;  // equal ones, as on either side of the equator, count from the first pole on
+  constexpr double alone = 1e-6;       // of the order alone: it has no displacement to go by
+  constexpr double nearly = 1 - 1e-6;  // equal ones, as on either side of the equator
+  const double of_u = u.cwiseAbs().maxCoeff(), of_b = b.cwiseAbs().maxCoeff();
+  const axisym::Field& measured = of_u > alone * of_b ? u : b;
+  const double largest = std::max(of_u > alone * of_b ? of_u : of_b, 1e-300);
   Eigen::Index at = 0;
-  while (std::abs(u[at]) < nearly * largest) ++at;
-  const double factor = 1 / std::copysign(largest, u[at]);
+  while (std::abs(measured[at]) < nearly * largest && at + 1 < measured.size()) ++at;
+  const double factor = 1 / std::copysign(largest, measured[at]);
   u *= factor;
   b *= factor;
 }

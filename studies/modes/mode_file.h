@@ -20,15 +20,16 @@ struct ModeKey {
 /// Name of its files without ending, such as m2_even_1.
 std::string stem(const ModeKey& key);
 
-/// The mode u(s) cos mφ along the normal and b(s) cos mφ of the order, with the state it belongs to.
+/// The mode u(s) cos mφ along the normal and b(s) cos mφ of the order, with the state it belongs to: that of the flow,
+/// which grows at `rate`, where that is known, otherwise that of the energy.
 struct StateMode : Physics {
   axisym::State state;
   ModeKey key;
   double eigenvalue, rate;  ///< `rate` may be `not_known`
-  axisym::Field u, b;       ///< at the nodes of the state; the largest |u| is 1, there positive
+  axisym::Field u, b;       ///< at the nodes of the state; the largest |u| is 1, at first positive
 };
 
-/// u and b times one factor, so that they are as StateMode has them.
+/// u and b times one factor, so that they are as StateMode has them; of a mode of the order alone the largest |b| is 1.
 void normalise(axisym::Field& u, axisym::Field& b);
 
 /// The state revolved on a mesh, with the mode at its nodes.

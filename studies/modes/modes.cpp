@@ -60,38 +60,64 @@ void stop_if_interrupted() {
   if (interrupt_signal() != 0) throw Interrupted("interrupted");
 }
 
-struct FoundModes {
-  std::vector<StateMode> modes;  // by m, parity and number
-  double rigid_residual = 0;
+// With the eigenfunction of its eigenvalue, ∫(u² + b²) cos² mφ dS = 1.
+struct FoundMode : StateMode {
+  axisym::Field energy_u, energy_b;
 };
 
-// The lowest `most` of each parity, and all that are negative.
-std::vector<StateMode> numbered(const axisym::ModeSpectrum& spectrum, const Physics& physics,
+struct FoundModes {
+  std::vector<FoundMode> modes;  // by m, parity and number
+  double rigid_residual = 0;
+  std::vector<std::string> warnings;
+};
+
+// Those of one m by their numbers: the lowest `most` of each parity, and all that are negative.
+std::vector<FoundMode> numbered(const axisym::ModeSpectrum& spectrum, const Physics& physics,
                                 const axisym::State& state, int most) {
   std::map<axisym::Parity, int> count;
-  std::vector<StateMode> modes;
+  std::vector<FoundMode> modes;
   for (const axisym::Eigenmode& of : spectrum.modes) {
     if (count[of.parity] >= most && of.eigenvalue >= 0) continue;
-    StateMode mode{physics, state, {of.m, of.parity, ++count[of.parity]}, of.eigenvalue, not_known,
-                   of.u,    of.b};
-    normalise(mode.u, mode.b);
-    modes.push_back(std::move(mode));
+    const ModeKey key{of.m, of.parity, ++count[of.parity]};
+    modes.push_back({{physics, state, key, of.eigenvalue, not_known, of.u, of.b}, of.u, of.b});
   }
   std::ranges::stable_sort(modes, {}, [](const StateMode& mode) { return mode.key.parity; });
   return modes;
 }
 
-// To the k-th eigenvalue of a parity belongs the k-th rate: as many are positive as eigenvalues negative.
-void add_rates(const ModesInput& input, const axisym::SecondVariation& second, int m,
-               std::vector<StateMode>& modes) {
-  int most = 0;
-  for (const StateMode& mode : modes) most = std::max(most, mode.key.number);
-  const auto rates = axisym::growth_rates(second, input.state.material, input.state.model, m, most);
-  if (!rates) return;
-  std::map<axisym::Parity, int> count;
-  for (const axisym::GrowthMode& of : *rates)
-    for (const int number = ++count[of.parity]; StateMode & mode : modes)
-      if (mode.key.parity == of.parity && mode.key.number == number) mode.rate = of.rate;
+// The largest rates of m, `count` of each parity or at least half of that; none where they are not found.
+std::vector<axisym::GrowthMode> rates_of(const axisym::SecondVariation& second,
+                                         const Physics& physics, int m, int count) {
+  for (; count > 0; count /= 2)
+    if (auto rates = axisym::growth_rates(second, physics.material, physics.model, m, count))
+      return *rates;
+  return {};
+}
+
+// The modes of the flow take the place of those of the same number: there are as many that grow as there are
+// negative eigenvalues. Those that are not found leave the energy's, without a rate.
+void take_rates(const axisym::SecondVariation& second, std::vector<FoundMode>& modes,
+                std::vector<std::string>& warnings) {
+  const int m = modes.front().key.m;
+  int count = 0;
+  for (const StateMode& mode : modes) count = std::max(count, mode.key.number);
+  std::map<axisym::Parity, int> taken;
+  for (const axisym::GrowthMode& growth : rates_of(second, modes.front(), m, count)) {
+    const int number = ++taken[growth.parity];
+    const auto at = std::ranges::find_if(modes, [&](const StateMode& mode) {
+      return mode.key.parity == growth.parity && mode.key.number == number;
+    });
+    if (at == modes.end()) continue;
+    at->rate = growth.rate;
+    at->u = growth.u;
+    if (has_free_order(at->model)) at->b = growth.b;  // otherwise it is 0 but for rounding
+  }
+  const auto any = [&](auto is) { return std::ranges::any_of(modes, is); };
+  if (any([](const StateMode& mode) { return std::isnan(mode.rate); }))
+    warnings.push_back(fmt::format("m = {}: not all rates are found", m));
+  if (any([](const StateMode& mode) { return mode.rate * mode.eigenvalue > 0; }))
+    warnings.push_back(fmt::format(
+        "m = {}: rates and eigenvalues contradict each other; more elements may tell", m));
 }
 
 FoundModes find_modes(const ModesInput& input, const axisym::SecondVariation& second) {
@@ -105,9 +131,12 @@ FoundModes find_modes(const ModesInput& input, const axisym::SecondVariation& se
           fmt::format("{}: the modes of m = {} are not found: use more elements in [numerics]",
                       text_of(input.state), m));
     found.rigid_residual = std::max(found.rigid_residual, spectrum->rigid_residual);
-    auto modes = numbered(*spectrum, physics, second.state, input.number);
-    add_rates(input, second, m, modes);
-    std::ranges::move(modes, std::back_inserter(found.modes));
+    std::vector<FoundMode> modes = numbered(*spectrum, physics, second.state, input.number);
+    take_rates(second, modes, found.warnings);
+    for (FoundMode& mode : modes) {
+      normalise(mode.u, mode.b);
+      found.modes.push_back(std::move(mode));
+    }
   }
   return found;
 }
@@ -167,6 +196,7 @@ void add_fluctuations(const ModesInput& input, const axisym::SecondVariation& se
 
 struct ModeNode {
   double arc_length, r, z, order, displacement, order_change;
+  double energy_displacement, energy_order_change;  ///< of the eigenfunction of λ
 };
 const Columns<ModeNode>& node_columns() {
   static const Columns<ModeNode> columns{
@@ -176,22 +206,24 @@ const Columns<ModeNode>& node_columns() {
       column("order", &ModeNode::order),
       column("displacement", &ModeNode::displacement),
       column("order_change", &ModeNode::order_change),
+      column("energy_displacement", &ModeNode::energy_displacement),
+      column("energy_order_change", &ModeNode::energy_order_change),
   };
   return columns;
 }
 
-std::string nodes_of(const StateMode& mode) {
+std::string nodes_of(const FoundMode& mode) {
   const axisym::Field s = arc_lengths(mode.state.X);
   std::vector<ModeNode> nodes;
   for (Eigen::Index i = 0; i < s.size(); ++i)
-    nodes.push_back(
-        {s[i], mode.state.X(0, i), mode.state.X(1, i), mode.state.beta[i], mode.u[i], mode.b[i]});
+    nodes.push_back({s[i], mode.state.X(0, i), mode.state.X(1, i), mode.state.beta[i], mode.u[i],
+                     mode.b[i], mode.energy_u[i], mode.energy_b[i]});
   return table_text(node_columns(), nodes);
 }
 
 void write_modes(const OutputFolder& folder, const FoundModes& found) {
   make_folder(folder / "modes");
-  for (const StateMode& mode : found.modes) {
+  for (const FoundMode& mode : found.modes) {
     stop_if_interrupted();
     const fs::path file = folder / ("modes/" + stem(mode.key));
     write_mode(fs::path(file).concat(".vtu"), mode);
@@ -215,7 +247,8 @@ ModesSummary run_modes(const ModesInput& input, const fs::path& path, std::strin
   const FoundModes found = find_modes(input, second);
   ModesSummary summary;
   summary.rigid_residual = found.rigid_residual;
-  for (const StateMode& mode : found.modes)
+  summary.warnings = found.warnings;
+  for (const FoundMode& mode : found.modes)
     summary.modes.push_back({mode.key, mode.eigenvalue, mode.rate});
   if (input.thermal_energy > 0) add_fluctuations(input, second, summary);
   write_modes(folder, found);
@@ -272,21 +305,18 @@ std::string number_text(double value) {
 std::string verdict_on(const ModesInput& input, const ModesSummary& summary) {
   if (!summary.is_resolved())
     return "unresolved: an eigenvalue is no farther from 0 than a rigid motion's, so that its sign "
-           "is "
-           "not known; more elements may tell\n";
-  std::map<int, int> unstable;
+           "is not known; more elements may tell\n";
+  std::set<int> unstable;
   int directions = 0;
   for (const ModeRow& mode : summary.modes)
     if (mode.eigenvalue < 0) {
-      ++unstable[mode.key.m];
+      unstable.insert(mode.key.m);
       directions += mode.key.m == 0 ? 1 : 2;
     }
   if (unstable.empty())
     return fmt::format("stable: a minimum, as modes up to m = {} say\n", input.largest_m);
-  std::vector<int> ms;
-  for (const auto& [m, count] : unstable) ms.push_back(m);
   return fmt::format("unstable: the energy falls in {} direction{}, of m = {}\n", directions,
-                     directions == 1 ? "" : "s", fmt::join(ms, ", "));
+                     directions == 1 ? "" : "s", fmt::join(unstable, ", "));
 }
 
 }  // namespace

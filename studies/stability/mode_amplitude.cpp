@@ -92,7 +92,8 @@ Roundness roundness_of(const surface3d::Triangulation& mesh, const surface3d::No
   return Roundness::triaxial;
 }
 
-std::optional<GrowthRate> fit_growth(const std::vector<AmplitudeAt>& history) {
+std::optional<GrowthRate> fit_growth(const std::vector<AmplitudeAt>& history,
+                                     std::optional<double> settled) {
   if (history.empty() || !(history.front().amplitude > 0)) return {};
   const double start = history.front().amplitude;
   const auto beyond = std::find_if(history.begin(), history.end(), [&](const AmplitudeAt& at) {
@@ -100,6 +101,8 @@ std::optional<GrowthRate> fit_growth(const std::vector<AmplitudeAt>& history) {
   });
   const History linear(history.begin(), beyond);
   const double begin = linear.front().time, end = linear.back().time;
+  if (settled && *settled < end)
+    if (const auto known = fit(linear, std::max(begin, *settled), end)) return known;
   std::optional<GrowthRate> best;
   for (const double share : {0., 1. / 16, 1. / 8, 1. / 4, 1. / 2}) {
     const auto rate = fit(linear, begin + share * (end - begin), end);

@@ -42,10 +42,11 @@ struct GrowthRate {
 /// both as multiples of the first one.
 inline constexpr double most_growth = 3, most_decay = 0.2;
 
-/// The window ends where the amplitude leaves the linear regime, or with the history, and begins at 0,
-/// 1/16, 1/8, 1/4 or 1/2 of that time, wherever the rates over the thirds of the window agree best: what is
-/// left of faster modes decays first. Times ascending. Empty where fewer than four amplitudes would be in a
-/// third, or the first is 0.
-std::optional<GrowthRate> fit_growth(const std::vector<AmplitudeAt>& history);
+/// The window ends where the amplitude leaves the linear regime, or with the history, and begins when other modes have
+/// decayed, at `settled`. Where that is not known, or too late, it begins at 0, 1/16, 1/8, 1/4 or 1/2 of its end,
+/// wherever the rates over the thirds of the window agree best. Times ascending. Empty where fewer than four
+/// amplitudes would be in a third, or the first is 0.
+std::optional<GrowthRate> fit_growth(const std::vector<AmplitudeAt>& history,
+                                     std::optional<double> settled = {});
 
 }  // namespace sbeh::studies

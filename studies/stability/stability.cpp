@@ -73,6 +73,9 @@ double interpolation_error(const Rates& rows, std::size_t i, double zero) {
   return error >= 0 ? error : std::max(zero - a.key.reduced_volume, b.key.reduced_volume - zero);
 }
 
+std::string mode_text(const StabilityResult& row) {
+  return std::isnan(row.mode_rate) ? "–" : fmt::format("{:+.6g}", row.mode_rate);
+}
 std::string rate_text(const StabilityResult& row) {
   return row.growth ? fmt::format("{:+.4g} ± {:.1g}", row.growth->rate, row.growth->error) : "–";
 }
@@ -173,14 +176,14 @@ StabilitySummary run_stability(const StabilityInput& input, const fs::path& path
 
 std::string table_of(const StabilitySummary& summary) {
   std::string text =
-      fmt::format("{:<6}{:>6}{:>8}  {:<8}{:<5}{:<10}{:<10}{:<22}{}\n", "model", "V_r", "L",
-                  "branch", "l m", "verdict", "goes to", "rate", "energy");
+      fmt::format("{:<6}{:>6}{:>8}  {:<8}{:<5}{:<10}{:<10}{:<14}{:<22}{}\n", "model", "V_r", "L",
+                  "branch", "l m", "verdict", "goes to", "rate by modes", "in 3D", "energy");
   for (const StabilityResult& row : summary.rows) {
     const StabilityKey& k = row.key;
-    text += fmt::format("{:<6}{:>6}{:>8}  {:<8}{} {:<3}{:<10}{:<10}{:<22}{:.8g} → {:.8g}{}\n",
+    text += fmt::format("{:<6}{:>6}{:>8}  {:<8}{} {:<3}{:<10}{:<10}{:<14}{:<22}{:.8g} → {:.8g}{}\n",
                         sbeh::name(k.model), k.reduced_volume, k.L, name(k.branch), k.l, k.m,
                         name(row.verdict), row.end_state.empty() ? "–" : row.end_state,
-                        rate_text(row), row.energy_axisymmetric, row.energy_end,
+                        mode_text(row), rate_text(row), row.energy_axisymmetric, row.energy_end,
                         row.end_state.empty() ? "; " + row.stop_reason : "");
   }
   for (const Threshold& t : summary.thresholds)

@@ -5,6 +5,7 @@
 #include "studies/evolution/run_start.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/stopwatch.h"
+#include "studies/stability/linear_mode.h"
 #include "studies/witnesses/state.h"
 #include "surface3d/flow.h"
 
@@ -105,6 +106,25 @@ std::string class_of(const Triangulation& mesh, const surface3d::Nodes& X,
   return name(other ? Roundness::triaxial : roundness);
 }
 
+// What the modes say, before any run.
+void take_mode(const LinearMode& mode, StabilityResult& result) {
+  result.eigenvalue = mode.eigenvalue;
+  result.mode_rate = mode.rate;
+  if (mode.is_resolved) result.verdict = mode.rate > 0 ? Verdict::leaves : Verdict::stays;
+}
+
+// What the run says beside it.
+void take_run(const Observer& seen, const std::optional<LinearMode>& mode, double kappa,
+              StabilityResult& result) {
+  result.growth =
+      fit_growth(seen.amplitudes, mode ? std::optional(mode->settled_at()) : std::nullopt);
+  result.witness = verdict_of(seen, result.growth);
+  if (!mode || !mode->is_resolved) result.verdict = result.witness;
+  if (!result.growth) return;
+  result.reduced_rate = result.growth->rate / kappa;
+  if (mode) result.rate_difference = result.growth->rate - mode->rate;
+}
+
 meshing::RevolvedMesh perturbed(const axisym::State& profile, const StabilityInput& input,
                                 const StabilityKey& key) {
   meshing::RevolvedMesh revolved = meshing::revolved(profile, {.triangles = input.triangles});
@@ -138,6 +158,8 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
     return outcome;
   }
   result.energy_axisymmetric = axisymmetric.measures.energy;
+  const auto mode = linear_mode(case_of(input, key), *axisymmetric.profile, key.l, key.m);
+  if (mode) take_mode(*mode, result);
   if (const auto saddle = classical_saddle(case_of(input, key))) {
     result.negative_directions = saddle->negative_directions;
     result.stiffness = saddle->stiffness;
@@ -166,9 +188,7 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
       });
   if (interrupt_signal() != 0) return {};
 
-  result.growth = fit_growth(seen.amplitudes);
-  if (result.growth) result.reduced_rate = result.growth->rate / kappa;
-  result.verdict = verdict_of(seen, result.growth);
+  take_run(seen, mode, kappa, result);
   result.amplitude_start = seen.history.front().amplitude;
   result.amplitude_end = seen.history.back().amplitude;
   result.energy_end = run.last.energy.total();
@@ -194,11 +214,15 @@ const Columns<StabilityResult>& stability_columns() {
       column<Row>("l", inside(&Row::key, &Key::l)),
       column<Row>("m", inside(&Row::key, &Key::m)),
       column("verdict", &Row::verdict),
+      column("witness", &Row::witness),
+      known_column("eigenvalue", &Row::eigenvalue),
+      known_column("mode_rate", &Row::mode_rate),
       column("end_state", &Row::end_state),
       part_column("rate", &Row::growth, &GrowthRate::rate, ""),
       part_column("rate_error", &Row::growth, &GrowthRate::error, "", "{:.3g}"),
       part_column("fit_from", &Row::growth, &GrowthRate::from, ""),
       part_column("fit_to", &Row::growth, &GrowthRate::to, ""),
+      known_column("rate_difference", &Row::rate_difference, "{:.3g}"),
       known_column("reduced_rate", &Row::reduced_rate),
       known_column("amplitude_start", &Row::amplitude_start),
       known_column("amplitude_end", &Row::amplitude_end),

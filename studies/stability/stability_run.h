@@ -27,7 +27,12 @@ const Columns<PerturbedAt>& perturbed_columns();
 /// What is known of a run in the end, a row of stability.csv; `not_known` where it is not.
 struct StabilityResult {
   StabilityKey key{};
+  /// By the modes of the state; by the run, where they are not resolved.
   Verdict verdict = Verdict::failed;
+  Verdict witness = Verdict::failed;   ///< by the run
+  double eigenvalue = not_known;       ///< of the least stable mode of this m and parity
+  double mode_rate = not_known;        ///< its rate in the linearised flow
+  double rate_difference = not_known;  ///< of the run's rate from that
   /// Where it went: the class of the surface; "triaxial" also for the moments of an oblate or prolate with
   /// an energy that is not that of the axisymmetric one. Empty unless it is at rest again.
   std::string end_state{};

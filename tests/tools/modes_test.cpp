@@ -62,6 +62,16 @@ TEST_F(Modes, of_a_stable_state_fluctuate) {
   EXPECT_DOUBLE_EQ(contour.number(2, "mean_square"), 2 * contour.number(2, "spectrum"));
 }
 
+// Where λ of m = 2 is nearer to 0 than the error.
+TEST_F(Modes, are_unresolved_where_a_sign_is_not_known) {
+  const Ended ended = sbeh({"modes", "--model", "SSH", "--reduced-volume", "0.74972904976", "--L",
+                            "0.05", "--largest-m", "2", "-o", "out", "--no-pictures"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("\nunresolved: an eigenvalue is no farther from 0 than"),
+            std::string::npos)
+      << ended.out;
+}
+
 TEST_F(Modes, are_starts_of_runs_which_bring_their_model_and_material) {
   must(classical);
   write("in.toml",

@@ -71,15 +71,19 @@ TEST_F(Stability, records_what_cannot_be_run_with_its_reason_and_goes_on) {
   const Table rows = table("out/stability.csv");
   ASSERT_EQ(rows.rows.size(), 4u);
   const auto expect_failed = [&](std::size_t row, const std::string& reason) {
-    EXPECT_EQ(rows.text(row, "verdict"), "failed");
+    EXPECT_EQ(rows.text(row, "witness"), "failed");
     EXPECT_NE(rows.text(row, "stop_reason").find(reason), std::string::npos)
         << rows.text(row, "stop_reason");
   };
   expect_failed(0, "ends in a fold");
   expect_failed(1, "ends in a fold");
-  EXPECT_EQ(rows.text(2, "verdict"), "undecided");
+  EXPECT_EQ(rows.text(0, "verdict"), "failed");
+  EXPECT_EQ(rows.text(2, "witness"), "undecided");
   EXPECT_EQ(rows.text(2, "stop_reason"), "end time reached");
   expect_failed(3, "the perturbation is too large: ");
+  // The modes need no run.
+  EXPECT_EQ(rows.text(2, "verdict"), "leaves");
+  EXPECT_EQ(rows.text(3, "verdict"), "stays");
 }
 
 TEST_F(Stability, that_is_interrupted_keeps_its_rows_and_says_how_to_go_on) {

@@ -64,6 +64,7 @@ int modes(const Study& asked, const ModesWords& words) {
 template <class Values>
 CLI::IsMember one_of(const Values& values) {
   std::vector<std::string> words;
+  words.reserve(std::size(values));
   for (const auto value : values) words.emplace_back(name(value));
   return CLI::IsMember(words);
 }

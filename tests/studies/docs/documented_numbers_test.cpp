@@ -6,11 +6,14 @@
 #include "axisym/spectral/minimiser.h"
 #include "axisym/stationary/classical_branches.h"
 #include "studies/io/csv.h"
+#include "studies/modes/modes.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/scan.h"
 #include "studies/scan/stability_lines.h"
 #include "tests/studies/docs/document.h"
 #include "tests/studies/parameters/input_file.h"
+
+#include <fmt/format.h>
 
 namespace sbeh::studies {
 namespace {
@@ -308,6 +311,41 @@ TEST(PaperScan, of_SSH_has_the_energies_of_shooting) {
     EXPECT_NEAR(scan.number(k, "energy") / expected, 1, 2e-9)
         << scan.text(k, "reduced_volume") << " " << scan.text(k, "L");
   }
+}
+
+// ---- studies/docs/stability.md ---------------------------------------------------------------------
+
+// Rates are good to 1e-6 of themselves with the default elements, next to the fold to 1e-5.
+TEST(StabilityTable, of_the_papers_oblates_is_that_of_the_modes) {
+  struct State {
+    Model model;
+    double L;
+  };
+  constexpr std::array states{State{Model::SSH, 0.05}, State{Model::SBEH, 0.01},
+                              State{Model::SBEH, 0.03}, State{Model::SBEH, 0.05},
+                              State{Model::SBEH, 0.07}};
+  const auto rows = table_below("studies/docs/stability.md", "| m | V_r |");
+  ASSERT_EQ(rows.size(), 9u);
+  for (const double v : {0.6, 0.7, 0.8})
+    for (std::size_t k = 0; k < states.size(); ++k) {
+      ModesInput input;
+      input.state.model = states[k].model;
+      input.state.reduced_volume = v;
+      input.state.material = input.state.material.with_L(states[k].L);
+      input.largest_m = 3;
+      const ModesSummary summary =
+          run_modes(input, path_of(fmt::format("modes_{}_{}", v, k)), "test");
+      const double kappa = input.state.material.kappa(model::full_order);
+      for (const auto& row : rows) {
+        if (printed(row[1]).value != v) continue;
+        const int m = int(printed(row[0]).value);
+        const auto mode = std::ranges::find_if(summary.modes, [&](const ModeRow& one) {
+          return one.key.m == m && one.key.parity == axisym::Parity::even;
+        });
+        SCOPED_TRACE(fmt::format("m = {}, V_r = {}, column {}", m, v, k));
+        expect_printed(row[k + 2], mode->rate / kappa, 1e-5 * std::abs(mode->rate / kappa));
+      }
+    }
 }
 
 }  // namespace

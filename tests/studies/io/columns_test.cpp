@@ -166,8 +166,9 @@ TEST(Tables, have_these_columns) {
   expect(witness_point_columns(), "witness,name,reduced_volume,energy_reduced,error");
   expect(disagreement_columns(), "first,second,branch,energy_reduced,H_pole,pressure,tension");
   expect(stability_columns(),
-         "model,reduced_volume,L,branch,l,m,verdict,end_state,rate,rate_error,fit_from,fit_to,"
-         "reduced_rate,amplitude_start,amplitude_end,energy_axisymmetric,energy_end,energy_oblate,"
+         "model,reduced_volume,L,branch,l,m,verdict,witness,eigenvalue,mode_rate,end_state,rate,"
+         "rate_error,fit_from,fit_to,rate_difference,reduced_rate,amplitude_start,amplitude_end,"
+         "energy_axisymmetric,energy_end,energy_oblate,"
          "energy_prolate,end_time,steps,triangles,unresolved_from,negative_directions,stiffness,"
          "wall_seconds,stop_reason");
   expect(perturbed_columns(), "time,time_step,energy,amplitude,normal_speed,order_speed");

@@ -51,6 +51,16 @@ TEST(GrowthRate, is_that_of_the_slowest_mode_once_the_others_have_decayed) {
   EXPECT_GT(growth->from, 3);
 }
 
+TEST(GrowthRate, begins_where_other_modes_are_known_to_have_decayed) {
+  const auto history =
+      history_of([](double t) { return std::exp(-0.03 * t) + 0.3 * std::exp(-1.5 * t); }, 30);
+  const auto growth = fit_growth(history, 5.);
+  ASSERT_TRUE(growth);
+  EXPECT_NEAR(growth->from, 5, 0.11);
+  EXPECT_NEAR(growth->rate, -0.03, 1e-4);
+  EXPECT_EQ(fit_growth(history, 100.)->from, fit_growth(history)->from);  // too late
+}
+
 TEST(GrowthRate, has_an_error_that_tells_of_rates_that_change) {
   // From 0.05 to 0.03 over the window.
   const auto growth =
@@ -138,10 +148,11 @@ TEST(ClassicalOblate, leaves_where_its_energy_falls_in_two_directions_and_stays_
     ASSERT_TRUE(run);
     const StabilityResult& result = run->result;
     ASSERT_TRUE(result.growth && result.negative_directions);
-    std::printf("V_r = %.2f: rate %.5f +- %.5f, %d negative directions, %d steps\n", v,
-                result.growth->rate, result.growth->error, *result.negative_directions,
-                result.steps);
+    std::printf("V_r = %.2f: rate %.5f +- %.5f, by the modes %.5f, %d steps\n", v,
+                result.growth->rate, result.growth->error, result.mode_rate, result.steps);
     EXPECT_EQ(result.verdict, verdict);
+    EXPECT_EQ(result.witness, verdict);
+    EXPECT_LT(std::abs(result.rate_difference), 3 * result.growth->error);
     EXPECT_EQ(result.growth->rate > 0, *result.negative_directions > 0);
     EXPECT_GT(std::abs(result.growth->rate), 5 * result.growth->error);
     // The perturbed surface has fallen below the saddle, or is nearly back at the minimum; the mesh's own
@@ -173,9 +184,11 @@ TEST(OrderedOblate, next_to_its_fold_leaves_in_two_ways_and_well_before_it_stays
     input.end_time = 0.5;
     const auto run = run_perturbed(input, keys_of(input).front());
     ASSERT_TRUE(run && run->result.growth);
-    std::printf("L = %.2f, m = %d: rate %.4f +- %.4f, %d steps\n", row.L, row.mode.m,
-                run->result.growth->rate, run->result.growth->error, run->result.steps);
+    std::printf("L = %.2f, m = %d: rate %.4f +- %.4f, by the modes %.4f, %d steps\n", row.L,
+                row.mode.m, run->result.growth->rate, run->result.growth->error,
+                run->result.mode_rate, run->result.steps);
     EXPECT_EQ(run->result.verdict, row.verdict);
+    EXPECT_EQ(run->result.witness, row.verdict);
     EXPECT_FALSE(run->result.unresolved_from);
   }
 }

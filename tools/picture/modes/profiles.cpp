@@ -14,15 +14,15 @@ struct Curve {
   std::vector<double> values;
 };
 
-Curve cut_of(const studies::StateMode& mode, const axisym::Field& field, double amplitude) {
+Curve cut_of(const ShownModes& all, const studies::StateMode& mode, double amplitude) {
   const axisym::Nodes n = axisym::node_normals(mode.state.X);
   const double other_side = mode.key.m % 2 == 0 ? 1.0 : -1.0;  // cos mπ
-  const double scale = 1.0 / std::max(field.cwiseAbs().maxCoeff(), 1e-300);
+  const axisym::Field values = all.field(mode) / all.largest(mode);
   Curve curve;
   const auto add = [&](Eigen::Index i, double side, double wave) {
     const Eigen::Vector2d x = mode.state.X.col(i) + amplitude * wave * mode.u[i] * n.col(i);
     curve.points.push_back({side * x[0], x[1]});
-    curve.values.push_back(wave * scale * field[i]);
+    curve.values.push_back(wave * values[i]);
   };
   const Eigen::Index count = mode.u.size();
   for (Eigen::Index i = 0; i < count; ++i) add(i, 1.0, 1.0);
@@ -50,8 +50,8 @@ void draw_cell(Canvas& canvas, const Rect& cell, double scale, const ShownModes&
   const double across = 0.5 * cell.width / scale, up = 0.5 * cell.height / scale;
   Chart chart(canvas, cell, 1.0, {.low = -across, .high = across},
               {.low = middle - up, .high = middle + up});
-  chart.curve(cut_of(mode, mode.u, 0.0).points, {.colour = {150, 150, 150}, .width = 2.0});
-  const Curve moved = cut_of(mode, all.field(mode), shown_amplitude);
+  chart.curve(cut_of(all, mode, 0.0).points, {.colour = {150, 150, 150}, .width = 2.0});
+  const Curve moved = cut_of(all, mode, shown_amplitude);
   std::vector<Colour> colours;
   for (const double value : moved.values) colours.push_back(all.colours(value));
   chart.coloured_curve(moved.points, colours, 5.0);

@@ -19,7 +19,7 @@ std::string signed_text(const char* letter, double value) {
 }  // namespace
 
 ShownModes::ShownModes(const Options& options)
-    : by_order(false), colours(chosen_colours(options, Palette::cividis, {-1.0, 1.0})) {
+    : colours(chosen_colours(options, Palette::cividis, {-1.0, 1.0})) {
   const std::filesystem::path table = options.directory / "modes.csv";
   std::set<int> ms;
   std::set<axisym::Parity> parities;
@@ -39,9 +39,7 @@ ShownModes::ShownModes(const Options& options)
     modes.push_back({studies::read_mode(options.directory / "modes" / (stem(key) + ".vtu")),
                      at % columns, at / columns * parities.size() + parity});
   }
-  const bool has_order =
-      std::ranges::any_of(modes, [](const ShownMode& one) { return !one.mode.b.isZero(0.0); });
-  by_order = has_order && options.field != Field::curvature;
+  by_order = has_free_order(modes.front().mode.model) && options.field != Field::curvature;
 }
 
 std::string ShownModes::title() const {

@@ -5,6 +5,7 @@
 #include "tools/picture/chart/colours.h"
 #include "tools/picture/options.h"
 
+#include <algorithm>
 #include <string>
 #include <vector>
 
@@ -24,11 +25,15 @@ struct ShownModes {
 
   std::vector<ShownMode> modes;
   std::size_t columns = 0, rows = 0;
-  bool by_order;      ///< coloured by the change of the order, otherwise by the displacement
-  ColourMap colours;  ///< of values over their largest: −1 … 1
+  bool by_order = false;  ///< coloured by the change of the order, otherwise by the displacement
+  ColourMap colours;      ///< of values over their largest: −1 … 1
 
   const axisym::Field& field(const studies::StateMode& mode) const {
     return by_order ? mode.b : mode.u;
+  }
+  /// What its values are divided by.
+  double largest(const studies::StateMode& mode) const {
+    return std::max(field(mode).cwiseAbs().maxCoeff(), 1e-300);
   }
   std::string title() const;
 };

@@ -23,7 +23,7 @@ Displaced displaced(const ShownModes& all, const studies::StateMode& mode) {
   studies::RevolvedMode surface = studies::revolved(mode, {.triangles = triangles});
   surface.mesh.nodes += shown_amplitude * surface.displacement;
   const Eigen::VectorXd& values = all.by_order ? surface.order_change : surface.along_normal;
-  return {std::move(surface.mesh), values / all.field(mode).cwiseAbs().maxCoeff()};
+  return {std::move(surface.mesh), values / all.largest(mode)};
 }
 
 }  // namespace

@@ -189,7 +189,7 @@ void draw_stability(Canvas& canvas, const Options& options) {
                                   options);
   canvas.start(grid.width, grid.height, options.unit());
   canvas.text(0.5 * grid.width, grid.height - 1.2 * text,
-              "Growth rate of a perturbation, over κ(2/3)", {.size = 1.1 * text});
+              "Rates in 3D over κ(2/3), marks by the modes", {.size = 1.1 * text});
   std::size_t i = 0;
   for (const auto& [key, runs] : panels) {
     const Rect inside = grid.inside(i++);

@@ -1,0 +1,29 @@
+// What the modes of an axisymmetric state say of a small perturbation, without any run.
+#pragma once
+
+#include "axisym/curve.h"
+#include "axisym/stationary/stationary_case.h"
+
+#include <optional>
+
+namespace sbeh::studies {
+
+/// The least stable mode of one m and parity.
+struct LinearMode {
+  double eigenvalue;                ///< λ of the second variation
+  double rate;                      ///< σ in the linearised flow
+  std::optional<double> next_rate;  ///< of the mode that decays next
+  bool
+      is_resolved;  ///< the signs of both agree, and λ is farther from 0 than those of rigid motions
+
+  /// From when on the next mode of a perturbation is less than a hundredth of what it was beside this one; 0 where
+  /// there is none.
+  double settled_at() const;
+};
+
+/// That of m and the parity of Y_lm; without a parity where the state has no up-down symmetry. Empty where Newton's method
+/// or the search for modes fails.
+std::optional<LinearMode> linear_mode(const axisym::StationaryCase& of, const axisym::State& state,
+                                      int l, int m);
+
+}  // namespace sbeh::studies
