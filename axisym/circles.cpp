@@ -28,16 +28,16 @@ void for_each_zero(double first, double middle, double last, Visit&& visit) {
 CurvePlace widest_place(const Nodes& X) {
   CurvePlace widest{0, 0};
   double radius = 0;
-  const auto offer = [&](int e, double x) {
-    const double r = curve_point(X, e, shape_values(x)).x[0];
+  const auto offer = [&](int e, double x, double r) {
     if (r <= radius) return;
     widest = {e, x};
     radius = r;
   };
   for (int e = 0; e < element_count(X); ++e) {
-    const auto slope = [&](double x) { return curve_point(X, e, shape_values(x)).dx[0]; };
-    offer(e, 1);
-    for_each_zero(slope(0), slope(0.5), slope(1), [&](double x) { offer(e, x); });
+    const auto slope = [&](std::size_t k) { return curve_point(X, e, even_points<2>()[k]).dx[0]; };
+    offer(e, 1, X(0, 3 * e + 3));
+    for_each_zero(slope(0), slope(1), slope(2),
+                  [&](double x) { offer(e, x, curve_point(X, e, shape_values(x)).x[0]); });
   }
   return widest;
 }
@@ -51,8 +51,8 @@ Circle middle_circle(const Nodes& X, const Field& H) {
   const double middle = (X(1, 0) + X(1, X.cols() - 1)) / 2;
   Circle widest{0, 0};
   for (int e = 0; e < element_count(X); ++e) {
+    if ((X(1, 3 * e) - middle) * (X(1, 3 * e + 3) - middle) > 0) continue;
     const auto height = [&](double x) { return curve_point(X, e, shape_values(x)).x[1] - middle; };
-    if (height(0) * height(1) > 0) continue;
     const double x = model::root_between(height, 0, 1).middle();
     const Circle c = circle_at(X, H, e, shape_values(x));
     if (c.radius > widest.radius) widest = c;

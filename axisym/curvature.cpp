@@ -28,8 +28,7 @@ double resolution(const Nodes& X, const Field& H) {
   const Eigen::VectorXd length = element_lengths(X);
   double largest = 0;
   for (int e = 0; e < element_count(X); ++e)
-    for (int k = 0; k <= samples; ++k) {
-      const ShapeValues s = shape_values(double(k) / samples);
+    for (const ShapeValues& s : even_points<samples>()) {
       const CurvePoint point = curve_point(X, e, s);
       if (point.x[0] > 1e-9)  // off the axis, where B_φφ is defined
         largest = std::max(largest, std::abs(value_at(H, e, s) - point.B_phi) * length[e] / 3);

@@ -50,6 +50,17 @@ std::span<const ShapeValues> diagnostic_points();
 /// Shape functions at x in [0, 1], weight 0.
 ShapeValues shape_values(double x);
 
+/// Shape functions at 0, 1/pieces, …, 1 of an element, weight 0.
+template <int pieces>
+const std::array<ShapeValues, pieces + 1>& even_points() {
+  static const auto points = [] {
+    std::array<ShapeValues, pieces + 1> at{};
+    for (int k = 0; k <= pieces; ++k) at[std::size_t(k)] = shape_values(double(k) / pieces);
+    return at;
+  }();
+  return points;
+}
+
 /// Value and derivative of a P3 field on element e at a point.
 inline double value_at(const Field& f, int e, const ShapeValues& s) {
   double sum = 0;

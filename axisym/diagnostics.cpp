@@ -82,13 +82,7 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
   d.H_pole = north;
   d.H_abs_max = std::max(std::abs(north), std::abs(south));
   for (int e = 0; e < elements; ++e)
-    for (int k = 0; k <= 12; ++k) {
-      static const auto samples = [] {
-        std::array<ShapeValues, 13> at{};
-        for (int i = 0; i <= 12; ++i) at[std::size_t(i)] = shape_values(i / 12.);
-        return at;
-      }();
-      const ShapeValues& s = samples[std::size_t(k)];
+    for (const ShapeValues& s : even_points<12>()) {
       const double beta = value_at(state.beta, e, s), h = value_at(H, e, s);
       d.order_min = std::min(d.order_min, beta);
       d.order_max = std::max(d.order_max, beta);

@@ -18,7 +18,7 @@ Eigen::Matrix2Xd polygon(const Nodes& X) {
   Eigen::Matrix2Xd points(2, pieces * element_count(X) + 1);
   for (int e = 0; e < element_count(X); ++e)
     for (int k = 0; k < pieces; ++k)
-      points.col(pieces * e + k) = curve_point(X, e, shape_values(double(k) / pieces)).x;
+      points.col(pieces * e + k) = curve_point(X, e, even_points<pieces>()[std::size_t(k)]).x;
   points.col(points.cols() - 1) = X.col(X.cols() - 1);
   return points;
 }
