@@ -1,6 +1,8 @@
 // Wrong input: one sentence that says where and what is allowed, exit 2, and nothing written.
 #include "tests/tools/workplace.h"
 
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <filesystem>
 
@@ -140,7 +142,7 @@ TEST_F(WrongInput, that_is_a_file_or_a_folder_of_another_kind_is_refused_with_th
       if (command.starts_with("mesh")) arguments.emplace_back("--report");
       const Ended ended = sbeh(arguments);
       EXPECT_EQ(ended.exit_code, 2);
-      EXPECT_NE(ended.err.find(file + ": " + what + '\n'), std::string::npos)
+      EXPECT_NE(ended.err.find(fmt::format("{}: {}\n", file, what)), std::string::npos)
           << command << ended.err;
     }
   write("t.csv", "a\n");

@@ -48,8 +48,8 @@ double seconds_of(const studies::ScanInput& input) {
   if (input.method != studies::Method::newton) return points;
   const auto volumes = double(input.reduced_volume.size());
   const auto branches = double(input.models.size() * input.branches.size());
-  const double modes = 0.0011 * (input.modes + 1) * points
-                     + 0.037 * (volumes + double(input.L.size())) * branches;
+  const double modes =
+      0.0032 * (input.modes + 1) * points + 0.037 * (volumes + double(input.L.size())) * branches;
   return 0.035 * volumes * branches + 0.004 * points + (input.modes > 0 ? modes : 0)
        + (input.beyond_fold ? 0.75 * volumes : 0);
 }

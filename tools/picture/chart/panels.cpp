@@ -14,7 +14,8 @@ double inner_width(const PanelNeeds& needs, double width, std::size_t columns) {
 }  // namespace
 
 Rect PanelGrid::inside(std::size_t panel) const {
-  const auto column = double(panel % columns), row = double(panel / columns);
+  const std::size_t row_index = panel / columns;
+  const auto column = double(panel % columns), row = double(row_index);
   const double x = needs.side + column * (needs.left + inner_width + needs.right) + needs.left,
                y = height - needs.top - (row + 1.0) * (needs.above + inner_height + needs.below)
                  + needs.below;
