@@ -1,6 +1,8 @@
 // A study of stability as its user sees it: rows, resumption, interruption, refusals, report.
 #include "tests/tools/workplace.h"
 
+#include <fmt/format.h>
+
 #include <csignal>
 #include <fstream>
 
@@ -24,8 +26,8 @@ TEST_F(Stability, leaves_a_row_and_a_history_for_every_run_in_the_order_of_the_k
     EXPECT_EQ(rows.text(row, "m"), row % 2 == 0 ? "2" : "3");
     EXPECT_EQ(rows.text(row, "stop_reason"), "end time reached");
     const std::string m = rows.text(row, "m");
-    const Table history = table("out/runs/SBEH_oblate_v" + rows.text(row, "reduced_volume")
-                                + "_L0.05_Y" + m + m + ".csv");
+    const Table history = table(fmt::format("out/runs/SBEH_oblate_v{}_L0.05_Y{}{}.csv",
+                                            rows.text(row, "reduced_volume"), m, m));
     EXPECT_EQ(int(history.rows.size()), int(rows.number(row, "steps")) + 1);
     EXPECT_EQ(history.numbers("amplitude").back(), rows.number(row, "amplitude_end"));
     EXPECT_EQ(history.numbers("energy").back(), rows.number(row, "energy_end"));

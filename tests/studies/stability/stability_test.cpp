@@ -230,6 +230,7 @@ TEST(Thresholds, have_errors_that_cover_the_interpolation) {
     for (const auto& volumes :
          {std::vector<double>{0.6, 0.7, 0.8}, {0.7, 0.8, 0.9}, {0.7, 0.8, 0.83}}) {
       std::vector<StabilityResult> rows;
+      rows.reserve(volumes.size());
       for (const double v : volumes) rows.push_back(run_at(v, rate(v), 1e-9));
       const auto found = find_thresholds({}, rows);
       ASSERT_EQ(found.size(), 1u);
