@@ -203,6 +203,8 @@ TEST(Chains, join_the_points_of_each_curve_in_their_order) {
 TEST(Chains, end_where_the_next_point_is_too_far) {
   EXPECT_EQ(chains({{0.0, 0.0}, {3.0, 0.0}, {1.0, 0.0}}, 1.5).size(), 2u);
   EXPECT_TRUE(chains({}, 1.0).empty());
+  const auto never = [](std::size_t, std::size_t) { return false; };
+  EXPECT_EQ(chains({{0.0, 0.0}, {1.0, 0.0}}, 1.5, never).size(), 2u);
 }
 
 }  // namespace

@@ -24,7 +24,9 @@ std::vector<Pair> pairs_within(const Points& points, double farthest) {
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> chains(const Points& points, double farthest) {
+std::vector<std::vector<std::size_t>> chains(
+    const Points& points, double farthest,
+    const std::function<bool(std::size_t, std::size_t)>& may_join) {
   using Chain = std::vector<std::size_t>;
   std::vector<Chain> all(points.size());
   std::vector<std::size_t> chain_of(points.size());
@@ -35,6 +37,7 @@ std::vector<std::vector<std::size_t>> chains(const Points& points, double farthe
   };
   for (const auto& [distance, i, j] : pairs_within(points, farthest)) {
     if (chain_of[i] == chain_of[j] || !is_end(i) || !is_end(j)) continue;
+    if (may_join && !may_join(i, j)) continue;
     Chain &a = all[chain_of[i]], &b = all[chain_of[j]];
     if (a.back() != i) std::ranges::reverse(a);
     if (b.front() != j) std::ranges::reverse(b);

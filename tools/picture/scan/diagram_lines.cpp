@@ -159,25 +159,33 @@ std::vector<DiagramLine> diagram_lines(const fs::path& directory, const std::str
 std::vector<DiagramLine> stability_lines(const fs::path& directory, const ScanGrid& scan,
                                          Model model, const std::string& branch) {
   constexpr double farthest = 2.5;  // of the grid's steps, between neighbours on one line
-  std::map<std::tuple<axisym::Branch, int, axisym::Parity>, Points> found;
-  for (const auto& row :
-       rows_if_there(studies::stability_line_columns(), directory / "stability_lines.csv")) {
-    const bool is_wanted = row.model == model && (branch.empty() || branch == name(row.branch));
-    if (is_wanted && row.reason.empty())
-      found[{row.branch, row.m, row.parity}].push_back({row.reduced_volume, row.L});
-  }
+  using Row = studies::StabilityLineRow;
+  std::map<std::tuple<axisym::Branch, int, axisym::Parity>, std::vector<Row>> found;
+  for (const Row& row :
+       rows_if_there(studies::stability_line_columns(), directory / "stability_lines.csv"))
+    if (row.model == model && row.reason.empty() && (branch.empty() || branch == name(row.branch)))
+      found[{row.branch, row.m, row.parity}].push_back(row);
+  // What crosses one row or column of the grid twice are two lines.
+  const auto may_join = [](const Row& a, const Row& b) {
+    const auto given = a.along == studies::Along::L ? &Row::reduced_volume : &Row::L;
+    return a.along != b.along || a.*given != b.*given;
+  };
   std::vector<DiagramLine> lines;
-  for (const auto& [kind, points] : found) {
+  for (const auto& [kind, rows] : found) {
     const auto& [of, m, parity] = kind;
     Points places;
-    for (const auto& [volume, L] : points)
-      places.push_back({place_in(scan.reduced_volumes(), volume), place_in(scan.lengths(), L)});
-    for (const std::vector<std::size_t>& chain : chains(places, farthest)) {
+    for (const Row& row : rows)
+      places.push_back(
+          {place_in(scan.reduced_volumes(), row.reduced_volume), place_in(scan.lengths(), row.L)});
+    for (const std::vector<std::size_t>&chain :
+         chains(places, farthest, [&rows = rows, may_join](std::size_t i, std::size_t j) {
+           return may_join(rows[i], rows[j]);
+         })) {
       DiagramLine& line = lines.emplace_back();
       line.name = fmt::format("limit of stability, {}", name(of));
       line.style = stability_style(of);
       line.label = fmt::format("m = {}", m);
-      for (const std::size_t k : chain) line.points.push_back(points[k]);
+      for (const std::size_t k : chain) line.points.push_back({rows[k].reduced_volume, rows[k].L});
     }
   }
   std::erase_if(lines, [](const DiagramLine& line) { return line.points.size() < 2; });
