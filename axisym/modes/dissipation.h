@@ -32,7 +32,8 @@ Eigen::VectorXd among_flow_unknowns(const Eigen::VectorXd& x);
 ///
 ///   ∫ [ γ_∥ (V_t² + V_φ²) + γ_⊥ V_n² + (η/2)|σ(V)|² + m_β (ḃ + v_t ∂_sβ)² + 2 p Div_C V ] r ds
 ///
-/// What is not free is 0 in it. `m_0`: with the φ-part at rest, which nothing else moves.
+/// and (γ_∥ + γ_⊥)(Div_C V)², see model/equations.md. What is not free is 0 in it; for m = 0 that is v_φ too, which
+/// nothing moves.
 model::BandMatrix dissipation(const model::Material& material, model::Model model,
                               const StationaryState& state, int m);
 

@@ -64,6 +64,7 @@ class FreeInverse {
       resisted += motion.weight.size() > 0;
     }
     usable_ = matrix_.factor();
+    if (!usable_) return;
     weights_.resize(matrix_.size(), resisted);
     answers_.resize(matrix_.size(), resisted);
     Eigen::Index k = 0;
