@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sbeh::studies {
 
@@ -13,6 +14,10 @@ using axisym::Parity;
 
 double LinearMode::settled_at() const {
   return next_rate && *next_rate < rate ? std::log(100) / (rate - *next_rate) : 0;
+}
+
+double LinearMode::gone_at() const {
+  return is_resolved && rate < 0 ? std::log(50) / -rate : std::numeric_limits<double>::infinity();
 }
 
 std::optional<LinearMode> linear_mode(const axisym::StationaryCase& of, const axisym::State& state,

@@ -19,6 +19,8 @@ struct LinearMode {
   /// From when on the next mode of a perturbation is less than a hundredth of what it was beside this one; 0 where
   /// there is none.
   double settled_at() const;
+  /// When all modes of a perturbation have decayed to a fiftieth of it: only noise is left. Infinite where they do not.
+  double gone_at() const;
 };
 
 /// That of m and the parity of Y_lm; without a parity where the state has no up-down symmetry. Empty where Newton's method

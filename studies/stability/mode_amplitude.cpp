@@ -16,7 +16,6 @@ using surface3d::SurfacePoint;
 namespace {
 
 constexpr double equal_moments = 0.05;
-constexpr std::size_t fewest = 4;  // amplitudes in a third of the window
 
 using History = std::span<const AmplitudeAt>;
 
@@ -55,7 +54,7 @@ std::optional<GrowthRate> fit(History history, double from, double to) {
   for (std::size_t k = 0; k < 3; ++k) {
     const double third = (to - from) / 3;
     const History part = between(history, from + double(k) * third, from + double(k + 1) * third);
-    if (part.size() < fewest) return {};
+    if (part.size() < fewest_amplitudes) return {};
     thirds[k] = slope(part);
   }
   const auto [least, largest] = std::minmax_element(thirds.begin(), thirds.end());

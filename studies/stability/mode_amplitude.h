@@ -41,10 +41,12 @@ struct GrowthRate {
 /// Amplitudes that are still small enough for the linear regime, and large enough to be more than noise:
 /// both as multiples of the first one.
 inline constexpr double most_growth = 3, most_decay = 0.2;
+/// In each third of a window.
+inline constexpr std::size_t fewest_amplitudes = 4;
 
 /// The window ends where the amplitude leaves the linear regime, or with the history, and begins when other modes have
 /// decayed, at `settled`. Where that is not known, or too late, it begins at 0, 1/16, 1/8, 1/4 or 1/2 of its end,
-/// wherever the rates over the thirds of the window agree best. Times ascending. Empty where fewer than four
+/// wherever the rates over the thirds of the window agree best. Times ascending. Empty where fewer
 /// amplitudes would be in a third, or the first is 0.
 std::optional<GrowthRate> fit_growth(const std::vector<AmplitudeAt>& history,
                                      std::optional<double> settled = {});

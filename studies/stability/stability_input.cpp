@@ -78,6 +78,12 @@ std::vector<StabilityKey> keys_of(const StabilityInput& input) {
   return keys;
 }
 
+meshing::Harmonic perturbation_of(const StabilityInput& input, const StabilityKey& key) {
+  return *std::ranges::find_if(input.perturbations, [&](const meshing::Harmonic& mode) {
+    return mode.l == key.l && mode.m == key.m;
+  });
+}
+
 StabilityInput read_stability(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const TomlTable states = file.table("stability"), surface = file.table("surface3d"),

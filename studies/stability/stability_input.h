@@ -41,6 +41,9 @@ std::string stem(const StabilityKey& key);
 /// proportional to it; with residual_stiffness > 0 that is not so, and all are there.
 std::vector<StabilityKey> keys_of(const StabilityInput& input);
 
+/// Of one of these.
+meshing::Harmonic perturbation_of(const StabilityInput& input, const StabilityKey& key);
+
 /// Throws InputError.
 StabilityInput read_stability(const std::filesystem::path& path);
 

@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -25,25 +26,18 @@ namespace {
 
 constexpr double area = 4 * std::numbers::pi;
 
-// In units of 1/κ: a displacement is no pure mode, and its fastest parts are gone by then. What grows and
-// decays is told by the amplitude from here on.
-constexpr double settling_share = 0.1, most_settling = 0.1;
-// A perturbation has grown when it is so many times as large, and has come to rest when nothing moves
-// faster than this share of the fastest motion since then.
-constexpr double grown = 10, rest_share = 0.01;
+constexpr double most_settling = 0.1;
+// A perturbation that has grown has come to rest when nothing moves faster than this share of the fastest motion
+// since then.
+constexpr double rest_share = 0.01;
 // Energies that differ by less than this share of the sphere's bending energy 8πκ are one.
 constexpr double same_energy = 0.01;
-
-meshing::Harmonic perturbation_of(const StabilityInput& input, const StabilityKey& key) {
-  return *std::find_if(input.perturbations.begin(), input.perturbations.end(),
-                       [&](const auto& mode) { return mode.l == key.l && mode.m == key.m; });
-}
 
 // Sees every step; ends the run when the fate of the perturbation is clear.
 class Observer {
  public:
-  Observer(const StabilityKey& key, double settling_time)
-      : key_(key), settling_time_(settling_time) {}
+  Observer(const StabilityKey& key, double settling_time, double gone_at)
+      : key_(key), settling_time_(settling_time), gone_at_(gone_at) {}
 
   bool operator()(const surface3d::FlowRecord& record, const surface3d::State& state,
                   const surface3d::StepView& view) {
@@ -51,34 +45,39 @@ class Observer {
     history.push_back({record.time, record.time_step, record.energy.total(), amplitude,
                        record.normal_speed, record.order_speed});
     if (!unresolved_from && !resolved(view.indicators)) unresolved_from = record.time;
-    if (record.time >= settling_time_) {
-      amplitudes.push_back({record.time, amplitude});
-      // It may just be going through 0 at that time.
-      const double reference =
-          std::max(amplitudes.front().amplitude, most_settling * history.front().amplitude);
-      decayed = amplitude < most_decay * reference;
-      const auto growth = decayed ? fit_growth(amplitudes) : std::nullopt;
-      steadily = growth && growth->rate < -growth->error;
-      has_grown = amplitude > grown * reference;
-    }
+    if (record.time >= settling_time_) follow(record.time, amplitude);
     if (has_grown) {
       const double speed = std::max(record.normal_speed, record.order_speed);
       fastest_ = std::max(fastest_, speed);
       settled = speed < rest_share * fastest_;
     }
-    return !steadily && !settled && interrupt_signal() == 0;
+    return !has_gone && !settled && interrupt_signal() == 0;
   }
 
   std::vector<PerturbedAt> history;
   std::vector<AmplitudeAt> amplitudes;  // from the settling time on
   std::optional<double> unresolved_from;
   bool decayed = false, has_grown = false, settled = false;
-  /// Decayed at a rate that is known: otherwise the amplitude may go through 0 and rise again.
-  bool steadily = false;
+  /// Decayed, at a rate that is known or so long that nothing is left: otherwise the amplitude may go through 0 and
+  /// rise again.
+  bool has_gone = false;
+  /// Before anything was measured: what is left has no rate.
+  bool has_gone_early() const { return gone_at_ < settling_time_; }
 
  private:
+  void follow(double time, double amplitude) {
+    amplitudes.push_back({time, amplitude});
+    // It may just be going through 0 at that time.
+    const double reference =
+        std::max(amplitudes.front().amplitude, most_settling * history.front().amplitude);
+    decayed = amplitude < most_decay * reference;
+    const auto growth = decayed ? fit_growth(amplitudes) : std::nullopt;
+    has_gone = decayed && (time >= gone_at_ || (growth && growth->rate < -growth->error));
+    has_grown = amplitude > grown * reference;
+  }
+
   StabilityKey key_;
-  double settling_time_, fastest_ = 0;
+  double settling_time_, gone_at_, fastest_ = 0;
 };
 
 Verdict verdict_of(const Observer& seen, const std::optional<GrowthRate>& growth) {
@@ -89,7 +88,7 @@ Verdict verdict_of(const Observer& seen, const std::optional<GrowthRate>& growth
 }
 
 std::string reason_of(const Observer& seen, const surface3d::FlowResult& run) {
-  if (seen.steadily) return "the perturbation has decayed to a fifth";
+  if (seen.has_gone) return "the perturbation has decayed to a fifth";
   if (seen.settled) return "at rest in another state";
   std::string reason = describe(run.stop);
   if (run.stop == FlowStop::step_too_small) reason += ": " + model::describe(run.fault);
@@ -116,8 +115,9 @@ void take_mode(const LinearMode& mode, StabilityResult& result) {
 // What the run says beside it.
 void take_run(const Observer& seen, const std::optional<LinearMode>& mode, double kappa,
               StabilityResult& result) {
-  result.growth =
-      fit_growth(seen.amplitudes, mode ? std::optional(mode->settled_at()) : std::nullopt);
+  if (!seen.has_gone_early())
+    result.growth =
+        fit_growth(seen.amplitudes, mode ? std::optional(mode->settled_at()) : std::nullopt);
   result.witness = verdict_of(seen, result.growth);
   if (!mode || !mode->is_resolved) result.verdict = result.witness;
   if (!result.growth) return;
@@ -175,7 +175,8 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
     return outcome;
   }
   const auto mesh = std::make_shared<const Triangulation>(start.mesh);
-  Observer seen(key, settling_share / kappa);
+  Observer seen(key, settling_share / kappa,
+                mode ? mode->gone_at() : std::numeric_limits<double>::infinity());
   const surface3d::FlowResult run = surface3d::run_flow(
       material, key.model,
       {.mesh = mesh,
@@ -197,7 +198,7 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   result.steps = run.steps;
   result.unresolved_from = seen.unresolved_from;
   result.stop_reason = reason_of(seen, run);
-  if (seen.steadily || seen.settled) result.end_state = class_of(*mesh, run.state.X, result, kappa);
+  if (seen.has_gone || seen.settled) result.end_state = class_of(*mesh, run.state.X, result, kappa);
   outcome.history = std::move(seen.history);
   result.wall_seconds = watch.seconds();
   return outcome;

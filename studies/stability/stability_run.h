@@ -16,6 +16,12 @@ enum class Verdict {
 };
 constexpr auto names(Verdict) { return std::array{"stays", "leaves", "undecided", "failed"}; }
 
+/// In units of 1/κ: a displacement is no pure mode, and its fastest parts are gone by then. What grows and
+/// decays is told by the amplitude from here on.
+inline constexpr double settling_share = 0.1;
+/// A perturbation has grown when it is so many times as large.
+inline constexpr double grown = 10;
+
 /// One time of a run.
 struct PerturbedAt {
   double time, time_step, energy;
@@ -62,8 +68,8 @@ struct StabilityOutcome {
 };
 
 /// The axisymmetric state of the key by Newton's method, revolved, perturbed, and followed in 3D until the
-/// perturbation has decayed, at a rate that can be told, to a fifth of what it is at the time 0.1/κ(2/3), or has grown tenfold and all is
-/// at rest again, or the end time comes. Empty when interrupted.
+/// perturbation has decayed to a fifth of what it is at the time 0.1/κ(2/3), at a rate that can be told or so long
+/// that by its modes nothing is left, or has grown tenfold and all is at rest again, or the end time comes. Empty when interrupted.
 std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input, const StabilityKey& key);
 
 }  // namespace sbeh::studies

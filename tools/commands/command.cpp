@@ -66,6 +66,15 @@ int finish(const Study& study, studies::ResultsKind kind, bool interrupted) {
   return exit_code_of_success();
 }
 
+std::string duration(double seconds) {
+  constexpr double minute = 60, hour = 3600;
+  const auto in = [seconds](double unit, const char* name) {
+    return fmt::format("{:.{}f} {}", seconds / unit, seconds < 9.95 * unit ? 1 : 0, name);
+  };
+  if (seconds < 1) return fmt::format("{:.1g} s", seconds);
+  return seconds < 2 * minute ? in(1, "s") : seconds < 2 * hour ? in(minute, "min") : in(hour, "h");
+}
+
 const char* beside_times(bool every_step) { return every_step ? " and one for each step" : ""; }
 
 }  // namespace sbeh::tools

@@ -51,6 +51,9 @@ int exit_code_of_success();
 /// Draws, unless pictures are not wanted or the study was interrupted, to go on later; the exit code.
 int finish(const Study& study, studies::ResultsKind kind, bool interrupted);
 
+/// "7.5 s", "12 min", "3 h": what `sbeh check` estimates.
+std::string duration(double seconds);
+
 /// What an evolution's history has besides the rows of the output times, for `sbeh check`.
 const char* beside_times(bool every_step);
 

@@ -31,9 +31,10 @@ void check_compare(const std::string& file) {
   // Measured on one core of 2026, from an ellipsoid with V_r = 0.8 to rest.
   const double seconds = 0.1 + (runs_3d ? 0.2 + 0.0085 * input.surface3d.triangles : 0);
   fmt::print(
-      "{}: {} {} with reduced volume {} and L = {} by {} methods, about {:.2g} s of one core\n\n{}",
-      file, sbeh::name(input.state.model), name(input.state.branch), input.state.reduced_volume,
-      input.state.L(), input.methods.size(), seconds, studies::describe(input, SBEH_VERSION));
+      "{}: {} {} with reduced volume {} and L = {} by {} methods, about {} of one core\n\n{}", file,
+      sbeh::name(input.state.model), name(input.state.branch), input.state.reduced_volume,
+      input.state.L(), input.methods.size(), duration(seconds),
+      studies::describe(input, SBEH_VERSION));
 }
 
 }  // namespace sbeh::tools

@@ -60,8 +60,8 @@ void check_scan(const std::string& file) {
   const studies::ScanInput input = studies::read_scan(file);
   const std::size_t points = studies::point_count(input);
   constexpr double megabytes_of_a_profile = 0.02;
-  fmt::print("{}: a scan of {} points by {}, about {:.2g} s of one core and {:.1f} MB\n\n{}", file,
-             points, sbeh::name(input.method), seconds_of(input),
+  fmt::print("{}: a scan of {} points by {}, about {} of one core and {:.1f} MB\n\n{}", file,
+             points, sbeh::name(input.method), duration(seconds_of(input)),
              double(points) * megabytes_of_a_profile, studies::describe(input, SBEH_VERSION));
 }
 

@@ -1,9 +1,11 @@
 // `sbeh stability`: axisymmetric states, perturbed in 3D.
 #include "studies/stability/stability.h"
 
+#include "studies/stability/stability_cost.h"
 #include "tools/commands/commands.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace sbeh::tools {
 
@@ -25,18 +27,23 @@ Command add_stability(CLI::App& program) {
                    stability);
 }
 
+namespace {
+
+double two_digits(double positive) {
+  const double unit = std::pow(10, std::floor(std::log10(positive)) - 1);
+  return unit * std::round(positive / unit);
+}
+
+}  // namespace
+
 void check_stability(const std::string& file) {
   const studies::StabilityInput input = studies::read_stability(file);
-  const std::vector<studies::StabilityKey> runs = studies::keys_of(input);
-  double steps = 0;
-  for (const studies::StabilityKey& key : runs)
-    steps += input.end_time / input.material.with_L(key.L).kappa(model::full_order)
-           / input.numerics_3d.largest_step;
-  const double minutes = 4.3e-4 * input.triangles * steps / 60;  // measured on one core of 2026
+  const studies::StabilityCost cost = studies::cost_of(input);
   fmt::print(
-      "{}: {} runs of perturbed states with about {} triangles, at most about {:.0f} min of one "
+      "{}: {} run{} of perturbed states with about {} triangles, about {:.0f} steps and {} of one "
       "core\n\n{}",
-      file, runs.size(), input.triangles, std::max(1., minutes),
+      file, cost.runs, cost.runs == 1 ? "" : "s", input.triangles,
+      two_digits(std::max(cost.steps, 1.)), duration(cost.seconds),
       studies::describe(input, SBEH_VERSION));
 }
 

@@ -193,6 +193,24 @@ TEST(OrderedOblate, next_to_its_fold_leaves_in_two_ways_and_well_before_it_stays
   }
 }
 
+// m = 1 decays at rates of −110 κ and −70 κ: what is left at 0.1/κ is the noise of the mesh.
+TEST(Perturbation, that_has_gone_before_a_rate_can_be_told_has_none) {
+  StabilityInput input;
+  input.reduced_volume = {0.7, 0.8};
+  input.L = {0.05};
+  input.models = {Model::SSH, Model::SBEH};
+  input.perturbations = {{3, 1, 0.005}};
+  input.triangles = 80;
+  for (const StabilityKey& key : keys_of(input)) {
+    const auto run = run_perturbed(input, key);
+    ASSERT_TRUE(run);
+    EXPECT_EQ(run->result.verdict, Verdict::stays);
+    EXPECT_EQ(run->result.witness, Verdict::stays);
+    EXPECT_FALSE(run->result.growth) << run->result.growth->rate;
+    EXPECT_LT(run->result.end_time, 2.2);
+  }
+}
+
 StabilityResult run_at(double volume, double rate, double error) {
   StabilityResult run;
   run.key = {{volume, 0.05, Model::SBEH, axisym::Branch::oblate}, 2, 2};
