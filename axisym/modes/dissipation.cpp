@@ -24,12 +24,12 @@ enum Motion {
 using Linear = Eigen::Matrix<double, motions, 1>;
 using Form = Eigen::Matrix<double, motions, motions>;
 
-// The velocity at a point and its gradient, each as a linear form of the motion.
+// The velocity at a point and its gradient, each as a linear form of the motion; that with a factor m apart.
 struct Velocity {
   Linear t = Linear::Zero(), phi = Linear::Zero(), normal = Linear::Zero();
-  Linear e_tt = Linear::Zero(), e_phi_phi = Linear::Zero();
-  Linear shear = Linear::Zero();  // 2 e_tφ, with sin mφ
-  Velocity(const CurvePoint& p, int m) {
+  Linear e_tt = Linear::Zero(), e_phi_phi = Linear::Zero(), m_e_phi_phi = Linear::Zero();
+  Linear shear = Linear::Zero(), m_shear = Linear::Zero();  // 2 e_tφ, with sin mφ
+  explicit Velocity(const CurvePoint& p) {
     const double r = p.x[0];
     for (const int k : {0, 1}) {
       t[of_d_r + k] = p.t[k];
@@ -41,31 +41,40 @@ struct Velocity {
     e_tt[of_v_t_xi] = 1 / p.stretch;
     e_phi_phi[of_d_r] = 1 / r;
     e_phi_phi[of_v_t] = p.t[0] / r;
-    e_phi_phi[of_v_phi] = m / r;
-    shear = (-m * t - p.t[0] * phi) / r;
+    m_e_phi_phi[of_v_phi] = 1 / r;
+    shear[of_v_phi] = -p.t[0] / r;
     shear[of_v_phi_xi] = 1 / p.stretch;
+    m_shear = -t / r;
   }
 };
 
 Form square(const Linear& a) { return a * a.transpose(); }
+Form twice(const Linear& a, const Linear& b) { return a * b.transpose() + b * a.transpose(); }
 
-Form form_at(const model::Material& material, const CurvePoint& p, double beta, double beta_s,
-             bool has_order, int m) {
-  const Velocity V(p, m);
-  Form form = material.friction_tangential * (square(V.t) + square(V.phi))
-            + material.friction_normal * square(V.normal)
-            + material.eta(beta) * (2 * square(V.e_tt) + 2 * square(V.e_phi_phi) + square(V.shear));
+// Those of the powers of m.
+std::array<Form, 3> forms_at(const model::Material& material, const CurvePoint& p, double beta,
+                             double beta_s, bool has_order) {
+  const Velocity V(p);
+  const double eta = material.eta(beta);
+  // Times (Div V)², 0 for the solution; without viscosity it is what keeps the discrete one near it.
+  const double spread = material.friction_tangential + material.friction_normal;
+  const Linear divergence = V.e_tt + V.e_phi_phi, &m_divergence = V.m_e_phi_phi;
+  std::array<Form, 3> form{
+      material.friction_tangential * (square(V.t) + square(V.phi))
+          + material.friction_normal * square(V.normal) + spread * square(divergence)
+          + eta * (2 * square(V.e_tt) + 2 * square(V.e_phi_phi) + square(V.shear)),
+      spread * twice(divergence, m_divergence)
+          + eta * (2 * twice(V.e_phi_phi, V.m_e_phi_phi) + twice(V.shear, V.m_shear)),
+      spread * square(m_divergence) + eta * (2 * square(V.m_e_phi_phi) + square(V.m_shear))};
   if (has_order) {
     Linear order_rate = Linear::Zero();
     order_rate[of_beta] = 1;
     order_rate[of_v_t] = beta_s;
-    form += material.order_drag() * square(order_rate);
+    form[0] += material.order_drag() * square(order_rate);
   }
-  const Linear divergence = V.e_tt + V.e_phi_phi;
-  // 0 for the solution; without viscosity it is what keeps the discrete one near it.
-  form += (material.friction_tangential + material.friction_normal) * square(divergence);
-  form.row(of_p) += divergence.transpose();
-  form.col(of_p) += divergence;
+  const Linear pressure = Linear::Unit(of_p);
+  form[0] += twice(pressure, divergence);
+  form[1] += twice(pressure, m_divergence);
   return form;
 }
 
@@ -82,87 +91,178 @@ std::array<model::DataRow<4>, motions> rows_of(const NormalShapes& n, const Shap
            {4 * flow_p, s.phi2.data()}}};
 }
 
-// p has a value at the nodes 3e, 3e + 1 (where that of the middle stands) and 3e + 3.
-int global(int e, int k) {
-  const int a = k % 4, c = k / 4;
+constexpr int element_unknowns = 4 * flow_unknowns;
+using ElementMatrix = Eigen::Matrix<double, element_unknowns, element_unknowns>;
+using ElementVector = Eigen::Matrix<double, element_unknowns, 1>;
+
+// From component by component to node by node; p has a value at the first two nodes and at the last.
+constexpr int place(int k) {
   constexpr std::array pressure_node{0, 1, 3, 3};
-  return flow_index(3 * e + (c == flow_p ? pressure_node[std::size_t(a)] : a), FlowUnknown(c));
+  const int a = k % 4, c = k / 4;
+  return flow_unknowns * (c == flow_p ? pressure_node[std::size_t(a)] : a) + c;
 }
 
-// Of an unknown of SecondVariation among those of the flow.
-int place(int i) { return flow_index(i / node_unknowns, FlowUnknown(i % node_unknowns)); }
+Mirror<flow_unknowns> flow_mirror() {
+  Mirror<flow_unknowns> even = Mirror<flow_unknowns>::Ones();
+  even[flow_v_t] = -1;  // along the meridian
+  return even;
+}
+
+template <class Visit>
+void for_each_held(const Sector& sector, int m, Parity parity, Visit&& visit) {
+  const int last = 3 * sector.elements();
+  for (int i = 0; i <= last; ++i) {
+    if (i % 3 == 2) visit(flow_index(i, flow_p));
+    if (m == 0) visit(flow_index(i, flow_v_phi));
+  }
+  for (const int node : {0, last}) {
+    if (node == last && sector.is_half) continue;
+    if (m > 0) visit(flow_index(node, flow_v_phi));
+    if (m != 1) visit(flow_index(node, flow_v_t));
+    if (m == 1 || m > 2) visit(flow_index(node, flow_p));
+  }
+  for_each_mirrored<flow_unknowns>(sector, parity, flow_mirror(), visit);
+  // The equator goes through the middle of an element, where p has its value.
+  if (sector.cuts_an_element() && parity == Parity::odd) visit(flow_index(last - 2, flow_p));
+}
 
 // At a pole only motions have a value that look the same from every side: for m = 1 v_φ = ∓v_t.
-void tie_at_poles(const std::array<int, 2>& nodes, model::BandMatrix& R) {
-  for (const int pole : nodes) {
-    const int v_t = flow_index(pole, flow_v_t), v_phi = flow_index(pole, flow_v_phi);
-    const double sign = pole == 0 ? -1 : 1;
-    const int first = std::max(0, v_phi - R.half_width() + 1),
-              last = std::min(R.size() - 1, v_phi + R.half_width() - 1);
-    for (int k = first; k <= last; ++k) R(v_t, k) += sign * R(v_phi, k);
-    for (int k = first; k <= last; ++k) R(k, v_t) += sign * R(k, v_phi);
+struct PoleTie {
+  int node;
+  double sign;
+};
+std::vector<PoleTie> ties_of(const Sector& sector) {
+  std::vector<PoleTie> ties{{0, -1}};
+  if (!sector.is_half) ties.push_back({3 * sector.elements(), 1});
+  return ties;
+}
+void tie_at_poles(const Sector& sector, FlowChain& R) {
+  for (const auto& [node, sign] : ties_of(sector)) {
+    FlowChain::Element& element = R.element(node == 0 ? 0 : R.elements() - 1);
+    const int first = node == 0 ? 0 : 3 * flow_unknowns;
+    element.row(first + flow_v_t) += sign * element.row(first + flow_v_phi);
+    element.col(first + flow_v_t) += sign * element.col(first + flow_v_phi);
   }
+}
+
+// Along t, e_φ and ν, of each motion in a column.
+Eigen::Matrix3Xd velocities_at(const std::vector<RigidMotion>& motions, const CurvePoint& p) {
+  Eigen::Matrix3Xd V(3, motions.size());
+  for (std::size_t k = 0; k < motions.size(); ++k) {
+    const Eigen::Vector2d v = motions[k].velocity.meridian(p.x);
+    V.col(Eigen::Index(k)) << v.dot(p.t), motions[k].velocity.around(p.x), v.dot(p.nu);
+  }
+  return V;
+}
+Eigen::DiagonalMatrix<double, 3> friction(const model::Material& material) {
+  return {material.friction_tangential, material.friction_tangential, material.friction_normal};
 }
 
 }  // namespace
 
-model::BandMatrix among_flow_unknowns(const model::BandMatrix& matrix) {
-  const int nodes = matrix.size() / node_unknowns;
-  model::BandMatrix among(flow_unknowns * nodes, 4 * flow_unknowns - 1);
-  for (int j = 0; j < matrix.size(); ++j) {
-    const int first = std::max(0, j - matrix.half_width()),
-              last = std::min(matrix.size() - 1, j + matrix.half_width());
-    for (int i = first; i <= last; ++i) among(place(i), place(j)) = matrix(i, j);
-  }
+FlowChain among_flow_unknowns(const NodeChain& matrix) {
+  constexpr int n = node_unknowns, N = flow_unknowns;
+  FlowChain among(matrix.elements());
+  for (int e = 0; e < matrix.elements(); ++e)
+    for (int b = 0; b < 4; ++b)
+      for (int a = 0; a < 4; ++a)
+        among.element(e).block<n, n>(N * a, N * b) = matrix.element(e).block<n, n>(n * a, n * b);
   return among;
 }
 
 Eigen::VectorXd among_flow_unknowns(const Eigen::VectorXd& x) {
-  Eigen::VectorXd among = Eigen::VectorXd::Zero(flow_unknowns * (x.size() / node_unknowns));
-  for (int i = 0; i < x.size(); ++i) among[place(i)] = x[i];
+  constexpr int n = node_unknowns, N = flow_unknowns;
+  const Eigen::Index nodes = x.size() / n;
+  Eigen::VectorXd among = Eigen::VectorXd::Zero(N * nodes);
+  for (Eigen::Index i = 0; i < nodes; ++i) among.segment<n>(N * i) = x.segment<n>(n * i);
   return among;
 }
 
-model::BandMatrix dissipation(const model::Material& material, model::Model model,
-                              const StationaryState& state, int m) {
-  const int nodes = int(state.beta.size());
-  model::BandMatrix R(flow_unknowns * nodes, 4 * flow_unknowns - 1);
+FlowDissipation dissipation(const model::Material& material, const SecondVariation& second) {
+  const StationaryState& state = second.state;
+  const FlowChain empty(second.sector.elements());
+  FlowDissipation R{{empty, empty, empty}};
   const Nodes n = node_normals(state.X);
-  for (int e = 0; e < element_count(state.X); ++e) {
-    Eigen::Matrix<double, 4 * flow_unknowns, 4 * flow_unknowns> element;
-    element.setZero();
+  for (int e = 0; e < empty.elements(); ++e) {
+    std::array<ElementMatrix, 3> element;
+    element.fill(ElementMatrix::Zero());
     for (const ShapeValues& s : assembly_points()) {
       const NormalShapes shapes(n, e, s);
       const CurvePoint p = curve_point(state.X, e, s);
-      const Form form = form_at(material, p, value_at(state.beta, e, s),
-                                slope_at(state.beta, e, s) / p.stretch, has_free_order(model), m);
+      const auto forms = forms_at(material, p, value_at(state.beta, e, s),
+                                  slope_at(state.beta, e, s) / p.stretch, second.has_order);
       const auto rows = rows_of(shapes, s);
-      model::add_matrix(rows, rows, form, s.weight * p.x[0] * p.stretch, element);
+      for (std::size_t k = 0; k < 3; ++k)
+        model::add_matrix(rows, rows, forms[k], s.weight * p.x[0] * p.stretch, element[k]);
     }
-    for (int j = 0; j < element.cols(); ++j)
-      for (int i = 0; i < element.rows(); ++i) R(global(e, i), global(e, j)) += element(i, j);
+    for (std::size_t k = 0; k < 3; ++k)
+      for (int j = 0; j < element_unknowns; ++j)
+        for (int i = 0; i < element_unknowns; ++i)
+          R.powers[k].element(e)(place(i), place(j)) += second.sector.copies(e) * element[k](i, j);
   }
-  if (m == 1) tie_at_poles({0, nodes - 1}, R);
-  hold_flow(nodes, m, 0, R);
-  if (!has_free_order(model))
-    for (int i = 0; i < nodes; ++i) R.pin(flow_index(i, flow_beta), 0);
-  if (m > 0)
-    for (const int pole : {0, nodes - 1})
-      for (const FlowUnknown c : {flow_d, flow_beta}) R.pin(flow_index(pole, c), 0);
   return R;
 }
 
-void hold_flow(int nodes, int m, double diagonal, model::BandMatrix& matrix) {
-  const auto hold = [&](int node, FlowUnknown c) { matrix.pin(flow_index(node, c), diagonal); };
-  for (int i = 0; i < nodes; ++i) {
-    if (i % 3 == 2) hold(i, flow_p);
-    if (m == 0) hold(i, flow_v_phi);
+FlowChain FlowDissipation::form(const SecondVariation& second, int m, Parity parity) const {
+  const Sector& sector = second.sector;
+  FlowChain R = powers[0];
+  if (m > 0) R.add(m, powers[1]);
+  if (m > 0) R.add(m * m, powers[2]);
+  fold<flow_unknowns>(sector, parity, flow_mirror(), R);
+  if (m == 1) tie_at_poles(sector, R);
+  hold_flow(sector, m, parity, 0, R);
+  const int last = 3 * sector.elements();
+  if (!second.has_order)
+    for (int i = 0; i <= last; ++i) R.pin(flow_index(i, flow_beta), 0);
+  if (m > 0)
+    for (const int pole : {0, last})
+      if (pole == 0 || !sector.is_half)
+        for (const FlowUnknown c : {flow_d, flow_beta}) R.pin(flow_index(pole, c), 0);
+  return R;
+}
+
+RigidDrag drag_on(const std::vector<RigidMotion>& motions, const model::Material& material,
+                  const SecondVariation& second, int m, Parity parity) {
+  const StationaryState& state = second.state;
+  const Sector& sector = second.sector;
+  const Nodes n = node_normals(state.X);
+  const auto count = Eigen::Index(motions.size());
+  const Eigen::Index unknowns = flow_unknowns * (3 * Eigen::Index(sector.elements()) + 1);
+  RigidDrag drag{Eigen::MatrixXd::Zero(unknowns, count), Eigen::MatrixXd::Zero(count, count)};
+  for (int e = 0; e < sector.elements(); ++e) {
+    Eigen::MatrixXd element = Eigen::MatrixXd::Zero(element_unknowns, count);
+    for (const ShapeValues& s : assembly_points()) {
+      const NormalShapes shapes(n, e, s);
+      const CurvePoint p = curve_point(state.X, e, s);
+      const double weight = sector.copies(e) * s.weight * p.x[0] * p.stretch;
+      const Eigen::Matrix3Xd V = velocities_at(motions, p);
+      const Eigen::Matrix3Xd force = friction(material) * V;
+      drag.squares += weight * V.transpose() * force;
+      const Velocity of_unknowns(p);
+      for (Eigen::Index k = 0; k < count; ++k) {
+        const Linear against = force(0, k) * of_unknowns.t + force(1, k) * of_unknowns.phi
+                             + force(2, k) * of_unknowns.normal;
+        auto column = element.col(k);
+        model::add_vector(rows_of(shapes, s), against, weight, column);
+      }
+    }
+    for (int i = 0; i < element_unknowns; ++i)
+      drag.loads.row(3 * flow_unknowns * e + place(i)) += element.row(i);
   }
-  for (const int pole : {0, nodes - 1}) {
-    if (m > 0) hold(pole, flow_v_phi);
-    if (m != 1) hold(pole, flow_v_t);
-    if (m == 1 || m > 2) hold(pole, flow_p);
+  for (auto column : drag.loads.colwise()) {
+    Eigen::VectorXd load = column;
+    fold<flow_unknowns>(sector, parity, flow_mirror(), load);
+    if (m == 1)
+      for (const auto& [node, sign] : ties_of(sector))
+        load[flow_index(node, flow_v_t)] += sign * load[flow_index(node, flow_v_phi)];
+    for_each_held(sector, m, parity, [&](int i) { load[i] = 0; });
+    column = load;
   }
+  return drag;
+}
+
+void hold_flow(const Sector& sector, int m, Parity parity, double diagonal, FlowChain& matrix) {
+  for_each_held(sector, m, parity, [&](int i) { matrix.pin(i, diagonal); });
 }
 
 }  // namespace sbeh::axisym

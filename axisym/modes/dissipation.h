@@ -1,8 +1,7 @@
 // What small motions of a stationary state dissipate, by fields that go with cos mφ and sin mφ.
 #pragma once
 
-#include "axisym/modes/second_variation.h"
-#include "axisym/stationary/newton_system.h"
+#include "axisym/modes/rigid_motions.h"
 
 namespace sbeh::axisym {
 
@@ -20,24 +19,37 @@ enum FlowUnknown {
 };
 static_assert(int(flow_d) == int(node_d) && int(flow_beta) == int(node_beta)
               && int(flow_v_t) == int(node_unknowns));
+using FlowChain = model::ChainMatrix<flow_unknowns>;
 
 /// Place of a node's unknown in the global vector.
 inline int flow_index(Eigen::Index node, FlowUnknown c) { return flow_unknowns * int(node) + c; }
 
-/// A band matrix or a vector of the unknowns of SecondVariation among those of the flow.
-model::BandMatrix among_flow_unknowns(const model::BandMatrix& matrix);
+/// A matrix or a vector of the unknowns of SecondVariation among those of the flow.
+FlowChain among_flow_unknowns(const NodeChain& matrix);
 Eigen::VectorXd among_flow_unknowns(const Eigen::VectorXd& x);
 
 /// The quadratic form of  V = (Σ ḋ_i φ_i n_i + v_t t + …) cos mφ + v_φ e_φ sin mφ,  of ḃ and p
 ///
 ///   ∫ [ γ_∥ (V_t² + V_φ²) + γ_⊥ V_n² + (η/2)|σ(V)|² + m_β (ḃ + v_t ∂_sβ)² + 2 p Div_C V ] r ds
 ///
-/// and (γ_∥ + γ_⊥)(Div_C V)², see model/equations.md. What is not free is 0 in it; for m = 0 that is v_φ too, which
-/// nothing moves.
-model::BandMatrix dissipation(const model::Material& material, model::Model model,
-                              const StationaryState& state, int m);
+/// and (γ_∥ + γ_⊥)(Div_C V)², see model/equations.md: powers_0 + m powers_1 + m² powers_2.
+struct FlowDissipation {
+  std::array<FlowChain, 3> powers;
 
-/// What is not free of the flow for m, besides what SecondVariation holds: 0 in the matrix, and `diagonal`.
-void hold_flow(int nodes, int m, double diagonal, model::BandMatrix& matrix);
+  /// What is not free is 0 in it; for m = 0 that is v_φ too, which nothing moves.
+  FlowChain form(const SecondVariation& second, int m, Parity parity) const;
+};
+FlowDissipation dissipation(const model::Material& material, const SecondVariation& second);
+
+/// What friction does against rigid motions, which deform nothing.
+struct RigidDrag {
+  Eigen::MatrixXd loads;    ///< of each, in columns
+  Eigen::MatrixXd squares;  ///< what they dissipate, alone and together
+};
+RigidDrag drag_on(const std::vector<RigidMotion>& motions, const model::Material& material,
+                  const SecondVariation& second, int m, Parity parity);
+
+/// What is not free of the flow, besides what SecondVariation holds: 0 in the matrix, and `diagonal`.
+void hold_flow(const Sector& sector, int m, Parity parity, double diagonal, FlowChain& matrix);
 
 }  // namespace sbeh::axisym

@@ -1,67 +1,83 @@
 #include "axisym/modes/fluctuations.h"
 
 #include "axisym/circles.h"
+#include "axisym/modes/constrained_inverse.h"
 #include "axisym/modes/rigid_motions.h"
-#include "axisym/stationary/newton_system.h"
 
-#include <Eigen/QR>
-
+#include <cmath>
 #include <numbers>
 
 namespace sbeh::axisym {
 
 namespace {
 
-// The outward displacement of the widest circle, as a row that multiplies the unknowns.
-Eigen::VectorXd widening(const Nodes& X) {
-  const CurvePlace at = widest_place(X);
+// The outward displacement of the widest circle, or of its mirror image, as a row that multiplies the unknowns.
+Eigen::VectorXd widening(const Nodes& X, const Sector& sector, Parity parity) {
+  CurvePlace at = widest_place(X);
+  if (at.element >= sector.elements()) at = {sector.state_elements - 1 - at.element, 1 - at.x};
   const ShapeValues s = shape_values(at.x);
   const CurvePoint p = curve_point(X, at.element, s);
   const Nodes n = node_normals(X);
-  Eigen::VectorXd row = Eigen::VectorXd::Zero(node_unknowns * X.cols());
+  Eigen::VectorXd row =
+      Eigen::VectorXd::Zero(node_unknowns * (3 * Eigen::Index(sector.elements()) + 1));
   for (int a = 0; a < 4; ++a) {
     const Eigen::Index node = 3 * at.element + a;
     row[index(node, node_d)] = s.phi[std::size_t(a)] * p.nu.dot(n.col(node));
   }
+  fold<node_unknowns>(sector, parity, node_mirror(), row);
+  for_each_mirrored<node_unknowns>(sector, parity, node_mirror(), [&](int i) { row[i] = 0; });
   return row;
 }
 
-// What the response to a load must be orthogonal to; of a sphere area and volume are one.
-Eigen::MatrixXd borders(const SecondVariation& second, int m) {
-  const model::BandMatrix mass = second.mass_of(m);
-  const std::vector<RigidMotion> rigid = rigid_motions(second.state, m, mass);
-  const Eigen::Index kept = m == 0 ? second.constraints.cols() : 0;
-  Eigen::MatrixXd columns(second.constraints.rows(), kept + Eigen::Index(rigid.size()));
-  if (kept > 0) columns.leftCols(kept) = second.constraints;
-  for (std::size_t k = 0; k < rigid.size(); ++k)
-    columns.col(kept + Eigen::Index(k)) = mass.times(unknowns_of(rigid[k]));
-  if (columns.cols() == 0) return columns;
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> independent(columns.colwise().normalized());
-  independent.setThreshold(1e-6);
-  return (columns * independent.colsPermutation()).leftCols(independent.rank());
+// What the response to a load must be orthogonal to.
+Eigen::MatrixXd borders(const SecondVariation& second, int m, Parity parity) {
+  const NodeChain mass = second.mass_of(m, parity);
+  const Eigen::MatrixXd kept = second.constraints_of(m, parity),
+                        rigid = unknowns_of(rigid_motions(second, m, parity, mass));
+  Eigen::MatrixXd columns(mass.size(), kept.cols() + rigid.cols());
+  if (kept.cols() > 0) columns.leftCols(kept.cols()) = kept;
+  for (Eigen::Index k = 0; k < rigid.cols(); ++k)
+    columns.col(kept.cols() + k) = mass.times(rigid.col(k));
+  return columns;
+}
+
+// load · (the form's inverse · load), among what is orthogonal to the borders; empty where that is not found.
+std::optional<double> response(const SecondVariation& second, int m, Parity parity) {
+  const Eigen::VectorXd load = widening(second.state.X, second.sector, parity);
+  // A itself is singular along rigid motions, and that of a sphere without tension along its size.
+  constexpr double shift = -1e-4;  // stiffnesses
+  constexpr int most_passes = 200;
+  constexpr double tolerance = 1e-10;
+  const NodeChain A = second.form(m, parity);
+  NodeChain regular = A;
+  regular.add(-shift * second.stiffness, second.mass_of(m, parity));
+  const model::ChainInverse<node_unknowns> inverse(regular);
+  if (!inverse.usable()) return {};
+  const auto solve = [&](Eigen::VectorXd x) {
+    inverse.solve(x);
+    return x;
+  };
+  const ConstrainedInverse constrained(solve, borders(second, m, parity));
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(load.size());
+  for (int pass = 0; pass < most_passes; ++pass) {  // each leaves |shift|/(λ − shift) of the error
+    const Eigen::VectorXd change = constrained(load - A.times(x));
+    x += change;
+    if (std::abs(load.dot(change)) <= tolerance * std::abs(load.dot(x))) return load.dot(x);
+  }
+  return {};
 }
 
 }  // namespace
 
 std::optional<double> contour_variance(const SecondVariation& second, int m) {
-  const Eigen::VectorXd load = widening(second.state.X);
-  const Eigen::MatrixXd B = borders(second, m);
-  const Eigen::MatrixXd none = Eigen::MatrixXd::Zero(B.cols(), B.cols());
-  // A itself is singular along rigid motions, and that of a sphere without tension along its size.
-  constexpr double shift = -1e-6;  // stiffnesses
-  const model::BandMatrix A = second.shifted(m, 0);
-  model::BandMatrix regular = second.shifted(m, shift * second.stiffness);
-  if (!regular.factor()) return {};
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(load.size()), y = Eigen::VectorXd::Zero(B.cols());
-  for (int pass = 0; pass < 4; ++pass) {  // each leaves |shift|/λ of the error
-    const auto change =
-        model::solve_bordered(regular, B, B, none, load - A.times(x) - B * y, -B.transpose() * x);
-    if (change.x.size() == 0) return {};
-    x += change.x;
-    y += change.y;
+  double sum = 0;
+  for (const Parity parity : second.sector.parities()) {
+    const auto part = response(second, m, parity);
+    if (!part) return {};
+    sum += *part;
   }
   const double of_angle = m == 0 ? 2 * std::numbers::pi : std::numbers::pi;  // ∫cos² mφ dφ
-  return load.dot(x) / of_angle;
+  return sum / of_angle;
 }
 
 }  // namespace sbeh::axisym

@@ -12,7 +12,8 @@ namespace sbeh::axisym {
 
 /// ⟨a_m²⟩/(k_BT) of the widest circle's radius R + Σ_m (a_m cos mφ + b_m sin mφ), ⟨b_m²⟩ being the same for m ≥ 1: from all
 /// modes of m, not the lowest alone, but rigid motions, to which they are orthogonal in ∫(u u' + b b') dS; for m = 0 area
-/// and volume are kept. It means something only where all eigenvalues of m are positive. Empty where the matrix is singular.
+/// and volume are kept. It means something only where all eigenvalues of m are positive. Empty where it is not found: where one is
+/// 0 or nearly so.
 std::optional<double> contour_variance(const SecondVariation& second, int m);
 
 }  // namespace sbeh::axisym

@@ -1,111 +1,102 @@
 #include "axisym/modes/growth_rates.h"
 
-#include "axisym/modes/dissipation.h"
 #include "axisym/modes/eigenmodes.h"
-#include "axisym/modes/rigid_motions.h"
-#include "axisym/stationary/symmetry.h"
+#include "axisym/modes/mode_problem.h"
+
+#include <algorithm>
+#include <functional>
 
 namespace sbeh::axisym {
 
 namespace {
 
-Eigen::VectorXd flow_unknowns_of(const RigidMotion& motion) {
-  const Eigen::Index nodes = motion.u.size();
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(flow_unknowns * nodes);
-  for (Eigen::Index i = 0; i < nodes; ++i) {
-    const bool is_pole = i == 0 || i + 1 == nodes;  // v_φ is tied to v_t there
-    x[flow_index(i, flow_d)] = motion.u[i];
-    x[flow_index(i, flow_beta)] = motion.b[i];
-    x[flow_index(i, flow_v_t)] = motion.v_t[i];
-    x[flow_index(i, flow_v_phi)] = is_pole ? 0 : motion.v_phi[i];
-  }
-  return x;
-}
-
-// What friction does against a rigid motion, which deforms nothing. Empty where there is none.
-Eigen::VectorXd drag_on(const Eigen::VectorXd& motion, model::Material material,
-                        const StationaryState& state, int m) {
-  if (material.frictionless()) return {};
-  material.viscosity = 0;
-  Eigen::VectorXd drag = dissipation(material, model::Model::SSH, state, m).times(motion);
-  drag(Eigen::seq(Eigen::Index(flow_p), Eigen::last, Eigen::Index(flow_unknowns))).setZero();
-  return drag;
-}
-
 // The rigid motions, each with a displacement that it, and none of those before it, changes much.
-std::vector<FreeMotion> free_motions(const SecondVariation& second, const model::Material& material,
-                                     int m, const model::BandMatrix& square) {
-  const std::vector<RigidMotion> motions = rigid_motions(second.state, m, square);
-  std::vector<Eigen::VectorXd> rest;  // what is left of them where those before are taken off
-  for (const RigidMotion& motion : motions) rest.push_back(unknowns_of(motion));
-  std::vector<FreeMotion> free;
-  for (std::size_t k = 0; k < motions.size(); ++k) {
-    const Eigen::VectorXd weighted = square.times(rest[k]);
+FreeMotions free_motions(const LinearFlow& flow, int m, Parity parity, const NodeChain& square) {
+  const std::vector<RigidMotion> motions = rigid_motions(flow.second, m, parity, square);
+  FreeMotions free{.held = {}, .fields = unknowns_of(motions), .weights = {}, .squares = {}};
+  if (motions.empty()) return free;
+  if (!flow.material.frictionless()) {
+    RigidDrag drag = drag_on(motions, flow.material, flow.second, m, parity);
+    free.weights = std::move(drag.loads);
+    free.squares = std::move(drag.squares);
+  }
+  Eigen::MatrixXd rest = free.fields;  // what is left of them where those before are taken off
+  for (Eigen::Index k = 0; k < rest.cols(); ++k) {
+    const Eigen::VectorXd weighted = square.times(rest.col(k));
     Eigen::Index node = 0;
-    weighted(Eigen::seqN(Eigen::Index(node_d), motions[k].u.size(), Eigen::Index(node_unknowns)))
+    weighted(
+        Eigen::seqN(Eigen::Index(node_d), motions.front().u.size(), Eigen::Index(node_unknowns)))
         .cwiseAbs()
         .maxCoeff(&node);
-    const Eigen::VectorXd x = flow_unknowns_of(motions[k]);
-    free.push_back({x, drag_on(x, material, second.state, m), flow_index(node, flow_d)});
+    free.held.push_back(flow_index(node, flow_d));
     const int held = index(node, node_d);
-    for (std::size_t j = k + 1; j < motions.size(); ++j)
-      rest[j] -= rest[j][held] / rest[k][held] * rest[k];
+    for (Eigen::Index j = k + 1; j < rest.cols(); ++j)
+      rest.col(j) -= rest(held, j) / rest(held, k) * rest.col(k);
   }
   return free;
 }
 
 // Of growing modes λ = −σ.
-ModeProblem problem_of(const SecondVariation& second, const model::Material& material,
-                       model::Model model, int m) {
-  const StationaryState& state = second.state;
-  const int nodes = int(state.beta.size());
-  const bool round = is_sphere(area(state.X), volume(state.X));
-  ModeProblem problem{
+ModeProblem<flow_unknowns> problem_of(const LinearFlow& flow, int m, Parity parity) {
+  const SecondVariation& second = flow.second;
+  const model::Material& material = flow.material;
+  const Nodes& X = second.state.X;
+  const bool round = is_sphere(area(X), volume(X));
+  ModeProblem<flow_unknowns> problem{
       .m = m,
-      .node_size = flow_unknowns,
-      .A = among_flow_unknowns(second.shifted(m, 0)),
-      .M = dissipation(material, model, state, m),
+      .A = among_flow_unknowns(second.form(m, parity)),
+      .M = flow.dissipation.form(second, m, parity),
       .constraints = {},
       .idle = {},
-      .square = second.mass_of(m),
+      .square = second.mass_of(m, parity),
       .rigid = {},
       .free = {},
       .scale = second.stiffness
              / (material.viscosity + material.friction_tangential + material.friction_normal)};
-  hold_flow(nodes, m, 1, problem.A);
-  problem.free = free_motions(second, material, m, problem.square);
+  hold_flow(second.sector, m, parity, 1, problem.A);
+  problem.free = free_motions(flow, m, parity, problem.square);
   // Nothing resists what turns a sphere without tangential friction.
-  if (m == 1 && round && material.friction_tangential == 0)
-    problem.free.push_back({Eigen::VectorXd::Zero(problem.A.size()), {}, flow_index(0, flow_v_t)});
-  if (m == 0) {
-    const Eigen::MatrixXd& rows = second.constraints;
-    problem.idle = among_flow_unknowns(Eigen::VectorXd(rows.col(0)));  // a constant p
+  if (m == 1 && parity != Parity::even && round && material.friction_tangential == 0)
+    problem.free.held.push_back(flow_index(0, flow_v_t));
+  const Eigen::MatrixXd kept = second.constraints_of(m, parity);
+  if (kept.cols() > 0) {
+    problem.idle = among_flow_unknowns(Eigen::VectorXd(kept.col(0)));  // a constant p
     // On a sphere volume is area, which p keeps.
-    if (!round) problem.constraints = among_flow_unknowns(Eigen::VectorXd(rows.col(1)));
+    if (!round) problem.constraints = among_flow_unknowns(Eigen::VectorXd(kept.col(1)));
   }
   return problem;
 }
 
 }  // namespace
 
-std::optional<std::vector<GrowthMode>> growth_rates(const SecondVariation& second,
-                                                    const model::Material& material,
-                                                    model::Model model, int m, int count) {
-  const model::Material flow = effective(material, model);
+LinearFlow::LinearFlow(const SecondVariation& of, const model::Material& of_material,
+                       model::Model of_model)
+    : second(of),
+      material(effective(of_material, of_model)),
+      is_along_normals(area_constraint(of_model) == model::AreaConstraint::global) {
+  if (!is_along_normals) dissipation = axisym::dissipation(material, second);
+}
+
+std::optional<std::vector<GrowthMode>> growth_rates(const LinearFlow& flow, int m, int count) {
+  const Sector& sector = flow.second.sector;
   std::vector<GrowthMode> growth;
-  if (area_constraint(model) == model::AreaConstraint::global) {
-    // Velocities along the normals alone: σ = −λ/γ_⊥ of the second variation.
-    auto spectrum = lowest_modes(second, m, count);
+  if (flow.is_along_normals) {
+    // σ = −λ/γ_⊥ of the second variation.
+    auto spectrum = lowest_modes(flow.second, m, count);
     if (!spectrum) return {};
     for (Eigenmode& mode : spectrum->modes)
-      growth.push_back({m, mode.parity, -mode.eigenvalue / flow.friction_normal, std::move(mode.u),
-                        std::move(mode.b)});
+      growth.push_back({m, mode.parity, -mode.eigenvalue / flow.material.friction_normal,
+                        std::move(mode.u), std::move(mode.b)});
     return growth;
   }
-  auto found = lowest(problem_of(second, flow, model, m), is_symmetric(second.state.X), count);
-  if (!found) return {};
-  for (AzimuthalMode& mode : found->modes)
-    growth.push_back({m, mode.parity, -mode.lambda, std::move(mode.u), std::move(mode.b)});
+  for (const Parity parity : sector.parities()) {
+    const auto found = lowest(problem_of(flow, m, parity), count);
+    if (!found) return {};
+    for (const AzimuthalMode& mode : found->modes)
+      growth.push_back(
+          {m, parity, -mode.lambda, sector.whole(mode.u, parity), sector.whole(mode.b, parity)});
+  }
+  std::ranges::stable_sort(growth, std::greater{}, &GrowthMode::rate);
   return growth;
 }
 

@@ -1,11 +1,15 @@
 // How fast small perturbations of a stationary state grow, by angular number m: its modes in the linearised flow.
 #pragma once
 
-#include "axisym/modes/mode_problem.h"
+#include "axisym/modes/dissipation.h"
+
+#include <optional>
+#include <vector>
 
 namespace sbeh::axisym {
 
-/// A mode of the flow; its fields are normalised as those of AzimuthalMode.
+/// A mode of the flow: u(s) cos mφ along the normal and b(s) cos mφ of the order at fixed (s, φ),
+/// ∫(u² + b²) cos² mφ dS = 1, the largest |u| positive.
 struct GrowthMode {
   int m;
   Parity parity;
@@ -13,12 +17,20 @@ struct GrowthMode {
   Field u, b;   // nodes
 };
 
-/// The `count` largest rates of m and of each parity, at the most, in descending order and without rigid motions, of
-/// the model's flow: with viscosity, friction and the relaxation of the order, area kept everywhere; of
-/// Helfrich-global the L² flow. Empty where Lanczos' iteration does not settle. For all but SBEH `second` must be that
-/// of SSH, and b = 0. How far the state is from having such modes, `lowest_modes` says by its rigid_residual.
-std::optional<std::vector<GrowthMode>> growth_rates(const SecondVariation& second,
-                                                    const model::Material& material,
-                                                    model::Model model, int m, int count);
+/// The model's flow about a stationary state: with viscosity, friction and the relaxation of the order, area kept
+/// everywhere; of Helfrich-global the L² flow. For all but SBEH `second` must be that of SSH; it must outlive this.
+struct LinearFlow {
+  LinearFlow(const SecondVariation& second, const model::Material& material, model::Model model);
+
+  const SecondVariation& second;
+  model::Material material;  ///< as the model has it
+  bool is_along_normals;     ///< of the L² flow, which has no other dissipation
+  FlowDissipation dissipation{{FlowChain(0), FlowChain(0), FlowChain(0)}};
+};
+
+/// The `count` largest rates of m and of each parity, at the most, in descending order and without rigid motions. Empty
+/// where Lanczos' iteration does not settle. For SSH b = 0. How far the state is from having such modes, `lowest_modes`
+/// says by its rigid_residual.
+std::optional<std::vector<GrowthMode>> growth_rates(const LinearFlow& flow, int m, int count);
 
 }  // namespace sbeh::axisym

@@ -1,10 +1,7 @@
 #include "axisym/modes/mode_problem.h"
 
-#include "axisym/stationary/newton_system.h"
+#include "axisym/modes/constrained_inverse.h"
 #include "model/numerics/lanczos.h"
-
-#include <Eigen/LU>
-#include <Eigen/QR>
 
 #include <algorithm>
 #include <cmath>
@@ -16,127 +13,85 @@ namespace sbeh::axisym {
 
 namespace {
 
-Eigen::MatrixXd independent_columns(const Eigen::MatrixXd& columns) {
-  Eigen::ColPivHouseholderQR<Eigen::MatrixXd> qr(columns.colwise().normalized());
-  qr.setThreshold(1e-6);
-  return (columns * qr.colsPermutation()).leftCols(qr.rank());
-}
-
-// M x, free motions with their own weight: x = y + Σ c_j x_j, y 0 where it is held.
-class Mass {
+// M on what is 0 in the held unknowns, its motion along the free ones taken out: M − w W⁻¹ wᵀ, w and W their weights and
+// squares.
+template <int N>
+class FreeMass {
  public:
-  explicit Mass(const ModeProblem& problem) : matrix_(problem.M) {
-    const auto count = Eigen::Index(problem.free.size());
-    corrections_.resize(matrix_.size(), count);
-    Eigen::MatrixXd held(count, count);
-    for (Eigen::Index j = 0; j < count; ++j) {
-      const FreeMotion& motion = problem.free[std::size_t(j)];
-      corrections_.col(j) = -matrix_.times(motion.x);
-      if (motion.weight.size() > 0) corrections_.col(j) += motion.weight;
-      held_.push_back(motion.held);
-      for (Eigen::Index i = 0; i < count; ++i)
-        held(i, j) = motion.x[problem.free[std::size_t(i)].held];
-    }
-    if (count > 0) share_.compute(held);
+  explicit FreeMass(const ModeProblem<N>& problem)
+      : matrix_(problem.M), weights_(problem.free.weights) {
+    for (const int i : problem.free.held) matrix_.pin(i, 0);
+    if (weights_.cols() == 0) return;
+    for (const int i : problem.free.held) weights_.row(i).setZero();
+    squares_.compute(problem.free.squares);
   }
+  const model::ChainMatrix<N>& matrix() const { return matrix_; }
+  const Eigen::MatrixXd& weights() const { return weights_; }
   Eigen::VectorXd operator()(const Eigen::VectorXd& x) const {
     Eigen::VectorXd product = matrix_.times(x);
-    if (!held_.empty()) product += corrections_ * share_.solve(Eigen::VectorXd(x(held_)));
+    if (weights_.cols() > 0) product -= weights_ * share(x);
     return product;
+  }
+  /// W⁻¹ wᵀ x: how much of the free motions is taken from x.
+  Eigen::VectorXd share(const Eigen::VectorXd& x) const {
+    return squares_.solve(Eigen::VectorXd(weights_.transpose() * x));
   }
 
  private:
-  const model::BandMatrix& matrix_;
-  std::vector<int> held_;
-  Eigen::MatrixXd corrections_;  // of M x_j, in columns
-  Eigen::FullPivLU<Eigen::MatrixXd> share_;
+  model::ChainMatrix<N> matrix_;
+  Eigen::MatrixXd weights_;
+  Eigen::FullPivLU<Eigen::MatrixXd> squares_;
 };
 
-// (A − σ M)⁻¹ on what does not set free motions going: x = y + Σ c_j x_j, y 0 where it is held, x_j · M x = 0.
+// (A − σ M)⁻¹ likewise.
+template <int N>
 class FreeInverse {
  public:
-  FreeInverse(const ModeProblem& problem, double shift) : matrix_(problem.A) {
-    matrix_.add(-shift, problem.M);
-    Eigen::Index resisted = 0;
-    for (const FreeMotion& motion : problem.free) {
-      held_.push_back(motion.held);
-      matrix_.pin(motion.held, 1);
-      resisted += motion.weight.size() > 0;
-    }
-    usable_ = matrix_.factor();
-    if (!usable_) return;
-    weights_.resize(matrix_.size(), resisted);
-    answers_.resize(matrix_.size(), resisted);
-    Eigen::Index k = 0;
-    for (const FreeMotion& motion : problem.free) {
-      if (motion.weight.size() == 0) continue;
-      weights_.col(k) = motion.weight;
-      answers_.col(k) = motion.x + shift * held_inverse(weights_.col(k));
-      ++k;
-    }
-    if (k > 0) schur_.compute(weights_.transpose() * answers_);
+  FreeInverse(const ModeProblem<N>& problem, const FreeMass<N>& mass, double shift)
+      : held_(problem.free.held),
+        weights_(mass.weights()),
+        inverse_(shifted(problem, mass, shift)) {
+    if (!usable() || weights_.cols() == 0) return;
+    answers_ = weights_;
+    for (auto column : answers_.colwise()) inverse_.solve(column);
+    schur_.compute(problem.free.squares / shift + weights_.transpose() * answers_);
   }
-  bool usable() const { return usable_; }
-  Eigen::VectorXd operator()(const Eigen::VectorXd& load) const {
-    Eigen::VectorXd x = held_inverse(load);
+  bool usable() const { return inverse_.usable(); }
+  Eigen::VectorXd operator()(Eigen::VectorXd x) const {
+    for (const int i : held_) x[i] = 0;
+    inverse_.solve(x);
     if (weights_.cols() > 0) x -= answers_ * schur_.solve(weights_.transpose() * x);
     return x;
   }
 
  private:
-  Eigen::VectorXd held_inverse(Eigen::VectorXd x) const {
-    for (const int i : held_) x[i] = 0;
-    matrix_.solve(x);
-    return x;
+  static model::ChainMatrix<N> shifted(const ModeProblem<N>& problem, const FreeMass<N>& mass,
+                                       double shift) {
+    model::ChainMatrix<N> matrix = problem.A;
+    for (const int i : problem.free.held) matrix.pin(i, 1);
+    matrix.add(-shift, mass.matrix());
+    return matrix;
   }
 
-  model::BandMatrix matrix_;
-  std::vector<int> held_;
-  Eigen::MatrixXd weights_, answers_;  // in columns: M x_j, and x_j with the y that it brings
-  Eigen::FullPivLU<Eigen::MatrixXd> schur_;
-  bool usable_;
-};
-
-// (A − σ M)⁻¹, the constraints kept.
-class Inverse {
- public:
-  Inverse(const ModeProblem& problem, double shift) : free_(problem, shift) {
-    if (!usable() || problem.constraints.cols() == 0) return;
-    // On the sphere area and volume change together.
-    constraints_ = independent_columns(problem.constraints);
-    solved_ = constraints_;
-    for (auto column : solved_.colwise()) column = free_(column);
-    schur_.compute(constraints_.transpose() * solved_);
-  }
-  bool usable() const { return free_.usable(); }
-  Eigen::VectorXd operator()(const Eigen::VectorXd& load) const {
-    Eigen::VectorXd x = free_(load);
-    if (constraints_.cols() > 0) x -= solved_ * schur_.solve(constraints_.transpose() * x);
-    return x;
-  }
-
- private:
-  FreeInverse free_;
-  Eigen::MatrixXd constraints_, solved_;  // in columns, and (A − σ M)⁻¹ of them
+  const std::vector<int>& held_;
+  const Eigen::MatrixXd& weights_;
+  model::ChainInverse<N> inverse_;
+  Eigen::MatrixXd answers_;
   Eigen::FullPivLU<Eigen::MatrixXd> schur_;
 };
 
 // An unknown of all nodes.
-template <class Vector>
-auto at_nodes(Vector& x, int node_size, NodeUnknown c) {
-  return x(Eigen::seqN(Eigen::Index(c), x.size() / node_size, Eigen::Index(node_size)));
+template <int N, class Vector>
+auto at_nodes(Vector& x, NodeUnknown c) {
+  return x(Eigen::seqN(Eigen::Index(c), x.size() / N, Eigen::Index(N)));
 }
 
-// What acts on d and on the order of a vector, in the part of a parity.
-Eigen::VectorXd load_of(const Eigen::VectorXd& x, int node_size, Parity parity) {
+// What acts on d and on the order of a vector, less what is idle.
+template <int N>
+Eigen::VectorXd load_of(const ModeProblem<N>& problem, const Eigen::VectorXd& x) {
   Eigen::VectorXd load = Eigen::VectorXd::Zero(x.size());
-  for (const NodeUnknown c : {node_d, node_beta}) {
-    auto part = at_nodes(load, node_size, c);
-    part = at_nodes(x, node_size, c);
-    if (parity == Parity::none) continue;
-    const double sign = parity == Parity::even ? 1 : -1;
-    part = (part + sign * part.reverse()).eval() / 2;
-  }
+  for (const NodeUnknown c : {node_d, node_beta}) at_nodes<N>(load, c) = at_nodes<N>(x, c);
+  for (const auto idle : problem.idle.colwise()) load -= idle.dot(load) / idle.squaredNorm() * idle;
   return load;
 }
 
@@ -149,97 +104,90 @@ Eigen::VectorXd any_vector(Eigen::Index size) {
   return x;
 }
 
-int rigid_of(const ModeProblem& problem, Parity parity) {
-  return int(std::ranges::count_if(problem.rigid, [&](const Eigen::VectorXd& motion) {
-    return load_of(motion, node_unknowns, parity).norm() > 0.5 * motion.norm();
-  }));
-}
-
 // d and the order of a vector, in the unknowns of SecondVariation.
-Eigen::VectorXd fields_of(const ModeProblem& problem, const Eigen::VectorXd& x) {
-  Eigen::VectorXd fields = Eigen::VectorXd::Zero(problem.square.size());
+template <int N>
+Eigen::VectorXd fields_of(const Eigen::VectorXd& x) {
+  Eigen::VectorXd fields = Eigen::VectorXd::Zero(x.size() / N * node_unknowns);
   for (const NodeUnknown c : {node_d, node_beta})
-    at_nodes(fields, node_unknowns, c) = at_nodes(x, problem.node_size, c);
+    at_nodes<node_unknowns>(fields, c) = at_nodes<N>(x, c);
   return fields;
 }
 
 // (u, b) as AzimuthalMode has them.
-Eigen::VectorXd shape_of(const ModeProblem& problem, const Eigen::VectorXd& x) {
-  Eigen::VectorXd shape = fields_of(problem, x);
-  for (const FreeMotion& motion : problem.free) {
-    if (motion.weight.size() > 0) continue;
-    const Eigen::VectorXd part = fields_of(problem, motion.x), loaded = problem.square.times(part);
-    if (const double whole = part.dot(loaded); whole > 0) shape -= shape.dot(loaded) / whole * part;
+template <int N>
+Eigen::VectorXd shape_of(const ModeProblem<N>& problem, const FreeMass<N>& mass,
+                         const Eigen::VectorXd& x) {
+  const Eigen::MatrixXd& free = problem.free.fields;
+  Eigen::VectorXd shape = fields_of<N>(x);
+  if (mass.weights().cols() > 0) {
+    shape -= free * mass.share(x);
+  } else if (free.cols() > 0) {  // orthonormal ones
+    const Eigen::VectorXd loaded = problem.square.times(shape);
+    shape -= free * (free.transpose() * loaded);
   }
-  const Field u = at_nodes(shape, node_unknowns, node_d);
+  const Field u = at_nodes<node_unknowns>(shape, node_d);
   const double sign = u.maxCoeff() < -u.minCoeff() ? -1 : 1;
   const double turn = problem.m == 0 ? 2 * std::numbers::pi : std::numbers::pi;  // ∫cos² mφ dφ
   return sign / std::sqrt(turn * shape.dot(problem.square.times(shape))) * shape;
 }
 
-bool is_rigid(const ModeProblem& problem, const Eigen::VectorXd& shape) {
+template <int N>
+bool is_rigid(const ModeProblem<N>& problem, const Eigen::VectorXd& shape) {
+  if (problem.rigid.cols() == 0) return false;
   const Eigen::VectorXd loaded = problem.square.times(shape);
-  double share = 0;
-  for (const Eigen::VectorXd& motion : problem.rigid) share += std::pow(motion.dot(loaded), 2);
-  return share > 0.5 * shape.dot(loaded);
+  return (problem.rigid.transpose() * loaded).squaredNorm() > 0.5 * shape.dot(loaded);
 }
 
-// The modes of one parity, rigid motions among them; those of the smallest (λ − shift)⁻¹ come last. Empty where
-// Lanczos' iteration fails.
-std::optional<model::RitzPairs> modes_of(const ModeProblem& problem, Parity parity,
-                                         const Inverse& inverse, const Mass& full_mass, int count) {
+// The modes, rigid motions among them; those of the smallest (λ − shift)⁻¹ come last. Empty where A − shift M is singular
+// or Lanczos' iteration fails.
+template <int N>
+std::optional<model::RitzPairs> nearest(const ModeProblem<N>& problem, const FreeMass<N>& free_mass,
+                                        double shift, int count) {
   constexpr int most_steps = 120;
-  const auto load = [&](const Eigen::VectorXd& x) {
-    Eigen::VectorXd part = load_of(x, problem.node_size, parity);
-    for (const auto idle : problem.idle.colwise())
-      part -= idle.dot(part) / idle.squaredNorm() * idle;
-    return part;
-  };
-  const auto mass = [&](const Eigen::VectorXd& x) { return load(full_mass(x)); };
-  const Eigen::VectorXd start = inverse(mass(inverse(load(any_vector(problem.M.size())))));
-  return model::largest_by_lanczos(inverse, mass, start, count + rigid_of(problem, parity),
+  const FreeInverse<N> free(problem, free_mass, shift);
+  if (!free.usable()) return {};
+  const ConstrainedInverse inverse(free, problem.constraints);
+  const auto mass = [&](const Eigen::VectorXd& x) { return load_of(problem, free_mass(x)); };
+  const Eigen::VectorXd start =
+      inverse(mass(inverse(load_of(problem, any_vector(problem.M.size())))));
+  return model::largest_by_lanczos(inverse, mass, start, count + int(problem.rigid.cols()),
                                    most_steps);
 }
 
 }  // namespace
 
-std::optional<AzimuthalModes> lowest(const ModeProblem& problem, bool is_symmetric, int count) {
+template <int N>
+std::optional<AzimuthalModes> lowest(const ModeProblem<N>& problem, int count) {
   constexpr double first_shift = -10, lowest_shift = -1e9, growth = 4;  // scales
   constexpr double rounding = 1e-9;
-  const auto parities =
-      is_symmetric ? std::vector{Parity::even, Parity::odd} : std::vector{Parity::none};
-  const Mass mass(problem);
+  const FreeMass<N> mass(problem);
   for (double shift = first_shift; shift > lowest_shift; shift *= growth) {
     const double sigma = shift * problem.scale;
-    const Inverse inverse(problem, sigma);
-    if (!inverse.usable()) return {};
+    const auto pairs = nearest(problem, mass, sigma, count);
+    if (!pairs) return {};
+    if (pairs->least <= -rounding * std::abs(pairs->values[0])) continue;  // one is below the shift
     AzimuthalModes found;
-    std::size_t recognised = 0;
-    bool is_below = true;
-    for (const Parity parity : parities) {
-      const auto pairs = modes_of(problem, parity, inverse, mass, count);
-      if (!pairs) return {};
-      is_below = is_below && pairs->least > -rounding * std::abs(pairs->values[0]);
-      int kept = 0;
-      for (Eigen::Index k = 0; k < pairs->values.size(); ++k) {
-        const Eigen::VectorXd shape = shape_of(problem, pairs->vectors.col(k));
-        const double lambda = sigma + 1 / pairs->values[k];
-        if (is_rigid(problem, shape)) {
-          found.rigid_residual = std::max(found.rigid_residual, std::abs(lambda));
-          ++recognised;
-        } else if (kept++ < count) {
-          found.modes.push_back({parity, lambda, at_nodes(shape, node_unknowns, node_d),
-                                 at_nodes(shape, node_unknowns, node_beta)});
-        }
+    int recognised = 0;
+    for (Eigen::Index k = 0; k < pairs->values.size(); ++k) {
+      const Eigen::VectorXd shape = shape_of(problem, mass, pairs->vectors.col(k));
+      const double lambda = sigma + 1 / pairs->values[k];
+      if (is_rigid(problem, shape)) {
+        found.rigid_residual = std::max(found.rigid_residual, std::abs(lambda));
+        ++recognised;
+      } else if (int(found.modes.size()) < count) {
+        found.modes.push_back({lambda, at_nodes<node_unknowns>(shape, node_d),
+                               at_nodes<node_unknowns>(shape, node_beta)});
       }
     }
-    if (!is_below) continue;
-    if (recognised < problem.rigid.size())
+    if (recognised < problem.rigid.cols())
       found.rigid_residual = std::numeric_limits<double>::infinity();
     std::ranges::sort(found.modes, {}, &AzimuthalMode::lambda);
     return found;
   }
   return {};
 }
+
+template std::optional<AzimuthalModes> lowest(const ModeProblem<node_unknowns>&, int);
+template std::optional<AzimuthalModes> lowest(const ModeProblem<flow_node_size>&, int);
 
 }  // namespace sbeh::axisym

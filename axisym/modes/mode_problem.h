@@ -1,4 +1,4 @@
-// The eigenvalue problem of one angular number: A x = λ M x, M semidefinite.
+// The eigenvalue problem of one angular number and parity: A x = λ M x, M semidefinite.
 #pragma once
 
 #include "axisym/modes/second_variation.h"
@@ -8,39 +8,35 @@
 
 namespace sbeh::axisym {
 
-/// Whether a mode of an up-down symmetric state goes into itself upside down (even), or into its negative.
-enum class Parity { even, odd, none };
-constexpr auto names(Parity) { return std::array{"even", "odd", "none"}; }
-
-/// A motion x that costs nothing, A x = 0, and is not to be among the modes, so that these have mode · M x = 0; and an
-/// unknown that it changes. Where M x = 0 the modes are orthogonal to it in their fields.
-struct FreeMotion {
-  Eigen::VectorXd x;
-  Eigen::VectorXd weight;  ///< M x as it is for the exact motion; empty: 0
-  int held;
+/// Motions that cost nothing and are not to be among the modes: each vector is a sum of them and of one that is 0 in
+/// `held`, and they are known exactly, not by the unknowns. Modes are orthogonal to them in M, or where that does not
+/// know them in their fields.
+struct FreeMotions {
+  std::vector<int> held;
+  Eigen::MatrixXd fields;   ///< their (u, b) in the unknowns of SecondVariation, in columns
+  Eigen::MatrixXd weights;  ///< M times each, in columns; none where that is 0
+  Eigen::MatrixXd squares;  ///< what they are among each other in M
 };
 
-/// Both matrices go node by node; of a node's unknowns d is number node_d and the order number node_beta. Other
-/// unknowns follow from these: loads act on d and on the order alone.
+/// Of a node's N unknowns d is number node_d and the order number node_beta. Other unknowns follow from these: loads
+/// act on d and on the order alone.
+template <int N>
 struct ModeProblem {
   int m;
-  int node_size;  ///< unknowns of a node
-  model::BandMatrix A, M;
+  model::ChainMatrix<N> A, M;
   Eigen::MatrixXd constraints;  ///< in its columns: rows of what stays as it is
-  Eigen::MatrixXd idle;      ///< loads that move nothing, as the other unknowns stand against them
-  model::BandMatrix square;  ///< ∫(u² + b²) r ds, of the unknowns of SecondVariation
-  std::vector<Eigen::VectorXd>
-      rigid;                     ///< (u, b) in these, orthonormal: rigid motions among the modes
-  std::vector<FreeMotion> free;  ///< or, with no equations for what is held, those left out
-  double scale;                  ///< of λ
+  Eigen::MatrixXd idle;   ///< loads that move nothing, as the other unknowns stand against them
+  NodeChain square;       ///< ∫(u² + b²) r ds, of the unknowns of SecondVariation
+  Eigen::MatrixXd rigid;  ///< (u, b) in these, orthonormal columns: rigid motions among the modes
+  FreeMotions free;       ///< or, with no equations for what is held, those left out
+  double scale;           ///< of λ
 };
 
-/// u(s) cos mφ along the normal and b(s) cos mφ of the order at fixed (s, φ), ∫(u² + b²) cos² mφ dS = 1, the largest
-/// |u| positive.
+/// u(s) cos mφ along the normal and b(s) cos mφ of the order at fixed (s, φ), over the nodes of the sector;
+/// ∫(u² + b²) cos² mφ dS = 1 over the whole state, the largest |u| positive.
 struct AzimuthalMode {
-  Parity parity;
   double lambda;
-  Field u, b;  // nodes
+  Field u, b;
 };
 
 struct AzimuthalModes {
@@ -50,8 +46,13 @@ struct AzimuthalModes {
   double rigid_residual = 0;
 };
 
-/// The `count` lowest of each parity, at the most. Empty where Lanczos' iteration does not settle. `is_symmetric`:
-/// whether the state has a parity.
-std::optional<AzimuthalModes> lowest(const ModeProblem& problem, bool is_symmetric, int count);
+/// The `count` lowest, at the most. Empty where Lanczos' iteration does not settle.
+template <int N>
+std::optional<AzimuthalModes> lowest(const ModeProblem<N>& problem, int count);
+
+/// Solved for are the second variation's and the flow's.
+inline constexpr int flow_node_size = node_unknowns + 3;
+extern template std::optional<AzimuthalModes> lowest(const ModeProblem<node_unknowns>&, int);
+extern template std::optional<AzimuthalModes> lowest(const ModeProblem<flow_node_size>&, int);
 
 }  // namespace sbeh::axisym

@@ -1,7 +1,5 @@
 #include "axisym/modes/rigid_motions.h"
 
-#include "axisym/stationary/newton_system.h"
-
 #include <cmath>
 
 namespace sbeh::axisym {
@@ -25,46 +23,36 @@ Field order_slope(const State& state) {
   return slope;
 }
 
-// Given by the velocity in the meridian plane and that across, at (r, z).
-template <class Meridian, class Across>
-RigidMotion motion_of(const StationaryState& state, Meridian&& meridian, Across&& across) {
+// Without what is beyond the equator in an element that it cuts.
+RigidMotion motion_of(const SecondVariation& second, const RigidVelocity& velocity) {
+  const StationaryState& state = second.state;
   const Nodes n = node_normals(state.X);
-  const Field slope = order_slope(state);
-  const Eigen::Index nodes = state.beta.size();
-  RigidMotion motion{Field(nodes), Field(nodes), Field(nodes), Field(nodes)};
-  for (Eigen::Index i = 0; i < nodes; ++i) {
-    const Eigen::Vector2d x = state.X.col(i), v = meridian(x), nu = n.col(i), t(nu[1], -nu[0]);
+  const Field slope = order_slope(state), none = Field::Zero(3 * second.sector.elements() + 1);
+  RigidMotion motion{velocity, none, none};
+  for (Eigen::Index i = 0; i < second.sector.nodes(); ++i) {
+    const Eigen::Vector2d v = velocity.meridian(state.X.col(i)), nu = n.col(i), t(nu[1], -nu[0]);
     motion.u[i] = v.dot(nu);
-    motion.v_t[i] = v.dot(t);
-    motion.b[i] = -motion.v_t[i] * slope[i];
-    motion.v_phi[i] = across(x);
+    motion.b[i] = -v.dot(t) * slope[i];
   }
   return motion;
 }
 
-std::vector<RigidMotion> motions_of(const StationaryState& state, int m) {
-  using Vector = Eigen::Vector2d;
-  const auto vector = [](double r, double z) {
-    return [=](const Vector&) { return Vector(r, z); };
-  };
-  const auto number = [](double value) { return [=](const Vector&) { return value; }; };
+std::vector<RigidVelocity> velocities_of(const StationaryState& state, int m, Parity parity) {
   const double middle = (state.X(1, 0) + state.X(1, state.X.cols() - 1)) / 2;
-  if (m == 0) return {motion_of(state, vector(0, 1), number(0))};
-  if (m > 1) return {};
-  return {motion_of(state, vector(1, 0), number(-1)),
-          motion_of(
-              state, [&](const Vector& x) { return Vector(x[1] - middle, -x[0]); },
-              [&](const Vector& x) { return middle - x[1]; })};
+  std::vector<RigidVelocity> velocities;
+  if (m == 0 && parity != Parity::even) velocities.push_back({.along = 1});
+  if (m == 1 && parity != Parity::odd) velocities.push_back({.across = 1});
+  if (m == 1 && parity != Parity::even) velocities.push_back({.turn = 1, .middle = middle});
+  return velocities;
 }
 
-RigidMotion sum(const RigidMotion& a, double factor, const RigidMotion& b) {
-  return {a.u + factor * b.u, a.b + factor * b.b, a.v_t + factor * b.v_t,
-          a.v_phi + factor * b.v_phi};
+// About the axis across of the one that turns.
+RigidVelocity sum(double a, const RigidVelocity& x, double b, const RigidVelocity& y) {
+  return {a * x.along + b * y.along, a * x.across + b * y.across, a * x.turn + b * y.turn,
+          x.turn == 0 ? y.middle : x.middle};
 }
 
-}  // namespace
-
-Eigen::VectorXd unknowns_of(const RigidMotion& motion) {
+Eigen::VectorXd fields_of(const RigidMotion& motion) {
   Eigen::VectorXd x = Eigen::VectorXd::Zero(node_unknowns * motion.u.size());
   for (Eigen::Index i = 0; i < motion.u.size(); ++i) {
     x[index(i, node_d)] = motion.u[i];
@@ -73,18 +61,32 @@ Eigen::VectorXd unknowns_of(const RigidMotion& motion) {
   return x;
 }
 
-std::vector<RigidMotion> rigid_motions(const StationaryState& state, int m,
-                                       const model::BandMatrix& mass) {
+}  // namespace
+
+Eigen::MatrixXd unknowns_of(const std::vector<RigidMotion>& motions) {
+  Eigen::MatrixXd columns;
+  for (const RigidMotion& motion : motions) {
+    columns.conservativeResize(node_unknowns * motion.u.size(), columns.cols() + 1);
+    columns.rightCols(1) = fields_of(motion);
+  }
+  return columns;
+}
+
+std::vector<RigidMotion> rigid_motions(const SecondVariation& second, int m, Parity parity,
+                                       const NodeChain& mass) {
   constexpr double none = 1e-6;  // a sphere's rotation moves nothing
   const auto product = [&](const RigidMotion& a, const RigidMotion& b) {
-    return unknowns_of(a).dot(mass.times(unknowns_of(b)));
+    return fields_of(a).dot(mass.times(fields_of(b)));
   };
   std::vector<RigidMotion> rigid;
-  for (RigidMotion& motion : motions_of(state, m)) {
+  for (RigidVelocity velocity : velocities_of(second.state, m, parity)) {
     // Without up-down symmetry a translation across and the rotation are not orthogonal.
-    for (const RigidMotion& other : rigid) motion = sum(motion, -product(other, motion), other);
+    for (const RigidMotion& other : rigid)
+      velocity = sum(1, velocity, -product(other, motion_of(second, velocity)), other.velocity);
+    const RigidMotion motion = motion_of(second, velocity);
     const double square = product(motion, motion);
-    if (square > none) rigid.push_back(sum(motion, 1 / std::sqrt(square) - 1, motion));
+    if (square > none)
+      rigid.push_back(motion_of(second, sum(1 / std::sqrt(square), velocity, 0, velocity)));
   }
   return rigid;
 }

@@ -1,8 +1,8 @@
 #include "axisym/modes/second_variation.h"
 
 #include "axisym/modes/mode_density.h"
-#include "axisym/stationary/newton_system.h"
 #include "axisym/stationary/normal_shapes.h"
+#include "axisym/stationary/symmetry.h"
 #include "model/numerics/contraction.h"
 #include "model/numerics/second_order.h"
 
@@ -155,88 +155,130 @@ std::array<double, mode_data> point_data(const StationaryState& state, const Nor
 }
 
 using ElementMatrix = Eigen::Matrix<double, 4 * node_unknowns, 4 * node_unknowns>;
+using ElementVector = Eigen::Matrix<double, 4 * node_unknowns, 1>;
 
-void scatter(const ElementMatrix& element, int e, model::BandMatrix& matrix) {
-  const auto global = [e](int k) { return node_unknowns * (3 * e + k % 4) + k / 4; };
+// From component by component to node by node.
+constexpr int place(int k) { return node_unknowns * (k % 4) + k / 4; }
+
+void put(const ElementMatrix& element, double copies, NodeChain::Element& to) {
   for (int j = 0; j < element.cols(); ++j)
-    for (int i = 0; i < element.rows(); ++i) matrix(global(i), global(j)) += element(i, j);
+    for (int i = 0; i < element.rows(); ++i) to(place(i), place(j)) = copies * element(i, j);
+}
+
+// First variations of area and volume, by the data of the perturbation.
+using FormVector = Eigen::Matrix<double, perturbations, 1>;
+std::array<FormVector, 2> first_variations(const CurvePoint& p) {
+  FormVector of_area = FormVector::Zero(), of_volume = FormVector::Zero();
+  of_area[of_r] = p.stretch;
+  of_area[of_r_xi] = p.x[0] * p.t[0];
+  of_area[of_z_xi] = p.x[0] * p.t[1];
+  of_volume[of_r] = -p.x[0] * p.dx[1];
+  of_volume[of_z_xi] = -p.x[0] * p.x[0] / 2;
+  return {of_area, of_volume};
+}
+
+Hessian hessian_at(const model::Material& material, const StationaryState& state,
+                   const std::array<double, mode_data>& at) {
+  Hessian hessian = Hessian::Zero();
+  add_hessian(material, state, at, with_cosine, hessian);
+  add_hessian(material, state, at, with_sine, hessian);
+  return hessian;
+}
+
+void assemble(const model::Material& material, const Nodes& normals, int e, SecondVariation& out) {
+  std::array<ElementMatrix, 3> powers;
+  powers.fill(ElementMatrix::Zero());
+  ElementMatrix mass = ElementMatrix::Zero();
+  std::array<ElementVector, 2> kept;
+  kept.fill(ElementVector::Zero());
+  for (const ShapeValues& s : assembly_points()) {
+    const NormalShapes shapes(normals, e, s);
+    const CurvePoint p = curve_point(out.state.X, e, s);
+    const auto forms =
+        forms_of(hessian_at(material, out.state, point_data(out.state, shapes, p, e, s)));
+    const auto rows = rows_of(shapes, s);
+    for (std::size_t k = 0; k < 3; ++k)
+      model::add_matrix(rows, rows, forms[k], s.weight, powers[k]);
+    model::add_matrix(rows, rows, squares(p.nu, out.has_order), s.weight * p.x[0] * p.stretch,
+                      mass);
+    const auto variations = first_variations(p);
+    for (std::size_t k = 0; k < 2; ++k) model::add_vector(rows, variations[k], s.weight, kept[k]);
+  }
+  const double copies = out.sector.copies(e);
+  for (std::size_t k = 0; k < 3; ++k) put(powers[k], copies, out.powers[k].element(e));
+  put(mass, copies, out.mass.element(e));
+  for (int k = 0; k < 2; ++k)
+    for (int i = 0; i < 4 * node_unknowns; ++i)
+      out.constraints(3 * node_unknowns * e + place(i), k) += copies * kept[std::size_t(k)][i];
+}
+
+// What is not free. A mode vanishes at the poles like s^m, and Λ with the change of B_φφ, which for m = 2 has a value
+// there: its rows are needed, and those of H.
+template <class Visit>
+void for_each_held(const SecondVariation& of, int m, Parity parity, Visit&& visit) {
+  const int last = 3 * of.sector.elements();
+  if (!of.has_order)
+    for (int i = 0; i <= last; ++i) visit(index(i, node_beta));
+  for_each_mirrored<node_unknowns>(of.sector, parity, node_mirror(), visit);
+  if (m == 0) return;
+  for (const int node : {0, last}) {
+    if (node == last && of.sector.is_half) continue;
+    visit(index(node, node_d));
+    visit(index(node, node_beta));
+    if (m == 2) continue;
+    visit(index(node, node_H));
+    visit(index(node, node_Lambda));
+  }
+}
+
+void keep_what_is_free(const SecondVariation& of, int m, Parity parity, double diagonal,
+                       NodeChain& matrix) {
+  fold<node_unknowns>(of.sector, parity, node_mirror(), matrix);
+  for_each_held(of, m, parity, [&](int i) { matrix.pin(i, diagonal); });
 }
 
 }  // namespace
 
 SecondVariation second_variation(const model::Material& material, model::Model model,
                                  const StationaryState& state) {
-  const int nodes = int(state.beta.size());
-  const model::BandMatrix empty(node_unknowns * nodes, 4 * node_unknowns - 1);
-  const Nodes n = node_normals(state.X);
-  LagrangianDerivatives axisymmetric(nodes);
-  assemble(material, state, n, axisymmetric);
-  SecondVariation out{{empty, empty, empty},
-                      empty,
-                      axisymmetric.constraints,
-                      has_free_order(model),
-                      material.kappa(state.beta.maxCoeff()),
-                      state};
-
-  for (int e = 0; e < element_count(state.X); ++e) {
-    std::array<ElementMatrix, 3> powers;
-    powers.fill(ElementMatrix::Zero());
-    ElementMatrix mass = ElementMatrix::Zero();
-    for (const ShapeValues& s : assembly_points()) {
-      const NormalShapes shapes(n, e, s);
-      const CurvePoint p = curve_point(state.X, e, s);
-      const auto at = point_data(state, shapes, p, e, s);
-      Hessian hessian = Hessian::Zero();
-      add_hessian(material, state, at, with_cosine, hessian);
-      add_hessian(material, state, at, with_sine, hessian);
-      const auto forms = forms_of(hessian);
-      const auto rows = rows_of(shapes, s);
-      for (std::size_t k = 0; k < 3; ++k)
-        model::add_matrix(rows, rows, forms[k], s.weight, powers[k]);
-      model::add_matrix(rows, rows, squares(p.nu, out.has_order), s.weight * p.x[0] * p.stretch,
-                        mass);
-    }
-    for (std::size_t k = 0; k < 3; ++k) scatter(powers[k], e, out.powers[k]);
-    scatter(mass, e, out.mass);
-  }
+  const Sector sector{element_count(state.X), is_symmetric(state.X)};
+  const NodeChain empty(sector.elements());
+  SecondVariation out{.sector = sector,
+                      .powers = {empty, empty, empty},
+                      .mass = empty,
+                      .constraints = Eigen::MatrixXd::Zero(empty.size(), 2),
+                      .has_order = has_free_order(model),
+                      .stiffness = material.kappa(state.beta.maxCoeff()),
+                      .state = sector.is_half ? symmetric_part(state) : state};
+  const Nodes normals = node_normals(out.state.X);
+  for (int e = 0; e < sector.elements(); ++e) assemble(material, normals, e, out);
   return out;
 }
 
-namespace {
-
-// What is not free is left out of a form; `diagonal` is what stands there instead. A mode vanishes at the poles like
-// s^m, and Λ with the change of B_φφ, which for m = 2 has a value there: its rows are needed, and those of H.
-void hold_what_is_not_free(const SecondVariation& of, int m, double diagonal,
-                           model::BandMatrix& A) {
-  const int last = int(of.state.beta.size()) - 1;
-  if (!of.has_order)
-    for (int i = 0; i <= last; ++i) A.pin(index(i, node_beta), diagonal);
-  if (m == 0) return;
-  for (const int pole : {0, last}) {
-    A.pin(index(pole, node_d), diagonal);
-    A.pin(index(pole, node_beta), diagonal);
-    if (m == 2) continue;
-    A.pin(index(pole, node_H), diagonal);
-    A.pin(index(pole, node_Lambda), diagonal);
-  }
-}
-
-}  // namespace
-
-model::BandMatrix SecondVariation::shifted(int m, double shift) const {
+NodeChain SecondVariation::form(int m, Parity parity) const {
   const double square = m * m;
-  model::BandMatrix A = powers[0];
-  A.add(square, powers[1]);
-  A.add(square * square, powers[2]);
-  A.add(-shift, mass);
-  hold_what_is_not_free(*this, m, 1, A);
+  NodeChain A = powers[0];
+  if (m > 0) A.add(square, powers[1]);
+  if (m > 0) A.add(square * square, powers[2]);
+  keep_what_is_free(*this, m, parity, 1, A);
   return A;
 }
 
-model::BandMatrix SecondVariation::mass_of(int m) const {
-  model::BandMatrix M = mass;
-  hold_what_is_not_free(*this, m, 0, M);
+NodeChain SecondVariation::mass_of(int m, Parity parity) const {
+  NodeChain M = mass;
+  keep_what_is_free(*this, m, parity, 0, M);
   return M;
+}
+
+Eigen::MatrixXd SecondVariation::constraints_of(int m, Parity parity) const {
+  if (m > 0 || parity == Parity::odd) return {};
+  Eigen::MatrixXd kept = constraints;
+  for (auto column : kept.colwise()) {
+    Eigen::VectorXd load = column;
+    fold<node_unknowns>(sector, parity, node_mirror(), load);
+    column = load;
+  }
+  return kept;
 }
 
 }  // namespace sbeh::axisym

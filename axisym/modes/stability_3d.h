@@ -30,11 +30,6 @@ struct Stability3d {
   }
 };
 
-/// The lowest modes of m, at least `count` of each parity, and so many that all negative ones are among them. Empty where
-/// they are not found.
-std::optional<ModeSpectrum> lowest_and_negative_modes(const SecondVariation& second, int m,
-                                                      int count);
-
 /// The modes m = 0 … largest_m of a stationary state, of which higher ones are taken to be positive: their
 /// eigenvalues grow like m⁴. The material is that of the state's place. Empty where they are not found.
 std::optional<Stability3d> stability_3d(const model::Material& material, model::Model model,

@@ -40,10 +40,9 @@ struct Kind {
 
 // The lowest eigenvalue; throws std::domain_error where there is none.
 double eigenvalue_of(const SecondVariation& second, const Kind& kind) {
-  if (const auto found = lowest_modes(second, kind.m, 1))
-    for (const Eigenmode& mode : found->modes)
-      if (mode.parity == kind.parity) return mode.eigenvalue;
-  throw std::domain_error("the eigenvalue is not found");
+  const auto found = lowest_modes(second, kind.m, kind.parity, 1);
+  if (!found || found->modes.empty()) throw std::domain_error("the eigenvalue is not found");
+  return found->modes.front().eigenvalue;
 }
 
 double rigid_residual(const SecondVariation& second) {

@@ -86,23 +86,21 @@ std::vector<FoundMode> numbered(const axisym::ModeSpectrum& spectrum, const Phys
 }
 
 // The largest rates of m, `count` of each parity or at least half of that; none where they are not found.
-std::vector<axisym::GrowthMode> rates_of(const axisym::SecondVariation& second,
-                                         const Physics& physics, int m, int count) {
+std::vector<axisym::GrowthMode> rates_of(const axisym::LinearFlow& flow, int m, int count) {
   for (; count > 0; count /= 2)
-    if (auto rates = axisym::growth_rates(second, physics.material, physics.model, m, count))
-      return *rates;
+    if (auto rates = axisym::growth_rates(flow, m, count)) return *rates;
   return {};
 }
 
 // The modes of the flow take the place of those of the same number: there are as many that grow as there are
 // negative eigenvalues. Those that are not found leave the energy's, without a rate.
-void take_rates(const axisym::SecondVariation& second, std::vector<FoundMode>& modes,
+void take_rates(const axisym::LinearFlow& flow, std::vector<FoundMode>& modes,
                 std::vector<std::string>& warnings) {
   const int m = modes.front().key.m;
   int count = 0;
   for (const StateMode& mode : modes) count = std::max(count, mode.key.number);
   std::map<axisym::Parity, int> taken;
-  for (const axisym::GrowthMode& growth : rates_of(second, modes.front(), m, count)) {
+  for (const axisym::GrowthMode& growth : rates_of(flow, m, count)) {
     const int number = ++taken[growth.parity];
     const auto at = std::ranges::find_if(modes, [&](const StateMode& mode) {
       return mode.key.parity == growth.parity && mode.key.number == number;
@@ -123,6 +121,7 @@ void take_rates(const axisym::SecondVariation& second, std::vector<FoundMode>& m
 FoundModes find_modes(const ModesInput& input, const axisym::SecondVariation& second) {
   FoundModes found;
   const Physics physics{input.state.model, input.state.material};
+  const axisym::LinearFlow flow(second, physics.material, physics.model);
   for (int m = 0; m <= input.largest_m; ++m) {
     stop_if_interrupted();
     const auto spectrum = axisym::lowest_and_negative_modes(second, m, input.number);
@@ -132,7 +131,7 @@ FoundModes find_modes(const ModesInput& input, const axisym::SecondVariation& se
                       text_of(input.state), m));
     found.rigid_residual = std::max(found.rigid_residual, spectrum->rigid_residual);
     std::vector<FoundMode> modes = numbered(*spectrum, physics, second.state, input.number);
-    take_rates(second, modes, found.warnings);
+    take_rates(flow, modes, found.warnings);
     for (FoundMode& mode : modes) {
       normalise(mode.u, mode.b);
       found.modes.push_back(std::move(mode));

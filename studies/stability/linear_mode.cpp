@@ -27,7 +27,7 @@ std::optional<LinearMode> linear_mode(const axisym::StationaryCase& of, const ax
   if (!at_rest) return {};
   const axisym::SecondVariation second = axisym::second_variation(of.material, of.model, *at_rest);
   const auto spectrum = axisym::lowest_modes(second, m, count);
-  const auto rates = axisym::growth_rates(second, of.material, of.model, m, count);
+  const auto rates = axisym::growth_rates({second, of.material, of.model}, m, count);
   if (!spectrum || !rates) return {};
   const auto is_ours = [&](Parity parity) {
     return parity == Parity::none || (parity == Parity::even) == ((l - m) % 2 == 0);

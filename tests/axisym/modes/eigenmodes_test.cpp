@@ -31,10 +31,11 @@ void expect_eigenvalues(const SecondVariation& second, int m, Exact&& exact, dou
   EXPECT_LT(found->rigid_residual, accuracy * exact(first)) << m;
 }
 
+// Of an odd number of elements the equator cuts one.
 TEST(Eigenmodes, of_the_SSH_sphere_are_those_of_the_harmonics) {
   const Material material;
   const double kappa = material.kappa(model::full_order);
-  for (const auto& [elements, accuracy] : {std::pair{48, 2e-7}, {96, 1e-8}})
+  for (const auto& [elements, accuracy] : {std::pair{48, 2e-7}, {49, 2e-7}, {96, 1e-8}})
     for (const double tension : {0., 0.1, -0.3})
       for (int m = 0; m <= 5; ++m)
         expect_eigenvalues(
@@ -83,12 +84,14 @@ TEST(SecondVariation, of_m_0_is_that_of_the_axisymmetric_Lagrangian) {
   assemble(material, state, node_normals(state.X), axisymmetric);
   const int size = axisymmetric.hessian.size(), width = axisymmetric.hessian.half_width();
   double largest = 0, difference = 0;
-  for (int i = 0; i < size; ++i)
-    for (int j = std::max(0, i - width); j <= std::min(size - 1, i + width); ++j) {
+  for (int j = 0; j < size; ++j) {
+    const Eigen::VectorXd column = 2 * pi * second.powers[0].times(Eigen::VectorXd::Unit(size, j));
+    for (int i = std::max(0, j - width); i <= std::min(size - 1, j + width); ++i) {
       const double there = axisymmetric.hessian(i, j);
       largest = std::max(largest, std::abs(there));
-      difference = std::max(difference, std::abs(2 * pi * second.powers[0](i, j) - there));
+      difference = std::max(difference, std::abs(column[i] - there));
     }
+  }
   EXPECT_LT(difference, 1e-13 * largest);
 }
 
