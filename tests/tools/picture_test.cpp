@@ -87,6 +87,52 @@ TEST_F(Picture, for_a_column_of_a_journal_has_its_panels_below_each_other) {
     must({"picture", "scan", "line", "--only", picture, "--width", "86mm"});
 }
 
+TEST_F(Picture, of_histories_for_a_column_has_its_panels_below_each_other) {
+  write("in.toml",
+        "[scan]\nreduced_volume = [0.85, 0.9, 0.95]\nL = 0.05\nmethod = \"flow\"\n"
+        "models = [\"SSH\"]\n[numerics]\nelements = 8\n");
+  must(into("out", "scan"));
+  const auto height_of = [&](const char* width) {
+    must({"picture", "scan", "out", "--only", "energy", "--width", width});
+    return double(size_of("out/energy.png").second) / size_of("out/energy.png").first;
+  };
+  EXPECT_GT(height_of("86mm"), 1.5 * height_of("180mm"));
+}
+
+// Of a sphere with a small mode the energy falls by less than a line is wide.
+TEST_F(Picture, of_an_energy_shows_how_it_falls) {
+  write("in.toml",
+        "model = \"SSH\"\n[start]\nshape = \"harmonics\"\nmodes = [[3, 0.01]]\n[time]\nend = 0.1\n"
+        "[numerics]\nelements = 16\n");
+  must(into("out", "relax"));
+  must({"picture", "relax", "out", "--only", "energy"});
+  EXPECT_NE(read("out/energy.svg").find("total above its least"), std::string::npos);
+  must({"picture", "relax", "out", "--only", "energy", "--width", "86mm"});
+}
+
+TEST_F(Picture, of_modes_marks_the_unstable_and_fits_into_a_column) {
+  must({"modes", "--model", "SSH", "--reduced-volume", "0.8", "--L", "0.05", "--largest-m", "3",
+        "-o", "out", "--no-pictures"});
+  must({"picture", "modes", "out"});
+  const std::string profiles = read("out/profiles.svg");
+  EXPECT_NE(profiles.find("m = 2, even, unstable<"), std::string::npos);
+  EXPECT_EQ(profiles.find("m = 3, even, unstable<"), std::string::npos);
+  must({"picture", "modes", "out", "--width", "86mm", "--format", "png"});
+  for (const std::string picture : {"profiles", "surfaces"}) {
+    const auto [width, height] = size_of("out/" + picture + ".png");
+    EXPECT_EQ(width, 1016);
+    EXPECT_LT(height, 2.5 * width) << picture;
+  }
+}
+
+TEST_F(Picture, of_slender_modes_fits_onto_a_page) {
+  must({"modes", "--model", "SSH", "--branch", "prolate", "--reduced-volume", "0.6", "--L", "0.05",
+        "--largest-m", "2", "-o", "out", "--no-pictures"});
+  must({"picture", "modes", "out", "--only", "profiles", "--width", "86mm", "--format", "png"});
+  const auto [width, height] = size_of("out/profiles.png");
+  EXPECT_LT(height, 2.5 * width);
+}
+
 TEST_F(Picture, is_the_same_in_one_format_as_in_several) {
   write("in.toml",
         "[scan]\nreduced_volume = [0.7, 0.75, 0.8]\nL = 1e-4\nmodels = [\"SBEH\"]\n"

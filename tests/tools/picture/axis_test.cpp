@@ -22,6 +22,11 @@ bool is_round(double step) {
   return false;
 }
 
+double value_of(const std::string& label) {
+  const std::string minus = "−";
+  return label.starts_with(minus) ? -std::stod(label.substr(minus.size())) : std::stod(label);
+}
+
 TEST(LinearAxis, has_round_ticks_that_enclose_the_range) {
   for (const auto& [low, high] :
        {std::pair(0.6, 0.8), {-3.7, 12.1}, {1e-7, 3.3e-7}, {0., 1234.}, {-12.57, -11.9}}) {
@@ -36,7 +41,7 @@ TEST(LinearAxis, has_round_ticks_that_enclose_the_range) {
     EXPECT_LT(axis.high - high, step);
     for (std::size_t i = 0; i < axis.ticks.size(); ++i) {
       EXPECT_NEAR(axis.ticks[i], axis.low + double(i) * step, 1e-6 * step);
-      EXPECT_NEAR(std::stod(axis.labels[i]), axis.ticks[i], 1e-6 * step);
+      EXPECT_NEAR(value_of(axis.labels[i]), axis.ticks[i], 1e-6 * step);
     }
     EXPECT_NEAR(axis.ticks.back(), axis.high, 1e-6 * step);
   }
@@ -48,6 +53,17 @@ TEST(LinearAxis, widens_a_range_of_no_width) {
     EXPECT_LT(axis.low, value);
     EXPECT_GT(axis.high, value);
   }
+}
+
+TEST(LesserTicks, are_left_out_where_they_run_together) {
+  const Axis axis = decade_axis(-6, 0, "t");  // the nearest, 9 and 10, 0.046 decades apart
+  EXPECT_EQ(axis.ticks.size(), 55u);
+  EXPECT_EQ(without_lesser_ticks(axis, 600, 4).ticks.size(), 55u);
+  const Axis plain = without_lesser_ticks(axis, 600, 5);
+  EXPECT_EQ(plain.ticks.size(), 7u);
+  EXPECT_EQ(plain.labels.front(), "10⁻⁶");
+  EXPECT_EQ(std::pair(plain.low, plain.high), std::pair(axis.low, axis.high));
+  EXPECT_EQ(plain.title, "t");
 }
 
 TEST(CroppedAxis, keeps_the_ticks_that_lie_in_it) {

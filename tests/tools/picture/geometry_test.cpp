@@ -180,31 +180,47 @@ TEST(ContoursOfCells, of_a_single_cell_with_a_value_do_not_leave_it) {
     EXPECT_TRUE(contours_of_cells(axis_of(5), axis_of(5), values, level).empty());
 }
 
-// Two branches of a hyperbola in no order.
-TEST(Chains, join_the_points_of_each_curve_in_their_order) {
+// Where x = √(a² + y²) and its mirror image cross the lines of a grid, in no order.
+Points crossings_of_hyperbola(double a, double middle) {
   Points points;
   for (const int k : {3, 0, 7, 5, 1, 8, 2, 6, 4})
     for (const double sign : {1.0, -1.0}) {
-      const double y = 0.5 * (k - 4);
-      points.push_back({sign * std::sqrt(1.0 + y * y), y});
+      const double y = k - 4.0;
+      points.push_back({middle + sign * std::sqrt(a * a + y * y), double(k)});
+      if (std::abs(y) > a) {
+        const double x = middle + sign * std::abs(y), up = std::sqrt(y * y - a * a);
+        points.push_back({x, 4.0 + (y > 0 ? up : -up)});
+      }
     }
-  const auto found = chains(points, 1.0);
-  ASSERT_EQ(found.size(), 2u);
-  for (const auto& chain : found) {
-    ASSERT_EQ(chain.size(), 9u);
-    for (std::size_t k = 1; k < chain.size(); ++k) {
-      const auto &a = points[chain[k - 1]], &b = points[chain[k]];
-      EXPECT_GT(a[0] * b[0], 0.0);
-      EXPECT_NEAR(std::abs(a[1] - b[1]), 0.5, 1e-12);
-    }
-  }
+  return points;
 }
 
-TEST(Chains, end_where_the_next_point_is_too_far) {
-  EXPECT_EQ(chains({{0.0, 0.0}, {3.0, 0.0}, {1.0, 0.0}}, 1.5).size(), 2u);
-  EXPECT_TRUE(chains({}, 1.0).empty());
-  const auto never = [](std::size_t, std::size_t) { return false; };
-  EXPECT_EQ(chains({{0.0, 0.0}, {1.0, 0.0}}, 1.5, never).size(), 2u);
+TEST(Chains, join_the_crossings_of_each_curve_in_their_order) {
+  const Points points = crossings_of_hyperbola(2.3, 20.0);
+  const auto found = chains(points);
+  ASSERT_EQ(found.size(), 2u);
+  for (const auto& chain : found)
+    for (std::size_t k = 1; k < chain.size(); ++k) {
+      const auto &a = points[chain[k - 1]], &b = points[chain[k]];
+      EXPECT_GT((a[0] - 20.0) * (b[0] - 20.0), 0.0);
+      EXPECT_LT(std::hypot(a[0] - b[0], a[1] - b[1]), std::sqrt(2.0));
+      EXPECT_GT((b[1] - a[1]) * (points[chain[1]][1] - points[chain[0]][1]), 0.0);
+    }
+}
+
+TEST(Chains, leave_out_cells_in_which_it_cannot_be_said_what_belongs_together) {
+  EXPECT_EQ(chains({{0.0, 0.4}, {0.4, 0.0}, {0.6, 1.0}, {1.0, 0.6}}).size(), 4u);  // two ways
+  EXPECT_EQ(chains({{0.3, 0.0}, {0.7, 0.0}}).size(), 2u);                          // one side twice
+  EXPECT_EQ(chains({{0.3, 0.0}, {0.7, 2.0}}).size(), 2u);                          // no common cell
+  EXPECT_EQ(chains({{0.3, 0.0}, {0.7, 1.0}, {0.9, 2.0}}).size(), 1u);
+  EXPECT_EQ(chains({{0.5, 0.0}, {1.0, 0.5}, {0.5, 1.0}, {0.0, 0.5}, {3.5, 0.0}}).size(), 5u);
+  EXPECT_TRUE(chains({}).empty());
+}
+
+TEST(Chains, close_around_a_point_of_the_grid) {
+  const auto found = chains({{1.2, 1.0}, {1.0, 0.7}, {1.0, 1.4}, {0.9, 1.0}});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_EQ(found[0].size(), 4u);
 }
 
 }  // namespace

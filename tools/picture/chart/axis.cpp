@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace sbeh::picture {
@@ -64,7 +65,7 @@ Axis linear_axis(double low, double high, double length, double spacing, std::st
   for (double tick = low; tick < high + 0.5 * step; tick += step) {
     const double clean = std::abs(tick) < 1e-6 * step ? 0.0 : tick;
     axis.ticks.push_back(clean);
-    axis.labels.push_back(fmt::format("{:.{}f}", clean, decimals));
+    axis.labels.push_back(with_minus(fmt::format("{:.{}f}", clean, decimals)));
   }
   return axis;
 }
@@ -121,6 +122,25 @@ Axis without_crowd(Axis axis, const std::vector<double>& extents, double length,
   for (std::size_t k = 0; k < labelled.size(); ++k)
     if (k % stride != 0) axis.labels[labelled[k]].clear();
   return axis;
+}
+
+Axis without_lesser_ticks(const Axis& axis, double length, double least) {
+  Axis kept{.low = axis.low, .high = axis.high, .title = axis.title};
+  double nearest = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 0; i < axis.ticks.size(); ++i) {
+    if (i > 0)
+      nearest =
+          std::min(nearest, (axis.share(axis.ticks[i]) - axis.share(axis.ticks[i - 1])) * length);
+    if (axis.labels[i].empty()) continue;
+    kept.ticks.push_back(axis.ticks[i]);
+    kept.labels.push_back(axis.labels[i]);
+  }
+  return nearest < least ? kept : axis;
+}
+
+std::string with_minus(std::string number) {
+  if (number.starts_with('-')) number.replace(0, 1, "−");
+  return number;
 }
 
 std::string short_number(double value) { return fmt::format("{:.4g}", value); }

@@ -36,6 +36,12 @@ Axis decade_axis(double log_low, double log_high, std::string title);
 /// lengths along the axis of `length` pixels, `gap` what is to be between them.
 Axis without_crowd(Axis axis, const std::vector<double>& extents, double length, double gap);
 
+/// Without the ticks that have no labels, where some are nearer to each other than `least` pixels.
+Axis without_lesser_ticks(const Axis& axis, double length, double least);
+
+/// A number with the sign of subtraction, which is as wide as a plus.
+std::string with_minus(std::string number);
+
 /// A parameter as it is written in a picture: at most four digits.
 std::string short_number(double value);
 std::string volume_title(double reduced_volume);

@@ -61,13 +61,14 @@ void draw_titles(Canvas& canvas, const Rect& inside, const Axis& x, const Axis& 
 
 Axis legible(const Canvas& canvas, const Axis& axis, bool upright, double length,
              double text_size) {
-  constexpr double gap = 0.4;  // of the text
+  constexpr double gap = 0.4, least_tick = 0.2;  // of the text
+  const Axis plain = without_lesser_ticks(axis, length, least_tick * text_size);
   std::vector<double> extents;
-  for (const std::string& label : axis.labels)
+  for (const std::string& label : plain.labels)
     extents.push_back(label.empty() ? 0.0
                       : upright     ? line_height * label_size * text_size
                                     : canvas.text_width(label, label_size * text_size));
-  return without_crowd(axis, extents, length, upright ? 0.0 : gap * text_size);
+  return without_crowd(plain, extents, length, upright ? 0.0 : gap * text_size);
 }
 
 vtkNew<vtkTable> table_of(const Points& points) {

@@ -1,6 +1,7 @@
 #include "tools/picture/chart/history.h"
 
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/chart/panels.h"
 
 #include <algorithm>
 #include <cmath>
@@ -10,9 +11,8 @@ namespace {
 
 constexpr double line_width = 2.4;
 
-// So few marks that the line below can be seen.
-Points thinned(const Points& points) {
-  constexpr double distance = 0.25;  // decades
+// So few marks that the line below can be seen, `distance` decades apart.
+Points thinned(const Points& points, double distance) {
   Points kept;
   double last = points.empty() ? 0.0 : points.front()[0];  // at the edge a marker would be cut
   for (const auto& point : points) {
@@ -105,27 +105,28 @@ void draw_histories(Canvas& canvas, const Options& options, const Histories& all
   const auto legend = legend_of(all, colours);
 
   const double text = options.text_size();
-  const std::size_t count = all.reduced_volumes.size();
-  const auto columns = double(layout.columns), rows = std::ceil(double(count) / columns);
-  const double width = options.width(layout.width);
-  const double left = 5.6 * text, gap = layout.gap * text;
-  const double inner_width = (width - left - gap * columns) / columns;
-  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
-  const double foot = legend_at + layout.above_legend * text;
-  const double below = below_axis(text), above = 2.4 * text;  // of each row
-  const double height =
-      options.height(foot + rows * (below + above + layout.height_by_width * inner_width));
-  const double row_height = (height - foot) / rows;
+  const double legend_at =
+      legend_height(canvas, legend, options.width(layout.width) - 2.0 * text, text);
+  const PanelGrid grid = arranged({.count = all.reduced_volumes.size(),
+                                   .most_columns = layout.columns,
+                                   .usual_width = layout.width / double(layout.columns),
+                                   .least_width = 9.0 * text,
+                                   .height_by_width = layout.height_by_width,
+                                   .side = 5.6 * text,
+                                   .right = layout.gap * text,
+                                   .below = below_axis(text),
+                                   .above = 2.4 * text,
+                                   .bottom = legend_at + layout.above_legend * text},
+                                  options);
   const HistoryAxes axes =
-      history_axes(points, scale, options.energy_name(), row_height - below - above, text);
-  canvas.start(width, height, options.unit());
-  for (std::size_t panel = 0; panel < count; ++panel) {
-    const std::size_t column = panel % layout.columns, row = panel / layout.columns;
-    const Rect inside{left + double(column) * (inner_width + gap),
-                      height - double(row + 1) * row_height + below, inner_width,
-                      row_height - below - above};
+      history_axes(points, scale, options.energy_name(), grid.inner_height, text);
+  const double marks =
+      std::max(0.25, 1.2 * text / grid.inner_width * (axes.time.high - axes.time.low));
+  canvas.start(grid.width, grid.height, options.unit());
+  for (std::size_t panel = 0; panel < all.reduced_volumes.size(); ++panel) {
+    const Rect inside = grid.inside(panel);
     Axis energy = axes.energy;
-    if (column != 0) {
+    if (!grid.begins_row(panel)) {
       energy.title.clear();
       std::ranges::fill(energy.labels, "");
     }
@@ -136,8 +137,8 @@ void draw_histories(Canvas& canvas, const Options& options, const Histories& all
       const auto length = std::ranges::find(all.lengths, curve.L) - all.lengths.begin();
       const Colour colour = colours[std::size_t(length)];
       if (curve.in_3d)
-        chart.markers(thinned(points[i]), curve.is_ssh ? Marker::hollow : Marker::full, colour,
-                      0.45 * text);
+        chart.markers(thinned(points[i], marks), curve.is_ssh ? Marker::hollow : Marker::full,
+                      colour, 0.45 * text);
       else
         chart.curve(points[i], {.colour = colour,
                                 .width = line_width,
@@ -146,7 +147,7 @@ void draw_histories(Canvas& canvas, const Options& options, const Histories& all
     canvas.text(inside.centre_x(), inside.top() + 1.0 * text,
                 volume_title(all.reduced_volumes[panel]), {.size = text});
   }
-  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  draw_legend(canvas, legend, {text, 0.4 * text, grid.width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "energy", options.output());
 }
 

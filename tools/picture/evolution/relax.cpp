@@ -2,6 +2,7 @@
 #include "studies/states/series_file.h"
 #include "tools/picture/chart/history.h"
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/chart/panels.h"
 #include "tools/picture/evolution/evolution.h"
 #include "tools/picture/section/cut.h"
 #include "tools/picture/surface/frames.h"
@@ -11,6 +12,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <limits>
 #include <numeric>
 
 namespace sbeh::picture {
@@ -94,6 +96,39 @@ std::vector<Points> drawn(const std::vector<Curve>& curves, EnergyScale scale, c
   return all;
 }
 
+// log₁₀ of the total above its least value, in which a fall is seen that is small beside the energy itself; empty where
+// there is none.
+Points above_least(const Curve& total, double noise) {
+  double least = std::numeric_limits<double>::infinity();
+  for (const auto& point : total.points) least = std::min(least, point[1]);
+  Points above;
+  for (const auto& [time, energy] : total.points) above.push_back({time, energy - least});
+  std::erase_if(above, [&](const auto& point) { return point[1] <= noise; });
+  const Points shown = on_scale(above, EnergyScale::logarithmic, 1.0);
+  return shown.size() > 1 ? shown : Points{};
+}
+
+void draw_fall(Canvas& canvas, const Rect& inside, const Points& fall, const Part& total,
+               const Axis& time, double text) {
+  const HistoryAxes axes =
+      history_axes({fall}, EnergyScale::logarithmic, "total above its least", inside.height, text);
+  Chart(canvas, inside, text, time, axes.energy).curve(fall, total.style);
+}
+
+// Charts below each other, with the same axis of time.
+PanelGrid stacked(std::size_t count, double bottom, double text, const Options& options) {
+  return arranged({.count = count,
+                   .most_columns = 1,
+                   .usual_width = 1000.0,
+                   .height_by_width = count == 1 ? 0.6 : 0.42,
+                   .left = 5.6 * text,
+                   .right = 1.6 * text,
+                   .below = below_axis(text),
+                   .above = 1.2 * text,
+                   .bottom = bottom},
+                  options);
+}
+
 }  // namespace
 
 void draw_evolution_energy(Canvas& canvas, const Options& options) {
@@ -105,21 +140,23 @@ void draw_evolution_energy(Canvas& canvas, const Options& options) {
   }
   Range range;
   for (const Curve& curve : curves) range.include(energies_of({curve.points}));
-  const EnergyScale scale = scale_of(curves, std::max(std::abs(range.low), std::abs(range.high)));
+  const double largest = std::max(std::abs(range.low), std::abs(range.high));
+  const EnergyScale scale = scale_of(curves, largest);
   const std::vector<Points> points = drawn(curves, scale, range);
   std::vector<LegendEntry> legend;
   for (std::size_t i = 0; i < curves.size(); ++i)
     if (points[i].size() > 1)
       legend.push_back(line_entry(curves[i].part.style, curves[i].part.name));
-  const double text = options.text_size();
-  const double width = options.width(1000.0), height = options.height(700.0);
+  const Points fall = above_least(curves.front(), rounding * largest);
+  const double text = options.text_size(), width = options.width(1000.0);
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
-  const double below = below_axis(text) + 0.8 * text + legend_at;
-  canvas.start(width, height, options.unit());
-  const Rect inside{5.6 * text, below, width - 7.2 * text, height - below - 1.2 * text};
+  const PanelGrid grid = stacked(fall.empty() ? 1 : 2, 0.8 * text + legend_at, text, options);
+  canvas.start(grid.width, grid.height, options.unit());
+  const Rect inside = grid.inside(0);
   const HistoryAxes axes = history_axes(points, scale, "energy", inside.height, text);
   Chart chart(canvas, inside, text, axes.time, axes.energy);
   for (std::size_t i = 0; i < curves.size(); ++i) chart.curve(points[i], curves[i].part.style);
+  if (!fall.empty()) draw_fall(canvas, grid.inside(1), fall, curves.front().part, axes.time, text);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "energy", options.output());
 }

@@ -1,6 +1,7 @@
 #include "studies/figures/tables.h"
 #include "tools/picture/chart/history.h"
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/chart/panels.h"
 #include "tools/picture/figures/figures.h"
 
 #include <fmt/format.h>
@@ -82,20 +83,30 @@ void draw_figure_measures(Canvas& canvas, const Options& options) {
   const Axis time = decade_axis(times.low, times.high, "t");
 
   const double text = options.text_size();
-  const double width = options.width(1600.0);
-  const double left = 4.6 * text, right = 1.2 * text;
-  const double inner_width = width / 3 - left - right;
-  const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
-  const double below = legend_at + 0.8 * text + below_axis(text), above = 2.6 * text;
-  const double height = options.height(below + above + 0.95 * inner_width);
-  canvas.start(width, height, options.unit());
+  double titles = 0.0;
+  for (const Panel& panel : panels) titles = std::max(titles, canvas.text_width(panel.title, text));
+  const double usual_width = 1600.0 / 3.0;
+  const double legend_at =
+      legend_height(canvas, legend, options.width(3.0 * usual_width) - 2.0 * text, text);
+  const PanelGrid grid = arranged({.count = std::size(panels),
+                                   .most_columns = std::size(panels),
+                                   .usual_width = usual_width,
+                                   .least_width = titles,
+                                   .height_by_width = 0.95,
+                                   .left = 4.6 * text,
+                                   .right = 1.2 * text,
+                                   .below = below_axis(text),
+                                   .above = 2.6 * text,
+                                   .bottom = legend_at + 0.8 * text},
+                                  options);
+  canvas.start(grid.width, grid.height, options.unit());
   for (int i = 0; i < 3; ++i) {
-    const Rect inside{i * width / 3 + left, below, inner_width, height - below - above};
+    const Rect inside = grid.inside(std::size_t(i));
     Chart chart(canvas, inside, text, time, value_axis(curves, i, inside.height, text));
     for (const Curve& curve : curves) chart.curve(curve.points[i], curve.style);
     canvas.text(inside.centre_x(), inside.top() + 1.2 * text, panels[i].title, {.size = text});
   }
-  draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
+  draw_legend(canvas, legend, {text, 0.4 * text, grid.width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "measures", options.output());
 }
 

@@ -95,17 +95,25 @@ void draw_cut_cell(Canvas& canvas, const Stationary& all, double volume, const R
   if (!lines.empty()) draw_cuts(canvas, cell, scale, lines);
 }
 
+// In the place of a shape; where there is no room for the reason, without it.
+void draw_words(Canvas& canvas, const Rect& cell, const std::string& reason, double text) {
+  const double size = 0.8 * text, room = 0.94 * cell.width, line = 1.3;
+  const auto broken = [&](const std::string& words) { return in_lines(canvas, words, room, size); };
+  std::vector<std::string> lines = broken("no shape in 3D: " + reason);
+  if (line * double(lines.size()) * size > cell.height) lines = broken("no shape in 3D");
+  const double fitted = fitted_size(canvas, lines, room, size);
+  for (std::size_t k = 0; k < lines.size(); ++k)
+    canvas.text(cell.centre_x(),
+                cell.centre_y() + line * size * (0.5 * double(lines.size() - 1) - double(k)),
+                lines[k], {.size = fitted, .colour = dark_grey});
+}
+
 void draw_shape_cell(Canvas& canvas, const Stationary& all, const Point& point, const Rect& cell,
                      const std::optional<ColourMap>& colours, const View& view, double text) {
   const auto state = all.in_3d.find(point);
   if (state == all.in_3d.end()) {
     const auto lacks = all.lacks.find(point);
-    const std::vector<std::string> lines{"no shape in 3D:",
-                                         lacks == all.lacks.end() ? "" : lacks->second};
-    const double size = fitted_size(canvas, lines, 0.94 * cell.width, 0.8 * text);
-    for (std::size_t k = 0; k < lines.size(); ++k)
-      canvas.text(cell.centre_x(), cell.centre_y() - 1.4 * size * double(k), lines[k],
-                  {.size = size, .colour = dark_grey});
+    draw_words(canvas, cell, lacks == all.lacks.end() ? "" : lacks->second, text);
     return;
   }
   draw_surface(canvas, cell, state->second.mesh,
@@ -141,9 +149,12 @@ void draw_figure_shapes(Canvas& canvas, const Options& options) {
   const double head = 2.2 * text, below = legend_at + 0.8 * text, between = 2.6 * text;
   const double height = options.height(head + rows * cell_height + between + cut_height + below);
   canvas.start(width, height, options.unit());
-  for (std::size_t l = 0; l < all.lengths.size(); ++l)
-    canvas.text(left + (double(l) + 0.5) * side, height - 1.2 * text, length_title(all.lengths[l]),
-                {.size = text});
+  std::vector<std::string> titles;
+  for (const double L : all.lengths) titles.push_back(length_title(L));
+  const double title_size = fitted_size(canvas, titles, 0.9 * side, text);
+  for (std::size_t l = 0; l < titles.size(); ++l)
+    canvas.text(left + (double(l) + 0.5) * side, height - 1.2 * text, titles[l],
+                {.size = title_size});
   for (std::size_t v = 0; v < all.volumes.size(); ++v) {
     const double y = height - head - double(v + 1) * cell_height;
     canvas.text(left - 0.8 * text, y + 0.5 * cell_height, volume_title(all.volumes[v]),

@@ -8,6 +8,8 @@
 namespace sbeh::picture {
 namespace {
 
+constexpr double tallest = 1.3;  // a shape, in widths of its cell
+
 // A closed curve in the plane φ = 0, its last point the first, with a value at each point.
 struct Curve {
   Points points;
@@ -51,7 +53,7 @@ void draw_cell(Canvas& canvas, const Rect& cell, double scale, const ShownModes&
   Chart chart(canvas, cell, 1.0, {.low = -across, .high = across},
               {.low = middle - up, .high = middle + up});
   chart.curve(cut_of(all, mode, 0.0).points, {.colour = {150, 150, 150}, .width = 2.0});
-  const Curve moved = cut_of(all, mode, shown_amplitude);
+  const Curve moved = cut_of(all, mode, amplitude_of(mode));
   std::vector<Colour> colours;
   for (const double value : moved.values) colours.push_back(all.colours(value));
   chart.coloured_curve(moved.points, colours, 5.0);
@@ -68,7 +70,7 @@ void draw_mode_profiles(Canvas& canvas, const Options& options) {
   const double width = options.width(right + text + 270.0 * columns);
   const double cell_width = (width - right - text) / columns;
   const Extent extent = extent_of(all);
-  double scale = 0.94 * cell_width / (2.0 * extent.across);
+  double scale = cell_width * std::min(0.94 / (2.0 * extent.across), tallest / (2.0 * extent.up));
   const double fixed = rows * (words + gap) + text;
   const double room = options.height(fixed + rows * 2.0 * extent.up * scale) - fixed;
   require_room({0.0, 0.0, cell_width, room}, 3.0 * text, 2.0 * text * rows);

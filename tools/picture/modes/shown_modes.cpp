@@ -1,5 +1,8 @@
 #include "tools/picture/modes/shown_modes.h"
 
+#include "axisym/curve.h"
+#include "tools/picture/chart/axis.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -10,17 +13,28 @@ namespace sbeh::picture {
 namespace {
 
 constexpr std::size_t most_columns = 6;
-constexpr double line = 1.25;  // of the text
+constexpr double line = 1.25, least_cell = 10.0;  // of the text
 
 std::string signed_text(const char* letter, double value) {
-  return fmt::format("{} = {}{:.3g}", letter, value < 0.0 ? "−" : "", std::abs(value));
+  return fmt::format("{} = {}", letter, with_minus(fmt::format("{:.3g}", value)));
 }
 
 }  // namespace
 
+double amplitude_of(const studies::StateMode& mode) {
+  const axisym::Nodes n = axisym::node_normals(mode.state.X);
+  double amplitude = shown_amplitude;
+  for (Eigen::Index i = 0; i < mode.u.size(); ++i) {
+    const double r = mode.state.X(0, i), inward = std::abs(mode.u[i] * n(0, i));
+    if (r > 1e-6 && inward > 0.0) amplitude = std::min(amplitude, 0.5 * r / inward);
+  }
+  return amplitude;
+}
+
 ShownModes::ShownModes(const Options& options)
     : colours(chosen_colours(options, Palette::cividis, {-1.0, 1.0})) {
   const std::filesystem::path table = options.directory / "modes.csv";
+  const double room = options.has_size() ? options.width(0.0) - 9.0 * options.text_size() : 1e300;
   std::set<int> ms;
   std::set<axisym::Parity> parities;
   std::vector<studies::ModeKey> keys;
@@ -31,7 +45,8 @@ ShownModes::ShownModes(const Options& options)
     parities.insert(row.key.parity);
   }
   if (keys.empty()) throw InputError(table.string() + ": has no rows yet.");
-  columns = std::min(most_columns, ms.size());
+  columns = std::clamp<std::size_t>(std::size_t(room / (least_cell * options.text_size())), 1,
+                                    std::min(most_columns, ms.size()));
   rows = parities.size() * ((ms.size() + columns - 1) / columns);
   for (const studies::ModeKey& key : keys) {
     const auto at = std::size_t(std::distance(ms.begin(), ms.find(key.m)));
@@ -48,10 +63,10 @@ std::string ShownModes::title() const {
 
 std::vector<std::string> words_of(const ShownModes& all, const studies::StateMode& mode) {
   const studies::ModeKey& key = mode.key;
-  std::vector<std::string> words{key.parity == axisym::Parity::none
-                                     ? fmt::format("m = {}", key.m)
-                                     : fmt::format("m = {}, {}", key.m, name(key.parity)),
-                                 signed_text("λ", mode.eigenvalue)};
+  std::string title = fmt::format("m = {}", key.m);
+  if (key.parity != axisym::Parity::none) title += fmt::format(", {}", name(key.parity));
+  if (mode.eigenvalue < 0.0) title += ", unstable";
+  std::vector<std::string> words{title, signed_text("λ", mode.eigenvalue)};
   if (std::isfinite(mode.rate)) words.back() += ",  " + signed_text("σ", mode.rate);
   if (all.by_order)
     words.push_back(fmt::format("max |b| = {:.2g} max |u|", mode.b.cwiseAbs().maxCoeff()));

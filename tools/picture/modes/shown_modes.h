@@ -11,8 +11,10 @@
 
 namespace sbeh::picture {
 
-/// How far a picture displaces, of the largest displacement 1.
+/// How far a picture displaces at the most, of the largest displacement 1.
 inline constexpr double shown_amplitude = 0.15;
+/// Less where half of a radius would be lost: a neck does not close.
+double amplitude_of(const studies::StateMode& mode);
 
 struct ShownMode {
   studies::StateMode mode;

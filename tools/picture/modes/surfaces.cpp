@@ -21,7 +21,7 @@ struct Displaced {
 
 Displaced displaced(const ShownModes& all, const studies::StateMode& mode) {
   studies::RevolvedMode surface = studies::revolved(mode, {.triangles = triangles});
-  surface.mesh.nodes += shown_amplitude * surface.displacement;
+  surface.mesh.nodes += amplitude_of(mode) * surface.displacement;
   const Eigen::VectorXd& values = all.by_order ? surface.order_change : surface.along_normal;
   return {std::move(surface.mesh), values / all.largest(mode)};
 }

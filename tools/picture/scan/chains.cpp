@@ -1,51 +1,65 @@
 #include "tools/picture/scan/chains.h"
 
-#include <algorithm>
+#include <array>
 #include <cmath>
+#include <map>
+#include <utility>
 
 namespace sbeh::picture {
 namespace {
 
-struct Pair {
-  double distance;
-  std::size_t first, second;
-};
+constexpr std::size_t none = std::size_t(-1);
 
-std::vector<Pair> pairs_within(const Points& points, double farthest) {
-  std::vector<Pair> pairs;
-  for (std::size_t i = 0; i < points.size(); ++i)
-    for (std::size_t j = 0; j < i; ++j) {
-      const double distance = std::hypot(points[i][0] - points[j][0], points[i][1] - points[j][1]);
-      if (distance <= farthest) pairs.push_back({distance, j, i});
-    }
-  std::ranges::sort(pairs, {}, &Pair::distance);
-  return pairs;
+bool is_whole(double place) { return std::abs(place - std::round(place)) < 1e-9; }
+
+// The cells, by their lower left corners, on whose border the crossing lies.
+std::vector<std::pair<int, int>> cells_at(const std::array<double, 2>& crossing) {
+  const auto beside = [](double place) {
+    const int below = int(std::floor(place + 1e-9));
+    return is_whole(place) ? std::vector{below - 1, below} : std::vector{below};
+  };
+  std::vector<std::pair<int, int>> cells;
+  for (const int i : beside(crossing[0]))
+    for (const int j : beside(crossing[1])) cells.emplace_back(i, j);
+  return cells;
+}
+
+bool on_one_side(const std::array<double, 2>& a, const std::array<double, 2>& b) {
+  for (const int c : {0, 1})
+    if (is_whole(a[c]) && is_whole(b[c]) && std::round(a[c]) == std::round(b[c])) return true;
+  return false;
 }
 
 }  // namespace
 
-std::vector<std::vector<std::size_t>> chains(
-    const Points& points, double farthest,
-    const std::function<bool(std::size_t, std::size_t)>& may_join) {
-  using Chain = std::vector<std::size_t>;
-  std::vector<Chain> all(points.size());
-  std::vector<std::size_t> chain_of(points.size());
-  for (std::size_t i = 0; i < points.size(); ++i) all[chain_of[i] = i] = {i};
-  const auto is_end = [&](std::size_t i) {
-    const Chain& chain = all[chain_of[i]];
-    return chain.front() == i || chain.back() == i;
-  };
-  for (const auto& [distance, i, j] : pairs_within(points, farthest)) {
-    if (chain_of[i] == chain_of[j] || !is_end(i) || !is_end(j)) continue;
-    if (may_join && !may_join(i, j)) continue;
-    Chain &a = all[chain_of[i]], &b = all[chain_of[j]];
-    if (a.back() != i) std::ranges::reverse(a);
-    if (b.front() != j) std::ranges::reverse(b);
-    for (const std::size_t k : b) chain_of[k] = chain_of[i];
-    a.insert(a.end(), b.begin(), b.end());
-    b.clear();
+std::vector<std::vector<std::size_t>> chains(const Points& crossings) {
+  std::map<std::pair<int, int>, std::vector<std::size_t>> cells;
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    for (const auto& cell : cells_at(crossings[i])) cells[cell].push_back(i);
+  std::vector<std::array<std::size_t, 2>> next(crossings.size(), {none, none});
+  const auto has_room = [&](std::size_t i) { return next[i][1] == none; };
+  for (const auto& [cell, members] : cells) {
+    if (members.size() != 2) continue;
+    const std::size_t i = members[0], j = members[1];
+    if (on_one_side(crossings[i], crossings[j]) || !has_room(i) || !has_room(j)) continue;
+    next[i][next[i][0] == none ? 0 : 1] = j;
+    next[j][next[j][0] == none ? 0 : 1] = i;
   }
-  std::erase_if(all, [](const Chain& chain) { return chain.empty(); });
+  std::vector<std::vector<std::size_t>> all;
+  std::vector<bool> is_in(crossings.size(), false);
+  const auto follow = [&](std::size_t from) {
+    auto& chain = all.emplace_back();
+    for (std::size_t at = from, before = none; at != none;) {
+      chain.push_back(at);
+      is_in[at] = true;
+      const std::size_t onward = next[at][0] == before ? next[at][1] : next[at][0];
+      before = std::exchange(at, onward != none && is_in[onward] ? none : onward);
+    }
+  };
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    if (!is_in[i] && has_room(i)) follow(i);  // the ends first
+  for (std::size_t i = 0; i < crossings.size(); ++i)
+    if (!is_in[i]) follow(i);  // closed ones
   return all;
 }
 

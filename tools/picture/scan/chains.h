@@ -1,18 +1,16 @@
-// Points that lie on curves, in no order, joined to these.
+// Where curves cross the lines of a grid, joined to these curves.
 #pragma once
 
 #include "tools/picture/canvas/geometry.h"
 
 #include <cstddef>
-#include <functional>
 #include <vector>
 
 namespace sbeh::picture {
 
-/// The nearest are joined first, each point to two others at the most, none farther than `farthest`; the indices of the
-/// points along each open chain. `may_join`: whether two of these points can be neighbours.
-std::vector<std::vector<std::size_t>> chains(
-    const Points& points, double farthest,
-    const std::function<bool(std::size_t, std::size_t)>& may_join = {});
+/// The indices of the crossings along each open chain. A place counts lines of the grid, at least one of its two numbers
+/// being whole. Two crossings are joined where they are the only ones on the border of a cell, and on different sides
+/// of it: with more it cannot be said which belong together, and two on one side are two curves or one that turns back.
+std::vector<std::vector<std::size_t>> chains(const Points& crossings);
 
 }  // namespace sbeh::picture

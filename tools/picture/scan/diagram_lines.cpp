@@ -127,6 +127,19 @@ double place_in(const std::vector<double>& grid, double value) {
   return double(i) - (grid[i] - value) / (grid[i] - grid[i - 1]);
 }
 
+// A crossing of which is not known to which others it belongs.
+void draw_point(Canvas& canvas, const Rect& inside, const std::array<double, 2>& at,
+                const LineStyle& style) {
+  if (at[0] < inside.x || at[0] > inside.right() || at[1] < inside.y || at[1] > inside.top())
+    return;
+  const auto square = [&](double side, Colour colour) {
+    const double half = 0.5 * side * canvas.unit();
+    canvas.line({{at[0] - half, at[1]}, {at[0] + half, at[1]}}, {.colour = colour, .width = side});
+  };
+  square(3.0 * style.width + border, white);
+  square(3.0 * style.width, style.colour);
+}
+
 // To the right of the line, on white, at this share of its length.
 void draw_label(Canvas& canvas, const Points& piece, const DiagramLine& line, double share,
                 double text_size) {
@@ -158,18 +171,12 @@ std::vector<DiagramLine> diagram_lines(const fs::path& directory, const std::str
 
 std::vector<DiagramLine> stability_lines(const fs::path& directory, const ScanGrid& scan,
                                          Model model, const std::string& branch) {
-  constexpr double farthest = 2.5;  // of the grid's steps, between neighbours on one line
   using Row = studies::StabilityLineRow;
   std::map<std::tuple<axisym::Branch, int, axisym::Parity>, std::vector<Row>> found;
   for (const Row& row :
        rows_if_there(studies::stability_line_columns(), directory / "stability_lines.csv"))
     if (row.model == model && row.reason.empty() && (branch.empty() || branch == name(row.branch)))
       found[{row.branch, row.m, row.parity}].push_back(row);
-  // What crosses one row or column of the grid twice are two lines.
-  const auto may_join = [](const Row& a, const Row& b) {
-    const auto given = a.along == studies::Along::L ? &Row::reduced_volume : &Row::L;
-    return a.along != b.along || a.*given != b.*given;
-  };
   std::vector<DiagramLine> lines;
   for (const auto& [kind, rows] : found) {
     const auto& [of, m, parity] = kind;
@@ -177,10 +184,7 @@ std::vector<DiagramLine> stability_lines(const fs::path& directory, const ScanGr
     for (const Row& row : rows)
       places.push_back(
           {place_in(scan.reduced_volumes(), row.reduced_volume), place_in(scan.lengths(), row.L)});
-    for (const std::vector<std::size_t>&chain :
-         chains(places, farthest, [&rows = rows, may_join](std::size_t i, std::size_t j) {
-           return may_join(rows[i], rows[j]);
-         })) {
+    for (const std::vector<std::size_t>& chain : chains(places)) {
       DiagramLine& line = lines.emplace_back();
       line.name = fmt::format("limit of stability, {}", name(of));
       line.style = stability_style(of);
@@ -188,24 +192,28 @@ std::vector<DiagramLine> stability_lines(const fs::path& directory, const ScanGr
       for (const std::size_t k : chain) line.points.push_back({rows[k].reduced_volume, rows[k].L});
     }
   }
-  std::erase_if(lines, [](const DiagramLine& line) { return line.points.size() < 2; });
   return lines;
 }
 
 void draw_diagram_lines(Canvas& canvas, const Rect& inside, const std::vector<DiagramLine>& lines,
                         const HeatMapGrid& grid, double text_size) {
-  double share = 0.0;  // another one for each label, so that those of lines side by side are apart
+  std::vector<std::pair<const DiagramLine*, Points>> pieces;
   for (const DiagramLine& line : lines) {
-    share = std::fmod(share + 0.3, 0.9);
     Points pixels;
     for (const auto& [volume, L] : line.points)
       pixels.push_back({inside.x + share_of(grid.x, volume) * inside.width,
                         inside.y + share_of(grid.y, L) * inside.height});
+    if (pixels.size() == 1) draw_point(canvas, inside, pixels.front(), line.style);
     for (const Points& piece : clipped(pixels, inside)) {
       canvas.line(piece, {.colour = white, .width = line.style.width + border});
       canvas.line(piece, line.style);
-      draw_label(canvas, piece, line, share, text_size);
+      pieces.emplace_back(&line, piece);
     }
+  }
+  double share = 0.0;  // another one for each label, so that those of lines side by side are apart
+  for (const auto& [line, piece] : pieces) {
+    share = std::fmod(share + 0.3, 0.9);
+    draw_label(canvas, piece, *line, share, text_size);
   }
 }
 

@@ -111,7 +111,7 @@ std::string number_text(double value, const ColourMap& colours) {
   const int decimals = std::clamp(
       std::max(2 - int(std::floor(std::log10(largest))), 1 - int(std::floor(std::log10(range)))), 0,
       6);
-  return fmt::format("{:.{}f}", value, decimals);
+  return with_minus(fmt::format("{:.{}f}", value, decimals));
 }
 
 // The values of one region alone.
@@ -141,9 +141,13 @@ void draw_contours(Canvas& canvas, const Rect& inside, const Quantity& quantity,
 void draw_number(Canvas& canvas, const Rect& cell, const std::string& text, Colour colour,
                  double text_size) {
   double size = 0.8 * text_size;
-  const double width = canvas.text_width(text, size);
+  double width = canvas.text_width(text, size);
   const double room = 0.92 * cell.width;
-  if (width > room) size *= room / width;
+  if (width > room) {
+    size *= room / width;
+    width = room;
+  }
+  canvas.fill({cell.centre_x() - 0.5 * width, cell.centre_y() - 0.5 * size, width, size}, colour);
   canvas.text(cell.centre_x(), cell.centre_y(), text, {.size = size, .colour = ink_on(colour)});
 }
 

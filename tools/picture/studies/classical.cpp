@@ -159,17 +159,23 @@ void draw_letters(Canvas& canvas, const std::vector<Special>& special, const Bra
   }
 }
 
+constexpr double key_line = 2.3;  // in text sizes
+
+// With the branches below it.
+double least_height(const std::vector<Special>& special, double text) {
+  return (key_line * double(special.size()) + 5.0) * text;
+}
+
 // Letters, shapes and names in the corner above the branches, which is empty.
 void draw_key(Canvas& canvas, const std::vector<Special>& special, const Rect& inside,
               double text) {
-  constexpr double line = 2.3, shape = 2.2, letters = 0.85;  // in text sizes
+  constexpr double line = key_line, shape = 2.2, letters = 0.85;  // in text sizes
   const double scale = 0.6 * text;  // pixels per radius of the sphere of equal area
   double width = 0.0;
   for (const Special& point : special)
     width = std::max(width, canvas.text_width(point.text, letters * text));
   const double left = inside.right() - width - (1.4 + 2 * shape) * text;
-  require_room({0.0, 0.0, inside.right() - left, inside.height}, 0.0,
-               (line * double(special.size()) + 5.0) * text);
+  require_room({0.0, 0.0, inside.right() - left, inside.height}, 0.0, least_height(special, text));
   double y = inside.top() - 0.5 * line * text;
   for (const Special& point : special) {
     canvas.text(left, y, point.letter, {.size = text});
@@ -206,9 +212,11 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
   if (!limits.empty())
     legend.push_back(marker_entry(Marker::diamond, black, "limit of stability in 3D"));
 
-  const double width = options.width(1100.0), height = options.height(0.55 * width + 10.0 * text);
+  const double width = options.width(1100.0);
   const double legend_at = legend_height(canvas, legend, width - 2.0 * text, text);
   const double below = below_axis(text) + 0.8 * text + legend_at;
+  const double height = options.height(
+      std::max(0.55 * width + 10.0 * text, below + 1.6 * text + least_height(special, text)));
   const Rect inside{5.2 * text, below, width - 6.8 * text, height - below - 1.6 * text};
   Range volumes, energies;
   for (const auto& [key, points] : all.points)

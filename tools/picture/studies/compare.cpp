@@ -19,9 +19,9 @@ LineStyle style_of(Witness method) {
     case Witness::shooting:
       return {.colour = {230, 110, 20}, .width = 4.0};
     case Witness::minimiser:
-      return {.colour = {0, 92, 70}, .width = 1.6};
+      return {.colour = {0, 60, 45}, .width = 2.0, .pattern = Pattern::dashed};
     case Witness::flow:
-      return {.colour = {138, 60, 220}, .width = 1.6, .pattern = Pattern::dashed};
+      return {.colour = {138, 60, 220}, .width = 1.6, .pattern = Pattern::dotted};
     case Witness::surface3d:
       return {.colour = {0, 0, 0}, .width = 1.0};
     case Witness::harmonics:

@@ -68,11 +68,23 @@ const Look& look_of(const Run& run) {
 }
 
 std::string signed_text(double value) {
-  return fmt::format("{}{:.3f}", value < 0.0 ? "−" : "+", std::abs(value));
+  const double size = std::abs(value);
+  return (value < 0.0 ? "−" : "+")
+       + (size < 10.0 ? fmt::format("{:.3f}", size) : fmt::format("{:.4g}", size));
+}
+
+bool is_known_by_modes_alone(const Run& run) { return !run.growth && std::isfinite(run.mode_rate); }
+
+std::string rate_text(const Run& run, const model::Material& material) {
+  if (run.growth) return signed_text(run.reduced_rate);
+  if (!is_known_by_modes_alone(run)) return "no rate";
+  const double kappa = material.with_L(run.key.L).kappa(model::full_order);
+  return fmt::format("({})", signed_text(run.mode_rate / kappa));
 }
 
 // A marker per run with its rate below.
-void draw_map(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs, double text) {
+void draw_map(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs,
+              const model::Material& material, double text) {
   const GridAxis x = table_axis(values_of(runs, &StabilityKey::reduced_volume), volume_axis),
                  y = table_axis(values_of(runs, &StabilityKey::L), "elastic constant L");
   Chart chart(canvas, inside, text, x.axis, y.axis);
@@ -83,8 +95,7 @@ void draw_map(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs, 
                     y.axis.low + up * (y.axis.high - y.axis.low)}},
                   look.marker, look.colour, 0.9 * text);
     const double px = inside.x + across * inside.width, py = inside.y + up * inside.height;
-    canvas.text(px, py - 1.1 * text,
-                std::isfinite(run.reduced_rate) ? signed_text(run.reduced_rate) : "no rate",
+    canvas.text(px, py - 1.1 * text, rate_text(run, material),
                 {.size = 0.8 * text, .colour = look.colour});
     canvas.text(px, py + 1.1 * text, goal_of(run), {.size = 0.75 * text, .colour = look.colour});
   }
@@ -152,6 +163,15 @@ std::vector<LegendEntry> legend_of(const Panels& panels) {
     });
     if (used) entries.push_back(marker_entry(look.marker, look.colour, look.meaning));
   }
+  const auto in_parentheses = [](const auto& panel) {
+    return values_of(panel.second, &StabilityKey::L).size() > 1
+        && std::ranges::any_of(panel.second, is_known_by_modes_alone);
+  };
+  if (std::ranges::any_of(panels, in_parentheses))
+    entries.push_back({[](Canvas& canvas, const Rect& r) {
+                         canvas.text(r.centre_x(), r.centre_y(), "(…)", {.size = 0.8 * r.height});
+                       },
+                       "by the modes alone"});
   return entries;
 }
 
@@ -171,6 +191,7 @@ double least_width(const Canvas& canvas, const Panels& panels, double text) {
 
 void draw_stability(Canvas& canvas, const Options& options) {
   const Panels panels = read_panels(options.directory / "stability.csv");
+  const model::Material material = studies::read_stability(options.directory / "run.toml").material;
   const double text = options.text_size();
   const auto legend = legend_of(panels);
   const double room = options.width(least_picture) - 2.0 * text,
@@ -198,7 +219,7 @@ void draw_stability(Canvas& canvas, const Options& options) {
                 fmt::format("{} {}, l = {}, m = {}", name(model), name(branch), l, m),
                 {.size = text});
     if (values_of(runs, &StabilityKey::L).size() > 1)
-      draw_map(canvas, inside, runs, text);
+      draw_map(canvas, inside, runs, material, text);
     else
       draw_rates(canvas, inside, runs, text);
   }
