@@ -9,19 +9,24 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace sbeh::axisym {
 
 Energy energy(const model::Material& material, const State& state, const Field& H) {
-  Energy sum;
+  // ∫K = 4π: where the order is uniform but for rounding, its κ_G K adds up to a constant without the error of K.
+  const double beta = state.beta[0];
+  const bool uniform = (state.beta.array() - beta).abs().maxCoeff() < 1e-9;
+  const double constant = uniform ? material.kappa_gauss(beta) : 0;
+  Energy sum{.bending = 4 * std::numbers::pi * constant};
   for_each_point(
       state.X, diagnostic_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
-        const double h = value_at(H, e, s);
+        const double h = value_at(H, e, s), K = gauss_curvature(h, p.B_phi);
         const double beta_s = slope_at(state.beta, e, s) / p.stretch;
-        const auto density = model::energy_density(material, value_at(state.beta, e, s),
-                                                   beta_s * beta_s, h, gauss_curvature(h, p.B_phi));
+        const auto density =
+            model::energy_density(material, value_at(state.beta, e, s), beta_s * beta_s, h, K);
         sum.distortion += p.dS * density.distortion;
-        sum.bending += p.dS * (density.bending + density.gaussian);
+        sum.bending += p.dS * (density.bending + density.gaussian - constant * K);
         sum.thermotropic += p.dS * density.thermotropic;
       });
   return sum;

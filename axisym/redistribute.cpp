@@ -1,6 +1,7 @@
 #include "axisym/redistribute.h"
 
 #include "axisym/curvature.h"
+#include "axisym/shape_class.h"
 
 #include <Eigen/LU>
 
@@ -46,8 +47,23 @@ class Cumulative {
   std::vector<double> sum_;
 };
 
+// Σ length/√(distance² + a²) over the necks, a their radii: as many for each factor e of the distance from a neck,
+// over which what it does to the curve decays.
+Eigen::VectorXd near_necks(const Nodes& X, const Eigen::VectorXd& length) {
+  const Cumulative arc(length);
+  Eigen::VectorXd shares = Eigen::VectorXd::Zero(length.size());
+  for (Eigen::Index i = 1; i + 1 < X.cols(); ++i) {
+    if (!is_neck(X, i)) continue;
+    const double s = arc.at(samples / 3. * double(i)), a = X(0, i);
+    for (Eigen::Index k = 0; k < length.size(); ++k)
+      shares[k] += length[k] / std::hypot(arc.at(double(k) + 0.5) - s, a);
+  }
+  return shares;
+}
+
 // The Gauss–Lobatto points of the new elements on the old curve, joints shared. 0 elements: as many as before.
 std::vector<Place> places(const Nodes& X, const Field& H, double grading, int elements) {
+  constexpr double necks = 0.2;
   if (elements == 0) elements = element_count(X);
   const int intervals = samples * element_count(X);
   Eigen::VectorXd length(intervals), bend(intervals);
@@ -57,7 +73,8 @@ std::vector<Place> places(const Nodes& X, const Field& H, double grading, int el
     length[k] = p.stretch / samples;
     bend[k] = length[k] * std::abs(value_at(H, k / samples, s) - p.B_phi);
   }
-  const Cumulative arc(length), measure(length / length.sum() + grading * bend / bend.sum());
+  const Cumulative arc(length),
+      measure(length / length.sum() + grading * bend / bend.sum() + necks * near_necks(X, length));
   const auto place = [&](double interval) {
     const int e = std::min(int(interval) / samples, element_count(X) - 1);
     return Place{e, interval / samples - e};
@@ -80,8 +97,10 @@ Field sample(const Field& f, const std::vector<Place>& at) {
   return g;
 }
 
+// What is uniform stays so to the last bit.
 Field interpolate(const Field& f, const std::vector<Place>& at) {
-  return nodal_values(sample(f, at));
+  const double first = f[0];
+  return nodal_values(sample(f.array() - first, at)).array() + first;
 }
 
 State interpolate(const State& state, const std::vector<Place>& at) {

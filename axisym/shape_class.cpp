@@ -54,10 +54,20 @@ ShapeClass classify(const Nodes& X) {
   return dent > asymmetry_limit ? ShapeClass::stomatocyte : ShapeClass::pear;
 }
 
+bool is_neck(const Nodes& X, Eigen::Index i) {
+  return i > 0 && i + 1 < X.cols() && X(0, i) < X(0, i - 1) && X(0, i) <= X(0, i + 1);
+}
+
+int neck_count(const Nodes& X) {
+  int count = 0;
+  for (Eigen::Index i = 0; i < X.cols(); ++i) count += is_neck(X, i);
+  return count;
+}
+
 double thinnest_neck(const Nodes& X) {
   double radius = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 1; i + 1 < X.cols(); ++i)
-    if (X(0, i) < X(0, i - 1) && X(0, i) < X(0, i + 1)) radius = std::min(radius, X(0, i));
+  for (Eigen::Index i = 0; i < X.cols(); ++i)
+    if (is_neck(X, i)) radius = std::min(radius, X(0, i));
   return radius;
 }
 

@@ -16,6 +16,12 @@ constexpr auto names(ShapeClass) { return std::array{"oblate", "prolate", "stoma
 
 ShapeClass classify(const Nodes& X);
 
+/// Whether the curve comes nearest to the axis at this node, other than at a pole.
+bool is_neck(const Nodes& X, Eigen::Index node);
+
+/// How often it does.
+int neck_count(const Nodes& X);
+
 /// The smallest radius at which the curve comes nearest to the axis between the poles; infinite where it has no
 /// neck.
 double thinnest_neck(const Nodes& X);

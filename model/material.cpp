@@ -15,6 +15,13 @@ Material effective(const Material& material, Model model) {
   return copy;
 }
 
+Material Material::without_gaussian() const {
+  Material copy = *this;
+  copy.L2 = 2 * L1 + L2 + L3;
+  copy.L1 = copy.L3 = 0;
+  return copy;
+}
+
 Material Material::with_L(double L) const {
   Material copy = *this;
   copy.L1 = L;

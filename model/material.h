@@ -88,6 +88,9 @@ struct Material {
   /// One-constant approximation with elastic constant L, the rest as here.
   Material with_L(double L) const;
 
+  /// The same κ(β), but κ_G = 0. No material of its own: only what a uniform order feels, whose κ_G K adds up to a constant.
+  Material without_gaussian() const;
+
   /// Throws std::invalid_argument with name, value and constraint unless the energy is bounded
   /// below in the gradients (l₁ > 0, −2κ <= κ_G <= 0) and the dissipation is positive.
   void validate() const;

@@ -239,8 +239,9 @@ void keep_what_is_free(const SecondVariation& of, int m, Parity parity, double d
 
 }  // namespace
 
-SecondVariation second_variation(const model::Material& material, model::Model model,
+SecondVariation second_variation(const model::Material& whole, model::Model model,
                                  const StationaryState& state) {
+  const model::Material material = felt_material(whole, model);
   const Sector sector{element_count(state.X), is_symmetric(state.X)};
   const NodeChain empty(sector.elements());
   SecondVariation out{.sector = sector,

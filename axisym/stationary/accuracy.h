@@ -20,12 +20,21 @@ struct ResolvedState {
   BranchState state;
   Diagnostics diagnostics;
   Accuracy error;
+  double L_error;    ///< likewise, of the place of a fold; 0 of states at a given place
   bool is_resolved;  ///< within what is promised
 };
+
+/// The same state over other elements; empty where Newton's method fails.
+std::optional<BranchState> on_elements(const model::Material& material, model::Model model,
+                                       const BranchState& state, int elements, double grading,
+                                       const NewtonOptions& options = {});
 
 /// Doubles the elements (to most_elements at the most) until the errors are as promised. `state` is
 /// stationary at its place; the material but for L.
 ResolvedState resolved(const model::Material& material, model::Model model,
                        const BranchState& state, const Numerics& numerics);
+
+/// The same of a fold to which `follow` has led.
+ResolvedState resolved_fold(const FollowResult& fold, const Numerics& numerics);
 
 }  // namespace sbeh::axisym

@@ -50,7 +50,8 @@ model::Material Line::material_at(double mu) const {
 
 Eigen::VectorXd Line::gradient_rate(const LineState& state) const {
   constexpr double h = 1e-3;  // the energy is linear in L and quadratic in H₀: a cubic in μ
-  const model::Material before = material_at(state.mu - h), after = material_at(state.mu + h);
+  const model::Material before = felt_material(material_at(state.mu - h), model),
+                        after = felt_material(material_at(state.mu + h), model);
   if (before == after) return Eigen::VectorXd::Zero(node_unknowns * state.beta.size());
   return gradient_difference(after, before, state, node_normals(state.X)) / (2 * h);
 }
@@ -165,15 +166,20 @@ PathState with_fresh_nodes(const Line& line, const PathState& state, const Numer
 }
 
 std::optional<PathState> on_nodes(const Line& line, const PathState& state, StationaryState guess) {
-  LineState x{line.symmetric ? symmetric_part(guess) : std::move(guess), state.mu};
+  auto there = on_nodes(line, {std::move(guess), state.mu});
+  if (there && there->slope() * state.slope() < 0) there->tangent = scaled(there->tangent, -1);
+  return there;
+}
+
+std::optional<PathState> on_nodes(const Line& line, LineState guess) {
+  if (line.symmetric) static_cast<StationaryState&>(guess) = symmetric_part(guess);
   // Across the guess's own tangent, along which a thin neck would give way to the error of the guess.
-  auto start = with_tangent(line, x);
-  if (!start || !model::converges(x, Line::limits, [&](auto& s) {
+  const auto start = with_tangent(line, guess);
+  if (!start || !model::converges(guess, Line::limits, [&](auto& s) {
         return newton_step(line, s, *start, 0);
       }))
     return {};
-  if (start->slope() * state.slope() < 0) start->tangent = scaled(start->tangent, -1);
-  return with_tangent(line, x, &start->tangent);
+  return with_tangent(line, guess, &start->tangent);
 }
 
 }  // namespace sbeh::axisym

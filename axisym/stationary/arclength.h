@@ -4,16 +4,10 @@
 
 #include "axisym/stationary/continuation.h"
 #include "axisym/stationary/newton_system.h"
-#include "model/numerics/continuation.h"
 
 #include <optional>
 
 namespace sbeh::axisym {
-
-/// A state on a line.
-struct LineState : StationaryState {
-  double mu = 0;
-};
 
 /// Nodes: B_φφ², 1 at least. In a neck a displacement counts as long as it is against the neck's radius, which
 /// does not become a fraction in one step.
@@ -30,31 +24,6 @@ struct PathState : LineState {
 
   double parameter() const { return mu; }
   double slope() const { return tangent.mu; }
-};
-
-/// A straight line in V_r, L and H₀, μ = 0 at `from`, 1 at `to`, and beyond both.
-struct Line {
-  using Solution = LineState;
-  using Point = PathState;
-  static constexpr model::ContinuationLimits limits{
-      .most_iterations = 9, .tolerance = 1e-6, .far = 0.3, .fold = 1e-8};
-
-  model::Material material;  ///< but for L, and for H₀ that at `to`
-  model::Model model;
-  PlanePoint from, to;
-  double first_H0 = material.spontaneous_curvature;  ///< at `from`
-  /// Whether only states are looked for that are symmetric top to bottom: branches that break the symmetry
-  /// cross theirs and are not seen.
-  bool symmetric = false;
-
-  PlanePoint at(double mu) const;
-  Target target(double mu) const { return target_of(at(mu).reduced_volume); }
-  model::Material material_at(double mu) const;
-  /// Whether there are states to look for: V_r <= 1, L > 0.
-  bool contains(double mu) const { return at(mu).L > 0 && at(mu).reduced_volume <= 1; }
-
-  double volume_rate() const { return target(1).volume - target(0).volume; }
-  Eigen::VectorXd gradient_rate(const LineState& state) const;
 };
 
 Increment scaled(Increment t, double factor);
@@ -78,14 +47,13 @@ std::optional<double> newton_step(const Line& line, LineState& state, const Path
 bool continues(const Line& line, const PathState& from, const PathState& next, double ds);
 using model::advance, model::arc_step, model::locate_fold;
 
-/// `follow` along a line.
-FollowResult follow(const Line& line, const BranchState& from, const Numerics& numerics);
-
 /// Redistributes the nodes of a state on the path, over as many elements as `elements_for` says, and solves
 /// again; the state itself where that fails. Keeps the direction of the tangent.
 PathState with_fresh_nodes(const Line& line, const PathState& state, const Numerics& numerics);
 
-/// The path's state near a guess on other nodes, at a μ near that of `state`. Empty where Newton's method fails.
+/// The path's state near a guess on other nodes, at a μ near its own. Empty where Newton's method fails.
+std::optional<PathState> on_nodes(const Line& line, LineState guess);
+/// With its tangent pointing the way of that of `state`, at a μ near which it is.
 std::optional<PathState> on_nodes(const Line& line, const PathState& state, StationaryState guess);
 
 }  // namespace sbeh::axisym

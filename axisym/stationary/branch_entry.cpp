@@ -18,9 +18,10 @@ std::optional<BranchEntry> enter_branch(Branch branch, const model::Material& ma
   const State start{
       spheroid(entry_volume, branch == Branch::prolate, numerics.elements, numerics.grading),
       Field::Constant(3 * numerics.elements + 1, model::full_order)};
-  const auto state =
-      solve_at(material, Model::SSH, {entry_volume, material.L1}, guess_from(material, start));
+  auto state = solve_at(material, Model::SSH, {entry_volume, material.L1},
+                        guess_from(material, Model::SSH, start), {.symmetric = true});
   if (!state) return {};
+  static_cast<StationaryState&>(*state) = symmetric_part(*state);
   if (branch != Branch::stomatocyte) return BranchEntry{*state, {}, {}};
   const FollowResult flat = follow(material, Model::SSH, *state, {0.59, material.L1}, numerics);
   if (flat.arrival != Arrival::reached) return {};

@@ -3,6 +3,7 @@
 #include "axisym/curvature.h"
 #include "axisym/diagnostics.h"
 #include "axisym/shape_class.h"
+#include "axisym/stationary/accuracy.h"
 #include "axisym/stationary/stability.h"
 #include "model/numerics/root.h"
 
@@ -61,13 +62,26 @@ BranchState moved(const BranchState& from, double reduced_volume, const Numerics
   return r.state;
 }
 
+// On exactly as many elements as are asked for, placed afresh, so that half as many tell the error.
+BranchState moved_on_elements(const BranchState& from, double reduced_volume,
+                              const Numerics& numerics) {
+  const BranchState there = moved(from, reduced_volume, numerics);
+  const auto placed = on_elements(classical_material(), model::Model::SSH, there, numerics.elements,
+                                  numerics.grading);
+  if (!placed)
+    throw std::domain_error(
+        fmt::format("classical branch: {} elements do not resolve it at reduced volume {}",
+                    numerics.elements, reduced_volume));
+  return *placed;
+}
+
 // Two reduced volumes and energies of branches at equal V_r, moved by Newton to equal energy; the
 // slope of the energy is P/6.
 SpecialPoint equal_energy(BranchState a, BranchState b, double start, const Numerics& numerics) {
   double v = start;
   for (int iteration = 0; iteration < 8; ++iteration) {
-    a = moved(a, v, numerics);
-    b = moved(b, v, numerics);
+    a = moved_on_elements(a, v, numerics);
+    b = moved_on_elements(b, v, numerics);
     const double gap = reduced_energy(a) - reduced_energy(b);
     const double step = gap / ((a.pressure - b.pressure) / 6);
     if (std::abs(step) < 1e-12) break;
@@ -78,7 +92,7 @@ SpecialPoint equal_energy(BranchState a, BranchState b, double start, const Nume
 
 SpecialPoint self_contact(BranchState oblate, const Numerics& numerics) {
   const auto thickness = [&](double v) {
-    oblate = moved(oblate, v, numerics);
+    oblate = moved_on_elements(oblate, v, numerics);
     const Nodes& X = oblate.X;
     return X(1, 0) - X(1, X.cols() - 1);
   };
@@ -108,7 +122,7 @@ const BranchState& ElementBranches::entry(Branch branch) {
 }
 
 const BranchState& ElementBranches::flat_oblate() {
-  return once(flat_, [&] { return moved(entry(Branch::oblate), 0.59, numerics_); });
+  return once(flat_, [&] { return moved_on_elements(entry(Branch::oblate), 0.59, numerics_); });
 }
 
 const BranchEntry& ElementBranches::stomatocytes() {

@@ -7,6 +7,7 @@
 #include "axisym/stationary/symmetry.h"
 
 #include <algorithm>
+#include <cmath>
 #include <numbers>
 #include <optional>
 #include <utility>
@@ -23,7 +24,7 @@ std::optional<BranchState> solve_at(const model::Material& material, model::Mode
   const NewtonResult r =
       solve_stationary(material.with_L(at.L), model, target_of(at.reduced_volume), guess, options);
   if (r.status != NewtonStatus::converged) return {};
-  return BranchState{r.state, at, r.determinant_sign, r.iterations};
+  return BranchState{r.state, at, r.determinant_sign};
 }
 
 namespace {
@@ -45,12 +46,21 @@ bool outgrows_nodes(const StationaryState& here, const StationaryState& next) {
   return now > 0.1 && now > 1.4 * resolution(here.X, here.H);
 }
 
+// Whether the narrowest neck closes before μ = 1. Where its radius a is small, μ falls short of the limit by
+// a ln(C/a), C of the size of the surface (Fourcade et al., Phys. Rev. E 49, 5276, 1994): by some 1.2 times dμ/d(−ln a).
+bool is_closing(const LineState& before, const LineState& here) {
+  constexpr double narrow = 0.005, closed = 1e-4, reach = 2;
+  const double a = thinnest_neck(here.X);
+  if (!(a < narrow)) return false;
+  const double rate = (here.mu - before.mu) / std::log(thinnest_neck(before.X) / a);
+  return a < closed || (rate > 0 && here.mu + reach * rate < 1);
+}
+
 // With the nodes where the curvature is, if that succeeds.
 FollowResult arrived(const Line& line, BranchState state, const Numerics& numerics) {
   const auto placed = solve_near(line, 1, fitted(state, numerics));
-  state.iterations = placed ? placed->iterations : 0;
   if (placed) static_cast<StationaryState&>(state) = *placed;
-  return {Arrival::reached, state};
+  return {Arrival::reached, state, line, 1};
 }
 
 }  // namespace
@@ -64,7 +74,7 @@ FollowResult follow(const model::Material& material, model::Model model, const B
 
 FollowResult follow(const Line& line, const BranchState& from, const Numerics& numerics) {
   auto here = with_tangent(line, {from, 0});
-  if (!here) return {Arrival::lost, from};
+  if (!here) return {Arrival::lost, from, line, 0};
   const int sign = here->determinant_sign;
 
   const double whole = 1 / here->slope();  // arc length to μ = 1 along the tangent
@@ -77,7 +87,7 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
   }
 
   double ds = std::min(whole / 2, 0.1), growth = 1.5;
-  for (int step = 0; step < 200 && ds > 1e-7; ++step) {
+  for (int step = 0; step < 300 && ds > 1e-7; ++step) {
     const auto next = arc_step(line, *here, ds);
     if (!next || outgrows_nodes(*here, *next)) {
       ds /= 2;
@@ -86,7 +96,7 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
     }
     if (next->slope() <= 0) {
       const PathState fold = locate_fold(line, *here, *next, ds);
-      return {Arrival::fold, {fold, line.at(fold.mu), sign, step}};
+      return {Arrival::fold, {fold, line.at(fold.mu), sign}, line, fold.mu};
     }
     if (next->mu >= 1) {
       const double share = (1 - here->mu) / (next->mu - here->mu);
@@ -98,12 +108,12 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
       continue;
     }
     // Necks and rims grow sharp; and Newton's method converges from farther where nodes are well placed.
-    here = with_fresh_nodes(line, *next, numerics);
-    if (thinnest_neck(here->X) < closed_neck)
-      return {Arrival::neck, {*here, line.at(here->mu), sign, step}};
+    const LineState before = *std::exchange(here, with_fresh_nodes(line, *next, numerics));
+    if (is_closing(before, *here))
+      return {Arrival::neck, {*here, line.at(here->mu), sign}, line, here->mu};
     ds *= std::exchange(growth, 1.5);
   }
-  return {Arrival::lost, {*here, line.at(here->mu), sign}};
+  return {Arrival::lost, {*here, line.at(here->mu), sign}, line, here->mu};
 }
 
 }  // namespace sbeh::axisym

@@ -1,8 +1,8 @@
 // Following a branch of stationary states through the (V_r, L) plane, up to and including its fold.
 #pragma once
 
+#include "axisym/stationary/line.h"
 #include "axisym/stationary/stationary.h"
-#include "axisym/stationary/stationary_case.h"
 
 #include <optional>
 
@@ -12,9 +12,6 @@ namespace sbeh::axisym {
 struct BranchState : StationaryState {
   PlanePoint at{};
   int determinant_sign = 0;  ///< flips where another branch crosses, and at a fold
-  /// Of the last Newton solve: where `follow` arrives that of the redistributed state, 0 if it failed. At a
-  /// fold the number of arc steps before it.
-  int iterations = 0;
 };
 
 // Functions of a material and a PlanePoint take the material but for L.
@@ -24,28 +21,26 @@ std::optional<BranchState> solve_at(const model::Material& material, model::Mode
                                     PlanePoint at, const StationaryState& guess,
                                     const NewtonOptions& options = {});
 
-/// A radius: a neck that is thinner tends to a point between two closed surfaces.
-inline constexpr double closed_neck = 0.005;
-
 enum class Arrival {
   reached,  ///< `state` is at the point asked for
   fold,     ///< the branch ends in a fold before it; `state` is at the fold
-  neck,     ///< a neck closes before it: `state` is the first where it is thinner than closed_neck
+  neck,     ///< a neck closes before it: `state` is the first where it is seen to
   lost      ///< Newton failed for another reason; `state` is the last good one
 };
 
 struct FollowResult {
   Arrival arrival;
   BranchState state;
+  Line line;  ///< that was followed
+  double mu;  ///< of the state
 };
 
-/// The target of a stationary state: A = 4π and the volume of this reduced volume.
-Target target_of(double reduced_volume);
-
-/// Moves a stationary state along the straight line to `to`: one Newton solve from the tangent's
+/// Moves a stationary state along a line, from μ = 0 to 1: one Newton solve from the tangent's
 /// prediction where that stays on the branch (few iterations, same sign of the determinant),
 /// otherwise pseudo-arclength steps, which see a fold where the parameter turns back and locate it.
 /// Nodes are redistributed on arrival. Bounded work: a few hundred Newton iterations at the most.
+FollowResult follow(const Line& line, const BranchState& from, const Numerics& numerics);
+/// Along the straight line to `to` in this material.
 FollowResult follow(const model::Material& material, model::Model model, const BranchState& from,
                     PlanePoint to, const Numerics& numerics);
 

@@ -9,40 +9,55 @@
 
 namespace sbeh::axisym {
 
-std::optional<TwoSpheres> two_spheres(double reduced_volume, bool nested) {
-  const auto volume = [nested](double outer) {
-    const double inner = std::pow(1 - outer * outer, 1.5);
-    return outer * outer * outer + (nested ? -inner : inner);
+using std::numbers::pi;
+
+namespace {
+
+// Of the k-th sphere: 1 where its outside is the membrane's, −1 where it is turned inside out.
+double side(const TouchingSpheres& spheres, std::size_t k) {
+  return spheres.nested && k > 0 ? -1 : 1;
+}
+
+double H_of(const TouchingSpheres& spheres, std::size_t k) {
+  return -2 * side(spheres, k) / spheres.radii[k];
+}
+
+}  // namespace
+
+TouchingSpheres sphere_in_sphere(double reduced_volume) {
+  const auto miss = [&](double outer) {
+    return outer * outer * outer - std::pow(1 - outer * outer, 1.5) - reduced_volume;
   };
-  const double equal = std::sqrt(0.5);
-  if (!(reduced_volume >= volume(equal) && reduced_volume < 1)) return {};
-  const double outer =
-      model::root_between([&](double r) { return volume(r) - reduced_volume; }, equal, 1).middle();
-  return TwoSpheres{outer, std::sqrt(1 - outer * outer), nested};
+  const double outer = model::root_between(miss, std::sqrt(0.5), 1).middle();
+  return {{outer, std::sqrt(1 - outer * outer)}, true};
 }
 
-double closing_H0(const TwoSpheres& spheres) {
-  return -1 / spheres.outer + (spheres.nested ? 1 : -1) / spheres.inner;
+TouchingSpheres chain_of_spheres(int count) {
+  return {std::vector<double>(std::size_t(count), 1 / std::sqrt(count)), false};
 }
 
-Diagnostics diagnose(const model::Material& material, const TwoSpheres& spheres) {
-  constexpr double unknown = std::numeric_limits<double>::quiet_NaN(), pi = std::numbers::pi;
+double closing_H0(const TouchingSpheres& spheres) {
+  return (H_of(spheres, 0) + H_of(spheres, 1)) / 2;
+}
+
+Diagnostics diagnose(const model::Material& material, const TouchingSpheres& spheres) {
+  constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+  const double beta = model::full_order, necks = double(spheres.radii.size()) - 1;
   Diagnostics d{};
-  const double beta = model::full_order;
-  for (const auto& [R, sign] :
-       {std::pair{spheres.outer, -1.}, {spheres.inner, spheres.nested ? 1. : -1.}}) {
-    const double dS = 4 * pi * R * R, H = 2 * sign / R;
+  for (std::size_t k = 0; k < spheres.radii.size(); ++k) {
+    const double R = spheres.radii[k], dS = 4 * pi * R * R, H = H_of(spheres, k);
     const auto density = model::energy_density(material, beta, 0., H, 1 / (R * R));
     d.energy.bending += dS * (density.bending + density.gaussian);
     d.energy.thermotropic += dS * density.thermotropic;
     d.area += dS;
-    d.volume += -sign * 4 * pi / 3 * R * R * R;
+    d.volume += side(spheres, k) * 4 * pi / 3 * R * R * R;
     d.W2 += dS * H;
   }
-  d.energy.bending -= 4 * pi * material.kappa_gauss(beta);  // ∫K = −4π over the vanishing neck
+  d.energy.bending -=
+      necks * 4 * pi * material.kappa_gauss(beta);  // ∫K = −4π over a vanishing neck
   d.reduced_volume = reduced_volume(d.area, d.volume);
   d.order_min = d.order_mean = d.order_max = beta;
-  d.radius_equator = spheres.outer;
+  d.radius_equator = spheres.radii[0];
   d.H_pole = d.H_rim = d.H_abs_max = d.thickness_pole = d.resolution = d.mesh_quality = unknown;
   return d;
 }

@@ -1,27 +1,29 @@
-// What a branch of SSH tends to where its neck closes: two spheres that touch.
+// What a branch of SSH tends to where its necks close: spheres that touch.
 #pragma once
 
 #include "axisym/diagnostics.h"
 
-#include <optional>
+#include <vector>
 
 namespace sbeh::axisym {
 
-/// Two spheres of together the area of the unit sphere.
-struct TwoSpheres {
-  double outer, inner;  ///< radii; the larger first
-  bool nested;          ///< the smaller within the larger, its outside in
+/// Spheres of together the area of the unit sphere.
+struct TouchingSpheres {
+  std::vector<double> radii;  ///< the largest first
+  bool nested;                ///< two, the smaller within the larger, its outside in; else a chain
 };
 
-/// Those of a reduced volume: R₁² + R₂² = 1, R₁³ ∓ R₂³ = V_r. Empty where there are none: side by side below
-/// that of equal ones, and for V_r >= 1.
-std::optional<TwoSpheres> two_spheres(double reduced_volume, bool nested);
+/// Those of a reduced volume 0 < V_r < 1: R₁² + R₂² = 1, R₁³ − R₂³ = V_r.
+TouchingSpheres sphere_in_sphere(double reduced_volume);
 
-/// The spontaneous curvature at which a neck between them closes: the mean of their H (Jülicher, Lipowsky,
+/// So many equal ones, of V_r = 1/√count: symmetric shapes with all necks closed.
+TouchingSpheres chain_of_spheres(int count);
+
+/// The spontaneous curvature at which the neck between the first two closes: the mean of their H (Jülicher, Lipowsky,
 /// Phys. Rev. E 53, 2670, 1996).
-double closing_H0(const TwoSpheres& spheres);
+double closing_H0(const TouchingSpheres& spheres);
 
 /// Their measures, β = 2/3; nan where there is nothing to be measured.
-Diagnostics diagnose(const model::Material& material, const TwoSpheres& spheres);
+Diagnostics diagnose(const model::Material& material, const TouchingSpheres& spheres);
 
 }  // namespace sbeh::axisym

@@ -28,7 +28,7 @@ Eigen::VectorXd scattered(const Increment& row) {
 }  // namespace
 
 NewtonSystem::NewtonSystem(const model::Material& material, model::Model model, int nodes)
-    : material_(material), model_(model), derivatives_(nodes) {}
+    : material_(felt_material(material, model)), model_(model), derivatives_(nodes) {}
 
 bool NewtonSystem::linearise(const StationaryState& state) {
   assemble(material_, state, node_normals(state.X), derivatives_);

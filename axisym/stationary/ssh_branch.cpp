@@ -115,29 +115,48 @@ std::optional<FollowResult> SshBranch::at(double reduced_volume) {
   if (!entry()) return {};
   const int below = std::clamp(int(std::floor(reduced_volume / spacing)), 1, highest);
   const bool classical_only = material_.spontaneous_curvature == 0;
-  // From the neighbours; where neither is there, from the nearest that is.
   std::optional<FollowResult> best;
+  const auto ends_nearer = [&](const FollowResult& a, const FollowResult& b) {
+    return std::abs(a.state.at.reduced_volume - reduced_volume)
+         < std::abs(b.state.at.reduced_volume - reduced_volume);
+  };
+  const auto is_preferred = [&](const FollowResult& a, const FollowResult& b) {
+    if (is_ours(a) != is_ours(b)) return is_ours(a);
+    if (is_ours(a)) return is_better(a.state, b.state);
+    const bool a_lost = a.arrival == Arrival::lost, b_lost = b.arrival == Arrival::lost;
+    return a_lost != b_lost ? b_lost : ends_nearer(a, b);
+  };
   const auto offer = [&](const BranchState& from) {
     FollowResult found = along(from, reduced_volume);
-    if (!best || (is_ours(found) && (!is_ours(*best) || is_better(found.state, best->state))))
-      best = std::move(found);
+    if (!best || is_preferred(found, *best)) best = std::move(found);
   };
   if (classical_only && reduced_volume > entry()->at.reduced_volume - spacing) {
     offer(*entry());
     return best;
   }
-  for (int k = below + 1; k <= highest && !best; ++k)
-    if (const Waypoint& above = waypoint(k)) offer(*above);
-  for (int k = below; k >= 1 && (!best || (!classical_only && k == below)); --k)
-    if (const Waypoint& there = waypoint(k)) offer(*there);
-  // Nowhere: then how it ends on the way to H₀.
-  for (int k = below; k >= 1 && !best; --k)
-    if (const Waypoint& there = classical(k)) {
-      best = with_H0(*there);
-      if (best->arrival == Arrival::reached)
-        best->arrival = Arrival::lost;  // of another class and V_r
+  // From the nearest above and, where one way may not reach it, below.
+  for (int k = below + 1; k <= highest; ++k)
+    if (const Waypoint& above = waypoint(k)) {
+      offer(*above);
+      break;
     }
+  for (int k = below; k >= (classical_only ? 1 : lowest) && !(classical_only && best); --k)
+    if (const Waypoint& there = waypoint(k)) {
+      offer(*there);
+      break;
+    }
+  if (!best) best = end_towards_H0(below);
   return best;
+}
+
+std::optional<FollowResult> SshBranch::end_towards_H0(int k) {
+  for (; k >= 1; --k)
+    if (const Waypoint& there = classical(k)) {
+      FollowResult end = with_H0(*there);
+      if (end.arrival == Arrival::reached) end.arrival = Arrival::lost;  // of another class
+      return end;
+    }
+  return {};
 }
 
 }  // namespace sbeh::axisym

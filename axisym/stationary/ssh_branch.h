@@ -29,6 +29,7 @@ class SshBranch {
   const Waypoint& downward(int k);   // carried on from above
   const Waypoint& waypoint(int k);   // the best
   FollowResult with_H0(const BranchState& classical) const;
+  std::optional<FollowResult> end_towards_H0(int k);  // where no waypoint is there
   FollowResult along(const BranchState& from, double reduced_volume) const;
   bool is_ours(const FollowResult& found) const;
   bool is_better(const BranchState& a, const BranchState& b) const;

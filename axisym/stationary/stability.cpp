@@ -47,7 +47,7 @@ int negative_directions(const model::Material& material, model::Model model,
                         const StationaryState& state) {
   const int nodes = int(state.beta.size()), size = node_unknowns * nodes;
   LagrangianDerivatives lagrangian(nodes);
-  assemble(material, state, node_normals(state.X), lagrangian);
+  assemble(felt_material(material, model), state, node_normals(state.X), lagrangian);
   // Pinned unknowns leave the matrix symmetrically; a 1 on the diagonal counts as no negative.
   std::vector<bool> pinned(std::size_t(size), false);
   for_each_pinned(model, nodes, [&](int i) { pinned[std::size_t(i)] = true; });

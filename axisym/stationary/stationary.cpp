@@ -11,7 +11,12 @@
 
 namespace sbeh::axisym {
 
-StationaryState guess_from(const model::Material& material, const State& shape) {
+model::Material felt_material(const model::Material& material, model::Model model) {
+  return has_free_order(model) ? material : material.without_gaussian();
+}
+
+StationaryState guess_from(const model::Material& whole, model::Model model, const State& shape) {
+  const model::Material material = felt_material(whole, model);
   const Eigen::Index nodes = shape.beta.size();
   StationaryState guess{shape, mean_curvature(shape.X), Field(nodes)};
   const Nodes n = node_normals(shape.X);

@@ -36,9 +36,13 @@ struct NewtonOptions {
       false;  ///< the guess is symmetric top to bottom, and only such states are looked for
 };
 
+/// What the Lagrangian has of a material: all of it where the order is free; where it is uniform no Gaussian energy,
+/// which is a constant, and whose parts would outweigh all others in narrow necks.
+model::Material felt_material(const model::Material& material, model::Model model);
+
 /// Completes position and order to a guess: H from the curve, Λ from H, tension and pressure by least
 /// squares on the force balance.
-StationaryState guess_from(const model::Material& material, const State& shape);
+StationaryState guess_from(const model::Material& material, model::Model model, const State& shape);
 
 /// Largest force (normal) or order residual per area of its node: 0 at an exact solution.
 double residual_of(const model::Material& material, model::Model model,

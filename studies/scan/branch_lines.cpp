@@ -24,23 +24,27 @@ bool is_stationary(const std::optional<PointOutcome>& point) {
 // The fold that the scan has run into, or else the one ahead of its largest L.
 std::vector<FoldRow> fold_of(const ScanInput& input, axisym::Branch branch, double v,
                              const PointLookup& point) {
-  const auto fold_at = [&](double L, const axisym::Diagnostics& d, const auto& state) {
+  const auto fold_at = [&](double L, double L_error, const axisym::Diagnostics& d, double error,
+                           const auto& state) {
     return std::vector<FoldRow>{{branch, v, L, d.energy.total(), d.order_min, d.H_abs_max,
-                                 axisym::fold_kind(input.material, L, state)}};
+                                 axisym::fold_kind(input.material, L, state), L_error, error}};
   };
   for (const double L : input.L) {
     const auto reached = point({v, L, Model::SBEH, branch});
-    if (reached && reached->row.fold_side == "at" && reached->row.fold_L)
-      return fold_at(
-          *reached->row.fold_L, *reached->row.diagnostics,
-          axisym::guess_from(input.material.with_L(*reached->row.fold_L), *reached->state));
+    if (!reached || reached->row.fold_side != "at" || !reached->row.fold_L) continue;
+    const PointResult& row = reached->row;
+    return fold_at(
+        *row.fold_L, row.fold_L_error.value_or(not_known), *row.diagnostics,
+        row.error ? row.error->energy : not_known,
+        axisym::guess_from(input.material.with_L(*row.fold_L), Model::SBEH, *reached->state));
   }
   const double L = input.L.back();
   const auto last = point({v, L, Model::SBEH, branch});
   const auto fold =
       is_stationary(last) ? fold_above(case_of(input, last->row.key), *last->state) : std::nullopt;
   if (!fold) return {};
-  return fold_at(fold->at.L, axisym::diagnose(input.material.with_L(fold->at.L), *fold), *fold);
+  return fold_at(fold->state.at.L, fold->L_error, fold->diagnostics, fold->error.energy,
+                 fold->state);
 }
 
 // Newton on the difference of two branches' energies, from states at the same reduced volume.
@@ -152,6 +156,8 @@ const Columns<FoldRow>& fold_columns() {
       column("H_abs_max", &FoldRow::H_abs_max),
       column("branch", &FoldRow::branch),
       column("kind", &FoldRow::kind),
+      known_column("L_error", &FoldRow::L_error, "{:.3g}"),
+      known_column("energy_error", &FoldRow::energy_error, "{:.3g}"),
   };
   return columns;
 }

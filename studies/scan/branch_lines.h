@@ -19,8 +19,9 @@ using PointLookup = std::function<std::optional<PointOutcome>(const PointKey&)>;
 struct FoldRow {
   axisym::Branch branch;
   double reduced_volume, L, energy, order_min, H_abs_max;
-  std::optional<axisym::FoldKind>
-      kind{};  ///< where the order is lost; none in tables of other versions
+  /// Where the order is lost; none in tables of other versions.
+  std::optional<axisym::FoldKind> kind{};
+  double L_error = not_known, energy_error = not_known;  ///< estimated
 };
 
 /// The folds of SBEH in which the branches end as L grows, below L = 2, one per reduced volume and

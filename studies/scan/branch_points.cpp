@@ -2,7 +2,6 @@
 
 #include "axisym/shape_class.h"
 #include "axisym/start_shapes.h"
-#include "axisym/stationary/accuracy.h"
 #include "axisym/stationary/fold_kind.h"
 #include "axisym/stationary/limit_shape.h"
 #include "axisym/stationary/stability.h"
@@ -77,17 +76,20 @@ std::string what_gives_way(const StationaryCase& of, const BranchState& fold) {
 }
 
 // What the branch's end in a fold means for the point.
-void describe_fold(const StationaryCase& of, const BranchState& fold, int negative_at_start,
-                   PointResult& row) {
-  const PlanePoint& at = fold.at;
+void describe_fold(const StationaryCase& of, const axisym::ResolvedState& fold,
+                   int negative_at_start, PointResult& row) {
+  const PlanePoint& at = fold.state.at;
   row.status = PointStatus::unresolved;
   row.fold_side = "at";
-  if (of.model == Model::SBEH) row.fold_L = at.L;
+  if (of.model == Model::SBEH) {
+    row.fold_L = at.L;
+    row.fold_L_error = fold.L_error;
+  }
   row.negative_directions = before_fold(*row.negative_directions, negative_at_start);
   row.stop_reason = fmt::format(
       "the smooth {} branch ends in a fold at V_r = {:.6g}, L = {:.6g}{}; the values are those at "
       "the fold",
-      name(of.branch), at.reduced_volume, at.L, what_gives_way(of, fold));
+      name(of.branch), at.reduced_volume, at.L, what_gives_way(of, fold.state));
 }
 
 // A state of the case itself, over as many elements as its errors need.
@@ -96,7 +98,6 @@ PointOutcome resolved_point(const StationaryCase& of, const BranchState& state) 
   PointOutcome point = outcome_of(of, found.state, found.diagnostics);
   PointResult& row = point.row;
   row.residual = axisym::residual_of(of.material, of.model, found.state);
-  row.steps = found.state.iterations;
   row.negative_directions = axisym::negative_directions(of.material, of.model, found.state);
   row.fold_side = "before";
   row.error = found.error;
@@ -110,12 +111,25 @@ PointOutcome resolved_point(const StationaryCase& of, const BranchState& state) 
   return point;
 }
 
-// What SSH's stomatocytes and dumbbells tend to: two spheres of this reduced volume, or where that is too small for two
-// side by side the equal ones.
-axisym::TwoSpheres limit_of(const StationaryCase& of) {
-  const bool nested = of.branch == Branch::stomatocyte;
-  return axisym::two_spheres(of.reduced_volume, nested)
-      .value_or(axisym::TwoSpheres{std::sqrt(0.5), std::sqrt(0.5), nested});
+// What SSH's stomatocytes and dumbbells of about this V_r tend to; nothing where dumbbells have unequal parts.
+std::optional<axisym::TouchingSpheres> limit_of(Branch branch, double reduced_volume, int spheres) {
+  if (branch == Branch::stomatocyte) return axisym::sphere_in_sphere(reduced_volume);
+  const double equal = 1 / std::sqrt(spheres);
+  if (std::abs(reduced_volume - equal) > 0.01) return {};
+  return axisym::chain_of_spheres(spheres);
+}
+
+std::string text_of(const axisym::TouchingSpheres& spheres) {
+  const double v = axisym::diagnose({}, spheres).reduced_volume;
+  const std::string shapes =
+      spheres.nested ? fmt::format("two spheres one within the other, of radii {:.6g} and {:.6g}",
+                                   spheres.radii[0], spheres.radii[1])
+                     : fmt::format("a chain of {} spheres of radius {:.6g}", spheres.radii.size(),
+                                   spheres.radii[0]);
+  return fmt::format(
+      "; the branch tends to {}, with V_r = {:.6g}, whose neck closes at H0 = {:.6g}; the values "
+      "are theirs",
+      shapes, v, axisym::closing_H0(spheres));
 }
 
 // What the branch's end in a closed neck means for the point: what it tends to.
@@ -124,36 +138,47 @@ PointOutcome limit_point(const StationaryCase& of, const BranchState& last) {
   point.row.stop_reason =
       fmt::format("a neck closes: its radius is {:.2g}", axisym::thinnest_neck(last.X));
   if (of.model != Model::SSH) return point;
-  const axisym::TwoSpheres spheres = limit_of(of);
-  point.row.diagnostics = axisym::diagnose(of.material, spheres);
-  point.row.stop_reason += fmt::format(
-      "; the branch tends to two spheres {}, of radii {:.6g} and {:.6g}, with V_r = {:.6g}, whose "
-      "neck closes at H0 = {:.6g}; the values are theirs",
-      spheres.nested ? "one within the other" : "side by side", spheres.outer, spheres.inner,
-      point.row.diagnostics->reduced_volume, axisym::closing_H0(spheres));
+  const double v = of.branch == Branch::stomatocyte ? of.reduced_volume : last.at.reduced_volume;
+  const auto spheres = limit_of(of.branch, v, 1 + axisym::neck_count(last.X));
+  if (!spheres) return point;
+  point.row.diagnostics = axisym::diagnose(of.material, *spheres);
+  point.row.stop_reason += text_of(*spheres);
+  return point;
+}
+
+PointOutcome fold_point(const StationaryCase& of, const BranchState& start,
+                        const axisym::FollowResult& result) {
+  const axisym::ResolvedState fold = axisym::resolved_fold(result, of.numerics);
+  const StationaryCase there = moved_to(fold.state.at, of);
+  PointOutcome point = outcome_of(there, fold.state, fold.diagnostics);
+  PointResult& row = point.row;
+  row.residual = axisym::residual_of(there.material, of.model, fold.state);
+  row.error = fold.error;
+  row.negative_directions = axisym::negative_directions(there.material, of.model, fold.state);
+  if (row.status == PointStatus::failed) return point;
+  describe_fold(of, fold,
+                axisym::negative_directions(of.material.with_L(start.at.L), of.model, start), row);
   return point;
 }
 
 PointOutcome outcome_of(const StationaryCase& of, const BranchState& start,
                         const axisym::FollowResult& result) {
   const PlanePoint at = result.state.at;
+  const double H0 = result.line.material_at(result.mu).spontaneous_curvature;
+  const bool is_on_the_way = H0 != of.material.spontaneous_curvature;
   if (result.arrival == axisym::Arrival::reached) return resolved_point(of, result.state);
   if (result.arrival == axisym::Arrival::neck) return limit_point(of, result.state);
   if (result.arrival == axisym::Arrival::lost)
-    return failed_point(fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}",
-                                    at.reduced_volume, at.L));
-  const StationaryCase there = moved_to(at, of);
-  PointOutcome point =
-      outcome_of(there, result.state, axisym::diagnose(there.material, result.state));
-  point.row.residual = axisym::residual_of(there.material, of.model, result.state);
-  point.row.steps = result.state.iterations;
-  point.row.negative_directions =
-      axisym::negative_directions(there.material, of.model, result.state);
-  if (point.row.status != PointStatus::failed)
-    describe_fold(of, result.state,
-                  axisym::negative_directions(of.material.with_L(start.at.L), of.model, start),
-                  point.row);
-  return point;
+    return failed_point(
+        fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}, H0 = {:.4g}",
+                    at.reduced_volume, at.L, H0));
+  if (!is_on_the_way) return fold_point(of, start, result);
+  PointOutcome nowhere = failed_point(
+      fmt::format("the smooth {} branch ends in a fold at H0 = {:.6g}, V_r = {:.6g}, before this "
+                  "spontaneous curvature",
+                  name(of.branch), H0, at.reduced_volume));
+  nowhere.row.status = PointStatus::unresolved;
+  return nowhere;
 }
 
 // Follows along L in stages, so that a fold at a small L is no tiny piece of the way.
@@ -161,10 +186,8 @@ axisym::FollowResult follow_up(const StationaryCase& of, BranchState from, doubl
   constexpr double stage = 4;
   const double v = from.at.reduced_volume;
   while (true) {
-    const int before = from.iterations;
     const double next = from.at.L > 0 && stage * from.at.L < L ? stage * from.at.L : L;
-    auto result = axisym::follow(of.material, of.model, from, {v, next}, of.numerics);
-    result.state.iterations += before;
+    const auto result = axisym::follow(of.material, of.model, from, {v, next}, of.numerics);
     if (next == L || result.arrival != axisym::Arrival::reached) return result;
     from = result.state;
   }
@@ -177,7 +200,8 @@ PointOutcome failed_point(std::string reason) {
 }
 
 std::optional<BranchState> settled(const StationaryCase& of, const State& state) {
-  return axisym::solve_at(of.material, of.model, of.at(), axisym::guess_from(of.material, state));
+  return axisym::solve_at(of.material, of.model, of.at(),
+                          axisym::guess_from(of.material, of.model, state));
 }
 
 bool has_state_here(const PointOutcome& point) {
@@ -195,19 +219,25 @@ void add_modes(const StationaryCase& of, int largest_m, PointOutcome& point) {
 
 constexpr double largest_fold = 2;  // of L
 
-std::optional<BranchState> fold_above(const StationaryCase& of, const State& state) {
+std::optional<axisym::ResolvedState> fold_above(const StationaryCase& of, const State& state) {
   const auto start = settled(of, state);
   if (!start) return {};
   const auto result = follow_up(of, *start, largest_fold);
   if (result.arrival != axisym::Arrival::fold) return {};
-  return result.state;
+  return axisym::resolved_fold(result, of.numerics);
 }
 
 PointOutcome without_ssh(const StationaryCase& of, const PointOutcome& ssh) {
   if (of.model == Model::SSH && ssh.row.status == PointStatus::limit) {
     PointOutcome same = ssh;  // no shape of SSH depends on L
-    same.row.diagnostics = axisym::diagnose(of.material, limit_of(of));
     same.row.wall_seconds = 0;
+    double v = of.reduced_volume;
+    if (of.branch != Branch::stomatocyte) {
+      if (!ssh.row.diagnostics) return same;
+      v = ssh.row.diagnostics->volume / axisym::target_of(1).volume;
+    }
+    if (const auto spheres = limit_of(of.branch, v, int(std::lround(1 / (v * v)))))
+      same.row.diagnostics = axisym::diagnose(of.material, *spheres);
     return same;
   }
   PointOutcome outcome = failed_point("no SSH shape to start from: " + ssh.row.stop_reason);
@@ -229,7 +259,6 @@ PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
   const auto start = settled(moved_to(from.at, of), from.state);
   if (!start) return failed_point("Newton's method failed at the neighbouring point");
   PointOutcome point = outcome_of(of, *start, follow_up(of, *start, of.L()));
-  point.row.steps += start->iterations;
   point.row.wall_seconds = watch.seconds();
   return point;
 }

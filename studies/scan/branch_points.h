@@ -64,8 +64,8 @@ PointOutcome branch_point(const axisym::StationaryCase& of);
 
 /// The fold in which the branch of SBEH ends as L grows, from the case's state; empty when there is none below
 /// L = 2.
-std::optional<axisym::BranchState> fold_above(const axisym::StationaryCase& of,
-                                              const axisym::State& state);
+std::optional<axisym::ResolvedState> fold_above(const axisym::StationaryCase& of,
+                                                const axisym::State& state);
 
 /// V_r = 1: the sphere, with the uniform order at rest there.
 PointOutcome sphere_point(const axisym::StationaryCase& of);

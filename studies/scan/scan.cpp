@@ -117,7 +117,6 @@ void scan_order_column(Scan& scan, Branch branch, const Neighbour& ssh) {
       last = Neighbour{{v, L}, *outcome->state};
     } else if (outcome->row.fold_side == "at" && !fold) {
       fold = outcome;
-      fold->row.steps = 0;
       fold->row.wall_seconds = 0;
     }
   }
@@ -201,6 +200,7 @@ void fill_fold_L(ScanTable& table, const std::vector<FoldRow>& folds) {
             && row.fold_L != fold.L) {
           filled.push_back(row);
           filled.back().fold_L = fold.L;
+          filled.back().fold_L_error = fold.L_error;
         }
   for (const PointResult& row : filled) table.append(row);
 }

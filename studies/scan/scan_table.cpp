@@ -88,6 +88,7 @@ const Columns<PointResult>& scan_columns() {
       error("energy_error", &Accuracy::energy),
       error("W2_error", &Accuracy::W2),
       error("H_pole_error", &Accuracy::H_pole),
+      column("fold_L_error", &Row::fold_L_error, "{:.3g}"),
       column<Row>("negative_directions_3d", inside(&Row::modes, &Stability3d::negative_directions)),
       {"unstable_modes", [](const Row& row) { return csv_field(text_of_modes(row.modes)); },
        [](Row& row, const std::string& field) { return read_modes(field, row.modes); }},

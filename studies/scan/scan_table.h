@@ -29,15 +29,15 @@ struct PointResult {
   PointStatus status = PointStatus::failed;
   std::optional<axisym::Diagnostics> diagnostics{};  ///< none: written as nan
   double residual = 0;                               ///< largest force and order residual per area
-  /// Newton iterations at the start and on arrival, at a fold with the arc steps to it; or time steps.
-  int steps = 0;
+  std::optional<int> steps{};  ///< time steps of the evolution to rest; none by Newton's method
   double wall_seconds = 0;
   std::string shape{};  ///< class of the shape, see axisym/shape_class.h
   std::optional<int>
-      negative_directions{};       ///< see axisym/stationary/stability.h; at a fold: before it
-  bool self_contact = false;       ///< the surface passes through itself
-  std::string fold_side{};         ///< "before" the branch's fold, or "at" it
-  std::optional<double> fold_L{};  ///< at the fold of SBEH: its L, to which the diagnostics belong
+      negative_directions{};  ///< see axisym/stationary/stability.h; at a fold: before it
+  bool self_contact = false;  ///< the surface passes through itself
+  std::string fold_side{};    ///< "before" the branch's fold, or "at" it
+  /// Of SBEH: the L of the fold of its branch, to which at the fold the diagnostics belong; its estimated error.
+  std::optional<double> fold_L{}, fold_L_error{};
   std::string stop_reason{};
   std::optional<axisym::Accuracy>
       error{};  ///< estimated, of the values; none where there is no estimate

@@ -68,7 +68,7 @@ inline BranchState settled(Model model, PlanePoint at, const StationaryState& gu
   const NewtonResult r =
       solve_stationary(paper_material(at.L), model, target_of(at.reduced_volume), guess);
   EXPECT_EQ(r.status, NewtonStatus::converged) << "V_r = " << at.reduced_volume;
-  return {r.state, at, r.determinant_sign, r.iterations};
+  return {r.state, at, r.determinant_sign};
 }
 
 /// The smooth oblate at (0.8, 0.05): a short run from the spheroid, then Newton.
@@ -80,7 +80,7 @@ inline BranchState first_oblate(Model model, int elements = 24) {
   const FlowResult run =
       run_flow(material, model, ordered_spheroid(at.reduced_volume, elements),
                target_of(at.reduced_volume), numerics, {.end_time = 0.2, .output_times = {}});
-  return settled(model, at, redistribute(guess_from(material, run.state), numerics.grading));
+  return settled(model, at, redistribute(guess_from(material, model, run.state), numerics.grading));
 }
 
 /// The same state on another number of elements.

@@ -88,7 +88,7 @@ TEST(TwoWitnesses, agree_on_the_ordered_oblates_of_the_paper) {
 int negative_directions_densely(const Material& material, Model model, const StationaryState& s) {
   const int n = int(s.beta.size()), size = node_unknowns * n;
   LagrangianDerivatives L(n);
-  assemble(material, s, node_normals(s.X), L);
+  assemble(felt_material(material, model), s, node_normals(s.X), L);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size + 2, size + 2);
   K.topLeftCorner(size, size) = densely(L.hessian);
   K.topRightCorner(size, 2) = L.constraints;

@@ -30,7 +30,7 @@ BranchState oblate(Model model, PlanePoint at) {
                     Field::Constant(3 * numerics.elements + 1, model::full_order)};
   const auto solved = [](Model m, PlanePoint where, const State& near) {
     const auto r = solve_stationary(material.with_L(where.L), m, target_of(where.reduced_volume),
-                                    guess_from(material.with_L(where.L), near));
+                                    guess_from(material.with_L(where.L), m, near));
     if (r.status != NewtonStatus::converged) throw std::runtime_error("no stationary state");
     return BranchState{r.state, where, r.determinant_sign};
   };
@@ -63,7 +63,7 @@ void time_step(benchmark::State& run) {
 
 void newton_assembly(benchmark::State& run) {
   const int elements = int(run.range(0));
-  const StationaryState state = guess_from(material, spheroid_state(elements));
+  const StationaryState state = guess_from(material, Model::SBEH, spheroid_state(elements));
   const Nodes normals = node_normals(state.X);
   LagrangianDerivatives derivatives(3 * elements + 1);
   for (auto _ : run) assemble(material, state, normals, derivatives);
@@ -72,7 +72,7 @@ void newton_assembly(benchmark::State& run) {
 
 void newton_iteration(benchmark::State& run) {
   const int elements = int(run.range(0));
-  const StationaryState state = guess_from(material, spheroid_state(elements));
+  const StationaryState state = guess_from(material, Model::SBEH, spheroid_state(elements));
   NewtonSystem system(material, Model::SBEH, 3 * elements + 1);
   Increment step;
   for (auto _ : run) {

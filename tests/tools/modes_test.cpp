@@ -1,7 +1,10 @@
 // Modes of a state as their user sees them: tables, files, starts of runs, refusals, report.
 #include "tests/tools/workplace.h"
 
+#include <fmt/format.h>
+
 #include <csignal>
+#include <limits>
 
 namespace sbeh::tools::test {
 namespace {
@@ -64,8 +67,21 @@ TEST_F(Modes, of_a_stable_state_fluctuate) {
 
 // Where λ of m = 2 is nearer to 0 than the error.
 TEST_F(Modes, are_unresolved_where_a_sign_is_not_known) {
-  const Ended ended = sbeh({"modes", "--model", "SSH", "--reduced-volume", "0.74972904976", "--L",
-                            "0.05", "--largest-m", "2", "-o", "out", "--no-pictures"});
+  const auto modes_at = [&](double reduced_volume, const std::string& folder) {
+    return sbeh({"modes", "--model", "SSH", "--reduced-volume", fmt::format("{}", reduced_volume),
+                 "--L", "0.05", "--largest-m", "2", "-o", folder, "--no-pictures"});
+  };
+  const auto eigenvalue_at = [&](double reduced_volume, const std::string& folder) {
+    EXPECT_EQ(modes_at(reduced_volume, folder).exit_code, 0);
+    const Table modes = table(folder + "/modes.csv");
+    for (std::size_t row = 0; row < modes.rows.size(); ++row)
+      if (modes.text(row, "m") == "2") return modes.number(row, "eigenvalue");
+    return std::numeric_limits<double>::quiet_NaN();
+  };
+  const double a = 0.749728, b = 0.749730, at_a = eigenvalue_at(a, "a"),
+               at_b = eigenvalue_at(b, "b");
+  ASSERT_LT(at_a * at_b, 0);
+  const Ended ended = modes_at((at_b * a - at_a * b) / (at_b - at_a), "out");
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
   EXPECT_NE(ended.out.find("\nunresolved: an eigenvalue is no farther from 0 than"),
             std::string::npos)

@@ -24,7 +24,7 @@ const std::string by_flow =
 
 class Resume : public Workplace {
  protected:
-  /// A point that was finished: its row, but for the fold's L that it gets at the end, and when its files were written.
+  /// A point that was finished: its row, but for the fold's L and its error that it gets at the end, and when its files were written.
   struct Point {
     std::vector<std::string> row;
     std::map<std::string, fs::file_time_type> written;
@@ -36,7 +36,6 @@ class Resume : public Workplace {
     const std::string text = read("out/scan.csv");
     write("rows.csv", text.substr(0, text.rfind('\n') + 1));  // without a row that was cut
     const Table scan = table("rows.csv");
-    const auto fold_L = std::ranges::find(scan.columns, "fold_L") - scan.columns.begin();
     for (std::size_t row = 0; row < scan.rows.size(); ++row) {
       std::string stem = scan.text(row, "model");
       stem.append("_").append(scan.text(row, "branch"));
@@ -44,7 +43,9 @@ class Resume : public Workplace {
       stem.append("_L").append(scan.text(row, "L"));
       Point& point = points[stem];
       point.row = scan.rows[row];
-      point.row.erase(point.row.begin() + fold_L);
+      for (const std::string column : {"fold_L", "fold_L_error"})
+        point.row[std::size_t(std::ranges::find(scan.columns, column) - scan.columns.begin())]
+            .clear();
       for (const std::string ending : {".csv", ".series.csv"}) {
         const fs::path file = path("out/points") / (stem + ending);
         if (exists(file)) point.written[ending] = last_write_time(file);

@@ -39,8 +39,9 @@ TEST(Eigenmodes, of_the_SSH_sphere_are_those_of_the_harmonics) {
     for (const double tension : {0., 0.1, -0.3})
       for (int m = 0; m <= 5; ++m)
         expect_eigenvalues(
-            second_variation(material, Model::SSH,
-                             sphere_at_rest(material, model::full_order, tension, elements)),
+            second_variation(
+                material, Model::SSH,
+                sphere_at_rest(material, Model::SSH, model::full_order, tension, elements)),
             m, [&](int l) { return (l - 1) * (l + 2) * (kappa * l * (l + 1) + tension); },
             accuracy);
 }
@@ -60,8 +61,9 @@ TEST(Eigenmodes, of_the_SBEH_sphere_are_those_of_shape_and_order_together) {
     };
     for (int m = 0; m <= 4; ++m)
       expect_eigenvalues(
-          second_variation(material, Model::SBEH, sphere_at_rest(material, order, tension, 96)), m,
-          exact, 1e-8);
+          second_variation(material, Model::SBEH,
+                           sphere_at_rest(material, Model::SBEH, order, tension, 96)),
+          m, exact, 1e-8);
   }
 }
 
@@ -78,7 +80,7 @@ TEST(SecondVariation, of_m_0_is_that_of_the_axisymmetric_Lagrangian) {
     shape.X.col(i) *= 1 + 0.1 * std::sin(3 * s) * s;
     shape.beta[i] += 0.05 * std::cos(5 * s);
   }
-  const StationaryState state = guess_from(material, shape);
+  const StationaryState state = guess_from(material, Model::SBEH, shape);
   const auto second = second_variation(material, Model::SBEH, state);
   LagrangianDerivatives axisymmetric(37);
   assemble(material, state, node_normals(state.X), axisymmetric);

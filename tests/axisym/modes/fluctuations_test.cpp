@@ -38,7 +38,8 @@ TEST(Fluctuations, of_the_SSH_sphere_are_those_of_Milner_and_Safran) {
     OrderTable table("contour, m = 12", "1/elements");
     for (const auto& [elements, accuracy] : {std::pair{48, 2e-7}, {96, 1e-8}}) {
       const auto second = second_variation(
-          material, Model::SSH, sphere_at_rest(material, model::full_order, tension, elements));
+          material, Model::SSH,
+          sphere_at_rest(material, Model::SSH, model::full_order, tension, elements));
       const auto error_of = [&](int m) {
         return contour_variance(second, m).value_or(0) / equator_sum(m, exact) - 1;
       };
@@ -62,8 +63,8 @@ TEST(Fluctuations, of_the_SBEH_sphere_are_those_of_shape_and_order_together) {
       const double stiffness = 1.5 * L * l * (l + 1) + 9 * L + curvature;
       return 1 / (bend * (kappa * l * (l + 1) + tension) - coupling * coupling / stiffness);
     };
-    const auto second =
-        second_variation(material, Model::SBEH, sphere_at_rest(material, order, tension, 96));
+    const auto second = second_variation(material, Model::SBEH,
+                                         sphere_at_rest(material, Model::SBEH, order, tension, 96));
     for (int m = 0; m <= 6; ++m) {
       const auto found = contour_variance(second, m);
       ASSERT_TRUE(found);

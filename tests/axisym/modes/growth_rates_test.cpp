@@ -47,7 +47,7 @@ void expect_sphere_rates(const Material& material, Model model, double accuracy)
       has_free_order(model) ? model::sphere_rest_order(material).value() : model::full_order;
   const double tension = 0.07;
   const auto second =
-      second_variation(material, model, sphere_at_rest(material, order, tension, 96));
+      second_variation(material, model, sphere_at_rest(material, model, order, tension, 96));
   for (int m = 0; m <= 4; ++m) {
     SCOPED_TRACE(m);
     const auto found = growth_rates({second, material, model}, m, 2);

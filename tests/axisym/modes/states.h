@@ -8,10 +8,10 @@
 namespace sbeh::axisym::test {
 
 /// The unit sphere at rest under a tension that counts the potential too.
-inline StationaryState sphere_at_rest(const model::Material& material, double order, double tension,
-                                      int elements) {
+inline StationaryState sphere_at_rest(const model::Material& material, model::Model model,
+                                      double order, double tension, int elements) {
   StationaryState s = guess_from(
-      material, {spheroid(1., 1., elements, 0.5), Field::Constant(3 * elements + 1, order)});
+      material, model, {spheroid(1., 1., elements, 0.5), Field::Constant(3 * elements + 1, order)});
   s.H.setConstant(-2);
   s.tension = tension - material.potential.value(order);
   s.pressure = 2 * tension;

@@ -27,9 +27,9 @@ const RimRecord* find(const std::vector<RimRecord>& rows, RimKind kind, double L
 // The finite elements' state next to a profile.
 StationaryState settled_on(const RimRecord& row, int elements, double grading) {
   const Material material = paper_material(row.L);
-  const NewtonResult r =
-      solve_stationary(material, Model::SBEH, target_of(row.reduced_volume),
-                       guess_from(material, redistribute(row.state, grading, elements)));
+  const NewtonResult r = solve_stationary(
+      material, Model::SBEH, target_of(row.reduced_volume),
+      guess_from(material, Model::SBEH, redistribute(row.state, grading, elements)));
   EXPECT_EQ(r.status, NewtonStatus::converged) << name(row.kind) << ", L = " << row.L;
   return r.state;
 }
@@ -208,8 +208,9 @@ TEST(Kink, is_the_limit_of_a_vanishing_residual_stiffness) {
     const auto guess = spectral::minimise(problem, L, problem.unknowns(kink.y[0], round, filled));
     ASSERT_TRUE(guess) << k0;
     const State state = redistribute(spectral::profile_of(problem, guess->y), 2, 192);
-    const NewtonResult r = solve_stationary(material, Model::SBEH, target_of(0.6),
-                                            guess_from(material, state), {.most_iterations = 30});
+    const NewtonResult r =
+        solve_stationary(material, Model::SBEH, target_of(0.6),
+                         guess_from(material, Model::SBEH, state), {.most_iterations = 30});
     ASSERT_EQ(r.status, NewtonStatus::converged) << k0;
     table.add(k0, energy_of(material, r.state).total() - energy_at(kinks, kink));
   }

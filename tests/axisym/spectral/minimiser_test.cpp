@@ -263,8 +263,8 @@ TEST(OrderedMinimiser, of_stomatocytes_ends_in_the_fold_that_the_finite_elements
   const auto entry = enter_branch(Branch::stomatocyte, material, numerics);
   ASSERT_TRUE(entry);
   const FollowResult ssh = follow(material, model::Model::SSH, entry->state, {v, 1e-5}, numerics);
-  const NewtonResult r =
-      solve_stationary(material, model::Model::SBEH, target_of(v), guess_from(material, ssh.state));
+  const NewtonResult r = solve_stationary(material, model::Model::SBEH, target_of(v),
+                                          guess_from(material, model::Model::SBEH, ssh.state));
   ASSERT_EQ(r.status, NewtonStatus::converged);
   const FollowResult end =
       follow(material, model::Model::SBEH, {r.state, {v, 1e-5}}, {v, 1e-3}, numerics);

@@ -121,7 +121,6 @@ TEST(Follow, keeps_the_sign_of_the_determinant_up_to_the_fold) {
   for (const double L : {0.06, 0.065, 0.069, 0.0705}) {
     b = reach(Model::SBEH, b, {0.6, L});
     EXPECT_EQ(b.determinant_sign, sign) << "L = " << L;
-    EXPECT_LT(b.iterations, 50) << "L = " << L;
   }
 }
 
@@ -150,10 +149,9 @@ TEST(Fold, of_the_smooth_oblate_at_06_lies_at_L_007064) {
     const FollowResult r = towards(refined(Model::SBEH, b, elements), 0.12, elements);
     ASSERT_EQ(r.arrival, Arrival::fold) << elements << " elements";
     const Diagnostics d = diagnose(paper_material(r.state.at.L), r.state);
-    std::printf("%d elements: L* = %.10f, |H| %.4f and order %.5f at the rim, %d arc steps\n",
-                elements, r.state.at.L, d.H_abs_max, d.order_min, r.state.iterations);
+    std::printf("%d elements: L* = %.10f, |H| %.4f and order %.5f at the rim\n", elements,
+                r.state.at.L, d.H_abs_max, d.order_min);
     found.push_back(r.state.at.L);
-    EXPECT_LT(r.state.iterations, 200);
     EXPECT_GT(d.H_abs_max, 5);  // the end of a branch of smooth states
     EXPECT_LT(d.H_abs_max, 6);
     EXPECT_GT(d.order_min, 0.4);

@@ -72,10 +72,10 @@ TEST(FoldKind, is_where_the_order_is_lost_on_every_branch) {
     EXPECT_EQ(name(*kind), std::string(name(c.kind)));
     // Of positions and order alone, which is what a scan keeps, and with the poles the other way round.
     const Material there = material.with_L(fold->at.L);
-    EXPECT_EQ(fold_kind(material, fold->at.L, guess_from(there, *fold)), kind);
+    EXPECT_EQ(fold_kind(material, fold->at.L, guess_from(there, Model::SBEH, *fold)), kind);
     State turned{fold->X.rowwise().reverse(), fold->beta.reverse()};
     turned.X.row(1) *= -1;
-    EXPECT_EQ(fold_kind(material, fold->at.L, guess_from(there, turned)), kind);
+    EXPECT_EQ(fold_kind(material, fold->at.L, guess_from(there, Model::SBEH, turned)), kind);
   }
 }
 

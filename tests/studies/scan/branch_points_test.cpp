@@ -98,5 +98,32 @@ TEST(StateAtAFold, is_told_with_the_L_and_the_stability_of_the_side_before_it) {
     }
 }
 
+// From 24 and 48 elements, of folds at a rim, a pole and a neck.
+TEST(ErrorsOfFolds, bound_what_more_elements_change) {
+  for (const auto& [branch, v, L] : {std::tuple{Branch::oblate, 0.6, 0.1},
+                                     {Branch::oblate, 0.8, 0.2},
+                                     {Branch::prolate, 0.6, 0.2},
+                                     {Branch::stomatocyte, 0.6, 0.01}}) {
+    const auto fold_with = [&](int elements) {
+      const StationaryCase classical = case_of(v, 0.05, Model::SSH, branch, elements);
+      axisym::SshBranch states(branch, classical.material, classical.numerics);
+      return order_from(case_of(v, L, Model::SBEH, branch, elements),
+                        *ssh_point(classical, states).state)
+          .row;
+    };
+    const PointResult best = fold_with(192);
+    for (const int elements : {24, 48}) {
+      SCOPED_TRACE(testing::Message() << name(branch) << ' ' << v << ", " << elements);
+      const PointResult row = fold_with(elements);
+      ASSERT_TRUE(row.fold_L && row.fold_L_error && row.error) << row.stop_reason;
+      EXPECT_LE(row.error->energy, 1e-8 * (1 + std::abs(row.diagnostics->energy.total())));
+      EXPECT_LT(std::abs(row.diagnostics->energy.total() - best.diagnostics->energy.total()),
+                row.error->energy + best.error->energy + 1e-10);
+      EXPECT_LT(std::abs(*row.fold_L - *best.fold_L),
+                *row.fold_L_error + *best.fold_L_error + 1e-12);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace sbeh::studies

@@ -1,12 +1,13 @@
 // Rows of SSH: the same whatever else a scan asks for, known to what their error columns say, followed to a
 // spontaneous curvature, and told as limits where necks close.
 
-#include "axisym/redistribute.h"
+#include "axisym/shape_class.h"
 #include "axisym/stationary/limit_shape.h"
 #include "studies/scan/branch_points.h"
 
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <numbers>
 
 namespace sbeh::studies {
@@ -93,6 +94,51 @@ TEST(SpontaneousCurvature, is_reached_from_where_the_branch_is_sure) {
   }
 }
 
+// On either side of where the neck closes, H₀ = 1.03991 at V_r = 0.6.
+TEST(NarrowNecks, are_followed_until_they_close) {
+  EXPECT_NEAR(axisym::closing_H0(axisym::sphere_in_sphere(0.6)), 1.03991, 1e-5);
+  const PointOutcome open = alone(case_of(Branch::stomatocyte, 0.6, 1)),
+                     closed = alone(case_of(Branch::stomatocyte, 0.6, 1.3));
+  EXPECT_EQ(closed.row.status, PointStatus::limit);
+  ASSERT_EQ(open.row.status, PointStatus::stationary) << open.row.stop_reason;
+  EXPECT_EQ(open.row.negative_directions, 0);
+  EXPECT_NEAR(axisym::thinnest_neck(open.state->X), 0.00103, 1e-5);
+  EXPECT_NEAR(energy_of(open), -7.09821737, 1e-8);  // from 48, 96 and 192 elements on
+  EXPECT_LT(open.row.error->energy, 1e-8);
+}
+
+TEST(FoldsOnTheWay, to_a_spontaneous_curvature_are_told_without_values) {
+  const StationaryCase of = case_of(Branch::stomatocyte, 0.6, -4);
+  SshBranch branch(of.branch, of.material, of.numerics);
+  const auto end = branch.at(0.6);  // no state of the branch at any V_r: from SSH's without H₀
+  ASSERT_TRUE(end);
+  EXPECT_EQ(end->arrival, axisym::Arrival::fold);
+  const double H0 = end->line.material_at(end->mu).spontaneous_curvature;
+  EXPECT_LT(H0, 0);
+  EXPECT_GT(H0, -4);
+  const PointOutcome point = ssh_point(of, branch);
+  EXPECT_EQ(point.row.status, PointStatus::unresolved);
+  EXPECT_NE(point.row.stop_reason.find("ends in a fold at H0 = -0."), std::string::npos)
+      << point.row.stop_reason;
+  EXPECT_FALSE(point.row.diagnostics);
+}
+
+TEST(ClosedNecks, of_dumbbells_are_chains_of_equal_spheres) {
+  const PointOutcome point = alone(case_of(Branch::prolate, 0.7, -4));
+  EXPECT_EQ(point.row.status, PointStatus::limit) << point.row.stop_reason;
+  ASSERT_TRUE(point.row.diagnostics);
+  EXPECT_NEAR(point.row.diagnostics->reduced_volume, std::sqrt(0.5), 1e-12);
+  const StationaryCase of = case_of(Branch::prolate, 0.5, -4);
+  const axisym::TouchingSpheres four = axisym::chain_of_spheres(4);
+  EXPECT_EQ(axisym::closing_H0(four), -4);
+  const axisym::Diagnostics d = axisym::diagnose(of.material, four);
+  EXPECT_NEAR(d.area, 4 * std::numbers::pi, 1e-12);
+  EXPECT_NEAR(d.reduced_volume, 0.5, 1e-12);
+  // H = H₀ everywhere: only the Gaussian energy is left, that of one sphere, and the potential.
+  EXPECT_NEAR(d.energy.bending, 4 * std::numbers::pi * of.material.kappa_gauss(model::full_order),
+              1e-12);
+}
+
 TEST(ClosedNecks, are_limits_with_the_energy_of_the_two_spheres) {
   const StationaryCase of = case_of(Branch::stomatocyte, 0.6, 2);
   const PointOutcome point = alone(of);
@@ -109,16 +155,13 @@ TEST(TwoSpheres, are_what_states_with_thin_necks_come_near_to) {
     const StationaryCase of = case_of(Branch::stomatocyte, 0.65, H0);
     const PointOutcome thin = alone(of);
     ASSERT_TRUE(thin.state) << thin.row.stop_reason;
-    const auto spheres = axisym::two_spheres(0.65, true);
-    ASSERT_TRUE(spheres);
-    EXPECT_LT(H0, axisym::closing_H0(*spheres));
+    const auto spheres = axisym::sphere_in_sphere(0.65);
+    EXPECT_LT(H0, axisym::closing_H0(spheres));
     const double closer =
-        std::abs(energy_of(thin) - axisym::diagnose(of.material, *spheres).energy.total());
+        std::abs(energy_of(thin) - axisym::diagnose(of.material, spheres).energy.total());
     EXPECT_LT(closer, gap / 2);
     gap = closer;
   }
-  EXPECT_FALSE(axisym::two_spheres(0.7, false));
-  EXPECT_NEAR(axisym::two_spheres(0.8, false)->outer, 0.886225, 0.05);
 }
 
 TEST(OrderedOblates, are_there_where_those_of_full_order_pass_through_themselves) {
@@ -137,7 +180,7 @@ TEST(OrderedOblates, are_there_where_those_of_full_order_pass_through_themselves
 TEST(SshRows, that_are_limits_have_the_energy_of_the_spheres_at_every_L) {
   const StationaryCase of = case_of(Branch::stomatocyte, 0.6, 1);
   const PointOutcome limit{{.status = PointStatus::limit, .stop_reason = "a neck closes"}, {}};
-  const auto spheres = axisym::two_spheres(0.6, true).value();
+  const auto spheres = axisym::sphere_in_sphere(0.6);
   for (const double L : {0.01, 0.05, 0.1}) {
     StationaryCase there = of;
     there.material = of.material.with_L(L);
