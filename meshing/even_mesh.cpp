@@ -68,8 +68,9 @@ void remesh(Candidate& best, const Resolution& resolution, const Projection& ont
 
 }  // namespace
 
-CurvedMesh even_mesh(const Resolution& resolution, const Projection& from_sphere,
-                     const Projection& onto_surface) {
+std::optional<CurvedMesh> even_mesh_if_any(const Resolution& resolution,
+                                           const Projection& from_sphere,
+                                           const Projection& onto_surface) {
   constexpr int coarsest = 4;  // divisions that a shape needs for its triangles to settle
   int n = std::max(1, int(std::lround(std::sqrt(resolution.triangles / 20.)))), halvings = 0;
   for (; n % 2 == 0 && n / 2 >= coarsest; n /= 2) ++halvings;
@@ -85,12 +86,22 @@ CurvedMesh even_mesh(const Resolution& resolution, const Projection& from_sphere
     if (best.score >= 1) return best.mesh;
   }
   if (resolution.grading == 0) remesh(best, resolution, onto_surface);
-  if (!(best.min_jacobian > 0))
-    throw std::invalid_argument(
-        fmt::format("the shape bends too sharply for {} triangles, some fold over when they are "
-                    "curved: take more",
-                    resolution.triangles));
+  if (!(best.min_jacobian > 0)) return {};
   return best.mesh;
+}
+
+CurvedMesh even_mesh(const Resolution& resolution, const Projection& from_sphere,
+                     const Projection& onto_surface) {
+  auto mesh = even_mesh_if_any(resolution, from_sphere, onto_surface);
+  if (!mesh) refuse_as_too_sharp(resolution);
+  return std::move(*mesh);
+}
+
+void refuse_as_too_sharp(const Resolution& resolution) {
+  throw std::invalid_argument(
+      fmt::format("the shape bends too sharply for {} triangles, some fold over when they are "
+                  "curved: take more",
+                  resolution.triangles));
 }
 
 }  // namespace sbeh::meshing

@@ -34,6 +34,19 @@ TriangleMesh icosahedron() {
   return mesh;
 }
 
+TriangleMesh octahedron() {
+  TriangleMesh mesh{Eigen::Matrix3Xd(3, 6), Eigen::Matrix3Xi(3, 8)};
+  mesh.points << Eigen::Matrix3d::Identity(), -Eigen::Matrix3d::Identity();
+  int t = 0;
+  for (const int x : {0, 3})
+    for (const int y : {1, 4})
+      for (const int z : {2, 5}) {
+        const bool turned = (x + y + z) % 2 == 0;  // an odd number of mirrors
+        mesh.triangles.col(t++) << x, turned ? z : y, turned ? y : z;
+      }
+  return mesh;
+}
+
 // Indices of the points of a mesh under refinement, shared by the triangles at an edge.
 class SharedPoints {
  public:
@@ -100,6 +113,13 @@ TriangleMesh divided(const TriangleMesh& coarse, int n) {
 TriangleMesh icosphere(int n) {
   if (n < 1) throw std::invalid_argument("icosphere: n must be >= 1");
   TriangleMesh mesh = divided(icosahedron(), n);
+  mesh.points.colwise().normalize();
+  return mesh;
+}
+
+TriangleMesh octasphere(int n) {
+  if (n < 1) throw std::invalid_argument("octasphere: n must be >= 1");
+  TriangleMesh mesh = divided(octahedron(), n);
   mesh.points.colwise().normalize();
   return mesh;
 }

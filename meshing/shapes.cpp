@@ -1,7 +1,10 @@
 #include "meshing/shapes.h"
 
+#include "meshing/curving.h"
 #include "meshing/even_mesh.h"
+#include "meshing/icosphere.h"
 #include "meshing/measures.h"
+#include "meshing/quality.h"
 #include "model/numerics/root.h"
 #include "model/numerics/spheroid.h"
 
@@ -21,7 +24,8 @@ using std::numbers::pi;
 namespace {
 
 constexpr double thinnest = 100;  // ratio of semi-axes
-constexpr double slender = 30;    // from here on rays from the middle hit the surface too flatly
+constexpr double least_of_volume = 0.75;
+constexpr double slender = 30;  // from here on rays from the middle hit the surface too flatly
 
 // Newton's method for |x/a|² = 1 along the gradient: at the surface that is along the normal.
 Vector3d onto_ellipsoid(const Vector3d& semi_axes, Vector3d x) {
@@ -33,6 +37,15 @@ Vector3d onto_ellipsoid(const Vector3d& semi_axes, Vector3d x) {
     if (std::abs(f) < 1e-15) break;
   }
   return x;
+}
+
+// Slender triangles where the ellipsoid is sharp, across which it bends. No even ones could go round it there.
+CurvedMesh stretched_sphere(const Vector3d& semi_axes, const Resolution& resolution) {
+  const int n = std::max(1, int(std::lround(std::sqrt(resolution.triangles / 8.))));
+  CurvedMesh mesh = curved(octasphere(n), resolution.order,
+                           [](const Vector3d& x) -> Vector3d { return x.normalized(); });
+  mesh.nodes = semi_axes.asDiagonal() * mesh.nodes;
+  return mesh;
 }
 
 }  // namespace
@@ -56,19 +69,25 @@ CurvedMesh sphere(const Resolution& resolution) {
 }
 
 CurvedMesh ellipsoid(const Vector3d& semi_axes, const Resolution& resolution) {
-  if (!(semi_axes.minCoeff() > 0 && std::isfinite(semi_axes.maxCoeff())))
+  if (!semi_axes.allFinite() || !(semi_axes.minCoeff() > 0))
     throw std::invalid_argument(fmt::format("ellipsoid: semi-axes {}, {}, {}: must be > 0",
                                             semi_axes[0], semi_axes[1], semi_axes[2]));
   if (semi_axes.maxCoeff() > thinnest * semi_axes.minCoeff())
     throw std::invalid_argument(
         fmt::format("ellipsoid: semi-axes {}, {}, {}: must not differ by more than a factor of {}",
                     semi_axes[0], semi_axes[1], semi_axes[2], thinnest));
-  const RadialFunction r = [&](const Vector3d& d) { return 1 / d.cwiseQuotient(semi_axes).norm(); };
-  if (semi_axes.maxCoeff() < slender * semi_axes.minCoeff()) return star_shaped(r, resolution);
   resolution.validate();
-  return even_mesh(
-      resolution, [&](const Vector3d& d) -> Vector3d { return r(d.normalized()) * d.normalized(); },
-      [&](const Vector3d& x) { return onto_ellipsoid(semi_axes, x); });
+  const Projection radially = [&](const Vector3d& x) -> Vector3d {
+    return x / x.cwiseQuotient(semi_axes).norm();
+  };
+  const Projection onto = [&](const Vector3d& x) { return onto_ellipsoid(semi_axes, x); };
+  const bool is_slender = semi_axes.maxCoeff() >= slender * semi_axes.minCoeff();
+  const auto even = even_mesh_if_any(resolution, radially, is_slender ? onto : radially);
+  CurvedMesh mesh = stretched_sphere(semi_axes, resolution);
+  // New triangles that are wider than a needle close it where it is not yet at its end.
+  if (even && volume(*even) > least_of_volume * volume(mesh)) return *even;
+  if (!(min_jacobian(mesh) > 0)) refuse_as_too_sharp(resolution);
+  return mesh;
 }
 
 CurvedMesh ellipsoid(double v, bool prolate, const Resolution& resolution) {

@@ -20,7 +20,8 @@ CurvedMesh star_shaped(const RadialFunction& r, const Resolution& resolution);
 /// The unit sphere.
 CurvedMesh sphere(const Resolution& resolution);
 
-/// Semi-axes along x, y, z. Throws std::invalid_argument unless all are > 0 and within a factor of
+/// Semi-axes along x, y, z. Where it is too sharp for even triangles, they are those of a sphere stretched to it, slender
+/// across its edge. Throws std::invalid_argument unless all are > 0 and within a factor of
 /// 100 of each other.
 CurvedMesh ellipsoid(const Eigen::Vector3d& semi_axes, const Resolution& resolution);
 

@@ -24,6 +24,21 @@ TEST(Icosphere, has_20_n_squared_triangles_on_the_unit_sphere) {
   }
 }
 
+TEST(Octasphere, has_8_n_squared_triangles_none_of_which_crosses_a_plane_of_coordinates) {
+  for (const int n : {1, 2, 3, 7, 16}) {
+    const TriangleMesh mesh = octasphere(n);
+    EXPECT_EQ(mesh.triangle_count(), 8 * n * n);
+    EXPECT_EQ(mesh.point_count(), 4 * n * n + 2);
+    EXPECT_LT((mesh.points.colwise().norm().array() - 1).abs().maxCoeff(), 4e-16) << n;
+    EXPECT_GT(volume(mesh), 1.3);
+    for (const auto t : mesh.triangles.colwise())
+      for (const int c : {0, 1, 2}) {
+        const auto x = mesh.points(c, t).array();
+        EXPECT_GE(x.minCoeff() * x.maxCoeff(), -1e-17) << n;
+      }
+  }
+}
+
 /// Largest distance from a turned point to the nearest point of the mesh.
 double turned_away(const TriangleMesh& mesh, double angle) {
   const Eigen::Matrix3d turn = Eigen::AngleAxisd(angle, Vector3d::UnitZ()).toRotationMatrix();

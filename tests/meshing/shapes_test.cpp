@@ -94,6 +94,20 @@ TEST(HarmonicSphere, has_the_reduced_volume_asked_for_and_its_nodes_on_the_shape
   EXPECT_THROW(harmonic_sphere(modes, 1, {}), std::invalid_argument);
 }
 
+// Discs, needles and blades, round which no even triangles go: the volume is exact to the order of the mesh.
+TEST(EllipsoidMesh, is_made_of_slender_triangles_where_it_is_sharp) {
+  const std::vector<Vector3d> slender{{1, 1, 0.1}, {1, 1, 0.05}, {1, 1, 0.03}, {0.02, 1, 1},
+                                      {20, 1, 1},  {1, 50, 1},   {30, 5, 1},   {1, 2, 100}};
+  for (const Vector3d& axes : slender)
+    for (const int order : {2, 3}) {
+      const CurvedMesh mesh = ellipsoid(axes, {.triangles = 720, .order = order});
+      EXPECT_NEAR(mesh.triangle_count(), 720, 0.15 * 720);
+      EXPECT_NEAR(volume(mesh) / (4 * pi / 3 * axes.prod()), 1, order == 3 ? 1e-4 : 1e-3);
+      EXPECT_GT(min_jacobian(mesh), 0) << axes.transpose();
+      EXPECT_EQ(quality_of(mesh).self_intersections, 0) << axes.transpose();
+    }
+}
+
 TEST(EllipsoidMesh, of_reduced_volume_1_is_the_sphere) {
   const CurvedMesh mesh = ellipsoid(1, false, {.triangles = 1280});
   const Eigen::ArrayXd radius = mesh.nodes.colwise().norm();
