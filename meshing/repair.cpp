@@ -79,6 +79,15 @@ Mesh surface_of(const FaceSoup& soup) {
   return surface;
 }
 
+// Of a hole whose corners lie on one line CGAL makes no triangles: a fan, whose flat ones are turned later.
+std::size_t fill_flat_hole(Mesh& mesh, Halfedge h) {
+  CGAL::Euler::fill_hole(h, mesh);
+  std::size_t triangles = 1;
+  for (; mesh.next(mesh.next(mesh.next(h))) != h; ++triangles)
+    h = CGAL::Euler::split_face(h, mesh.next(mesh.next(h)), mesh);
+  return triangles;
+}
+
 void close_holes(Mesh& mesh, RepairLog& log) {
   constexpr std::size_t largest = 8;  // edges
   std::size_t closed = 0, added = 0;
@@ -88,8 +97,8 @@ void close_holes(Mesh& mesh, RepairLog& log) {
     if (CGAL::halfedges_around_face(h, mesh).size() > largest) continue;
     std::vector<Mesh::Face_index> patch;
     pmp::triangulate_hole(mesh, h, std::back_inserter(patch));
-    if (!patch.empty()) ++closed;
-    added += patch.size();
+    ++closed;
+    added += patch.empty() ? fill_flat_hole(mesh, h) : patch.size();
   }
   log.add(closed, "holes closed", fmt::format("{} triangles added", added));
 }

@@ -68,9 +68,7 @@ template <class Mesh>
 std::string advice(const fs::path& file, const Defect& defect, const Mesh& mesh) {
   if (!can_be_repaired(defect)) return {};
   const auto left = defect_of(meshing::repaired(mesh));
-  if (!left)
-    return fmt::format("; --repair can mend that: sbeh mesh file {} --repair -o FILE",
-                       file.string());
+  if (!left) return "; " + advice_to_repair(file);
   if (left->kind == defect.kind) return "; --repair cannot mend that";
   return "; --repair mends that, but not this: " + left->text;
 }
@@ -107,6 +105,10 @@ std::optional<std::string> note_on_roughness(const meshing::FittedSurface& surfa
 }
 
 }  // namespace
+
+std::string advice_to_repair(const fs::path& file) {
+  return fmt::format("--repair can mend that: sbeh mesh file {} --repair -o FILE", file.string());
+}
 
 FileSurface surface_of_file(const fs::path& file, bool repair) {
   MeshFile read = read_mesh(file);

@@ -23,6 +23,9 @@ struct FileSurface {
 /// Throws InputError: which triangle or point of the file is wrong, and whether `repair` would mend it.
 FileSurface surface_of_file(const std::filesystem::path& file, bool repair);
 
+/// What there is to do where that helps.
+std::string advice_to_repair(const std::filesystem::path& file);
+
 /// The triangles through whose points it goes, curved so that they lie on it.
 meshing::CurvedMesh curved(const meshing::FittedSurface& surface, int order);
 

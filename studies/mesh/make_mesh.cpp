@@ -15,6 +15,7 @@
 #include <cmath>
 #include <memory>
 #include <stdexcept>
+#include <utility>
 
 namespace sbeh::studies {
 
@@ -151,6 +152,22 @@ meshing::Quality quality_of_sound(const meshing::CurvedMesh& mesh, const meshing
   return q;
 }
 
+namespace {
+
+// Of a file whose triangles cannot be curved as they are.
+std::string advice(MeshRequest request) {
+  auto* shape = std::get_if<FileShape>(&request.shape);
+  if (!shape || std::exchange(shape->repair, true)) return {};
+  try {
+    make_mesh(request);
+    return "; " + advice_to_repair(shape->file);
+  } catch (const InputError&) {
+    return {};
+  }
+}
+
+}  // namespace
+
 MadeMesh make_mesh(const MeshRequest& request) {
   MadeMesh made;
   try {
@@ -162,7 +179,7 @@ MadeMesh make_mesh(const MeshRequest& request) {
   try {
     made.quality = quality_of_sound(made.mesh, made.names);
   } catch (const std::invalid_argument& error) {
-    throw InputError(fmt::format("{}: {}", name_of(request), error.what()));
+    throw InputError(fmt::format("{}: {}{}", name_of(request), error.what(), advice(request)));
   }
   if (made.mesh.order > 1)
     made.fields["mean_curvature"] = meshing::node_mean_curvature(made.mesh).transpose();

@@ -64,6 +64,30 @@ std::string_view advice_for(std::string_view suffix) {
   return {};
 }
 
+// What is no mesh whatever its name says, by its first bytes.
+void refuse_other_content(std::string_view text, const std::string& file) {
+  using namespace std::string_view_literals;
+  struct Content {
+    std::string_view beginning;
+    const char* what;
+  };
+  constexpr const char* packed = "is packed: unpack it first";
+  constexpr const char* wide =
+      "is text of two or four bytes a letter (UTF-16, UTF-32): save it as UTF-8 or ASCII";
+  for (const Content& content :
+       {Content{"\xff\xfe"sv, wide}, Content{"\xfe\xff"sv, wide}, Content{"\0\0\xfe\xff"sv, wide},
+        Content{"\x1f\x8b"sv, packed}, Content{"PK\x03\x04"sv, packed}, Content{"BZh"sv, packed},
+        Content{"\xfd"
+                "7zXZ"sv,
+                packed},
+        Content{"7z\xbc\xaf"sv, packed}, Content{"\x28\xb5\x2f\xfd"sv, packed},
+        Content{"version https://git-lfs"sv,
+                "is a pointer of Git LFS, not the file itself: git lfs pull "
+                "fetches it"}})
+    if (text.starts_with(content.beginning))
+      throw InputError(fmt::format("{}: {}", file, content.what));
+}
+
 }  // namespace
 
 bool is_mesh_name(const fs::path& path) { return format_of(suffix_of(path)) != nullptr; }
@@ -81,9 +105,7 @@ MeshFile read_mesh(const fs::path& path) {
                     file, suffix, advice_for(suffix)));
   const std::string text = text_of(path);
   if (text.empty()) throw InputError(fmt::format("{}: is empty", file));
-  if (text.starts_with("\xff\xfe") || text.starts_with("\xfe\xff"))
-    throw InputError(
-        fmt::format("{}: is text of two bytes a letter (UTF-16): save it as UTF-8 or ASCII", file));
+  refuse_other_content(text, file);
   MeshFile mesh = format->parse(text, file);
   const int faces = mesh.face_count();
   if (faces == 0) throw InputError(fmt::format("{}: has no triangles", file));

@@ -82,7 +82,10 @@ MeshFile parse_off(std::string_view text, const std::string& file) {
     else
       read_face(lines, points, where, mesh);
   }
-  return {PlainFile{mesh.mesh()}, left_out(others, "points or lines")};
+  std::vector<std::string> notes = left_out(others, "points or lines");
+  if (lines.next())
+    notes.push_back(fmt::format("what follows the last of its {} faces left out", faces));
+  return {PlainFile{mesh.mesh()}, std::move(notes)};
 }
 
 std::string off_text(const meshing::TriangleMesh& mesh) {

@@ -8,6 +8,7 @@
 #include <Eigen/Geometry>
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdint>
 #include <map>
 
@@ -51,6 +52,8 @@ MeshFile parse_text(std::string_view text, const std::string& file) {
       return is_word(words[0], std::string("end") + word)
           || (is("end") && words.size() > 1 && is_word(words[1], word));
     };
+    if (is("solid") && std::ranges::any_of(words, [](auto w) { return is_word(w, "endsolid"); }))
+      lines.fail("all in one line: text of STL has a line for each facet, loop and vertex");
     if (is("facet")) {
       corners.clear();
     } else if (is("vertex")) {

@@ -26,7 +26,7 @@ bool TextLines::append_next() {
     if (position_ < text_.size() && text_[end] == '\r' && text_[position_] == '\n') ++position_;
     ++line_;
     line = line.substr(0, line.find('#'));
-    constexpr std::string_view space = " \t\v\f";
+    constexpr std::string_view space = " \t\v\f\x1a";  // the last ends a text of DOS
     for (std::size_t at = line.find_first_not_of(space); at != std::string_view::npos;) {
       const std::size_t stop = std::min(line.find_first_of(space, at), line.size());
       words_.push_back(line.substr(at, stop - at));

@@ -148,8 +148,7 @@ TEST(Repair, keeps_a_surface_that_is_not_joined_rather_than_taking_it_for_strays
 }
 
 // A point on an edge, to rounding or nearly, which one of its two triangles does not know of.
-PolygonMesh with_points_on_an_edge(int count, double off) {
-  PolygonMesh mesh = sphere();
+PolygonMesh with_points_on_an_edge(int count, double off, PolygonMesh mesh = sphere()) {
   const std::vector<int> face = mesh.faces[20];
   const Vector3d a = mesh.points.col(face[0]), b = mesh.points.col(face[1]);
   std::vector<int> on_edge;
@@ -178,6 +177,18 @@ TEST(Repair, turns_the_longest_edge_of_flat_triangles) {
         EXPECT_NEAR(volume(repair.mesh), volume(icosphere(3)), 1e-13 + off);
       }
     }
+}
+
+// Between halves and quarters of coordinates of ten bits there is no rounding.
+TEST(Repair, closes_holes_whose_corners_lie_exactly_on_a_line) {
+  PolygonMesh coarse = sphere();
+  coarse.points = (1024 * coarse.points).array().round() / 1024;
+  for (const int count : {1, 3}) {
+    const Repair repair = repaired(with_points_on_an_edge(count, 0, coarse));
+    EXPECT_FALSE(find_defect(repair.mesh, repair.names)) << count;
+    EXPECT_EQ(repair.mesh.triangle_count(), 180 + 2 * count);
+    EXPECT_TRUE(mentions(repair, "holes closed: 1")) << all(repair.done);
+  }
 }
 
 TEST(Repair, cuts_polygons_flat_or_not) {

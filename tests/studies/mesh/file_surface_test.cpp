@@ -3,6 +3,7 @@
 
 #include "meshing/icosphere.h"
 #include "meshing/measures.h"
+#include "studies/mesh/make_mesh.h"
 #include "tests/studies/mesh_files/mesh_file_fixture.h"
 
 #include <fmt/format.h>
@@ -113,6 +114,30 @@ TEST_F(FileSurfaceTest, promises_a_repair_where_and_only_where_it_helps) {
     EXPECT_TRUE(plainly.starts_with(wrong.words)) << plainly;
     EXPECT_EQ(ends_with_promise(plainly), wrong.mendable) << plainly;
     EXPECT_EQ(repaired.empty(), wrong.mendable) << repaired;
+  }
+}
+
+// Triangles that are nearly flat can be curved no better than flat ones.
+TEST_F(FileSurfaceTest, is_promised_a_repair_when_it_cannot_be_curved) {
+  for (const double off : {1e-10, 1e-9, 1e-8}) {
+    Shape shape = sphere();
+    const int middle = int(shape.points.size());
+    const std::vector<int> face = shape.faces[0];
+    const Eigen::Vector3d& a = shape.points[std::size_t(face[0])];
+    const Eigen::Vector3d& b = shape.points[std::size_t(face[1])];
+    shape.points.emplace_back((a + b) / 2 + Eigen::Vector3d(off, off, off));
+    shape.faces[0] = {face[0], middle, face[2]};
+    shape.faces.push_back({middle, face[1], face[2]});
+    shape.faces.push_back({face[0], face[1], middle});
+    MeshRequest request{.shape = FileShape{write("a.obj", obj(shape)), false}};
+    try {
+      make_mesh(request);
+      ADD_FAILURE() << "was not refused";
+    } catch (const InputError& error) {
+      EXPECT_TRUE(ends_with_promise(error.what())) << error.what();
+    }
+    std::get<FileShape>(request.shape).repair = true;
+    EXPECT_NO_THROW(make_mesh(request));
   }
 }
 

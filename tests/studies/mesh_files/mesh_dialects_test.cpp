@@ -45,6 +45,12 @@ TEST_F(MeshDialects, reads_off_with_whatever_a_point_has_besides) {
                                             + replaced(points(besides), " ", "\n  ")
                                             + "3 0 2 1\n3\n0 1\n3\n3 0 3\n2\n3 1 2 3\n"));
   }
+  const std::string whole = "OFF\n4 4 6\n" + points("") + faces;
+  EXPECT_TRUE(read_mesh(write("a.off", whole + "# the end\n")).notes.empty());
+  EXPECT_NE(read_mesh(write("a.off", whole + "3 0 1 2\n"))
+                .notes.at(0)
+                .find("what follows the last of its 4 faces left out"),
+            std::string::npos);
   for (const char* header : {"4OFF", "nOFF", "ST4OFF"})
     EXPECT_TRUE(refusal("a.off", std::string(header) + "\n4 4 6\n")
                     .starts_with(":1: points with another number of coordinates than three"));
@@ -117,7 +123,7 @@ TEST_F(MeshDialects, reads_the_dialects_of_stl) {
                          [](unsigned char c) { return char(std::toupper(c)); });
   for (const std::string& dialect :
        {text, capitals, "\n  " + text, replaced(text, "end", "end "), replaced(text, "\n", "\r\n"),
-        replaced(text, "\n", "\r"), "\xef\xbb\xbf" + text, text + "\n\n"})
+        replaced(text, "\n", "\r"), "\xef\xbb\xbf" + text, text + "\n\n", text + "\x1a"})
     expect_a_tetrahedron(write("a.stl", dialect));
   std::string named = binary, uncounted = binary;
   named.replace(0, 10, "solid part");
@@ -130,6 +136,24 @@ TEST_F(MeshDialects, reads_the_dialects_of_stl) {
   EXPECT_NE(read_mesh(write("a.stl", uncounted)).notes.at(0).find("holds 4"), std::string::npos);
   EXPECT_TRUE(refusal("a.stl", named.substr(0, 200)).starts_with(": has 200 bytes, but 4 tri"));
   EXPECT_TRUE(refusal("a.stl", replaced(text, "endsolid", "")).starts_with(":"));
+  EXPECT_TRUE(refusal("a.stl", replaced(replaced(text, " #1", ""), "\n", " "))
+                  .starts_with(":1: all in one line: "));
+}
+
+TEST_F(MeshDialects, says_what_else_a_file_of_that_name_holds) {
+  using namespace std::string_view_literals;
+  for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.vtk", "a.vtp", "a.vtu"}) {
+    for (const std::string_view wide :
+         {"\xff\xfev\0 \0"sv, "\xfe\xff\0v\0 "sv, "\xff\xfe\0\0v\0\0\0"sv, "\0\0\xfe\xff\0\0\0v"sv})
+      EXPECT_TRUE(refusal(name, wide).starts_with(": is text of two or four bytes a letter"));
+    for (const std::string_view packed : {"\x1f\x8b\x08\0abc"sv, "PK\x03\x04\x14"sv, "BZh91AY"sv,
+                                          "\xfd"
+                                          "7zXZ\0"sv,
+                                          "7z\xbc\xaf\x27\x1c"sv, "\x28\xb5\x2f\xfd\x24"sv})
+      EXPECT_EQ(refusal(name, packed), ": is packed: unpack it first");
+    EXPECT_TRUE(refusal(name, "version https://git-lfs.github.com/spec/v1\noid sha256:0\nsize 9\n")
+                    .starts_with(": is a pointer of Git LFS, not the file itself"));
+  }
 }
 
 TEST_F(MeshDialects, reads_texts_of_all_systems) {
@@ -139,10 +163,9 @@ TEST_F(MeshDialects, reads_texts_of_all_systems) {
   for (const auto& [name, text] : {std::pair("a.off", off), {"a.obj", obj}})
     for (const std::string& variant :
          {text, text + "\n", replaced(text, "\n", "\r\n"), replaced(text, "\n", "\r"),
-          "\xef\xbb\xbf" + text, replaced(text, " ", "\t "), replaced(text, "\n", " # x\n\n")})
+          "\xef\xbb\xbf" + text, replaced(text, " ", "\t "), replaced(text, "\n", " # x\n\n"),
+          text + "\n\x1a"})
       expect_a_tetrahedron(write(name, variant));
-  for (const char* name : {"a.obj", "a.off", "a.ply", "a.stl", "a.vtk", "a.vtu"})
-    EXPECT_TRUE(refusal(name, std::string("\xff\xfev\0 \0", 6)).starts_with(": is text of two"));
   // A line that goes on, faces before their points, points and lines beside.
   expect_a_tetrahedron(write("b.obj", replaced(obj, "f 1 3 2", "f 1 \\\n3 2\nl 1 2\np 3")));
   expect_a_tetrahedron(
