@@ -1,4 +1,4 @@
-// A band matrix with a dense border, factored by LAPACK: one solve costs O(n) at fixed bandwidth.
+// A band matrix with a dense border, and its LU factors: one solve costs O(n) at fixed bandwidth.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,7 +7,8 @@
 
 namespace sbeh::model {
 
-/// n x n band matrix A with `half_width` diagonals on either side, in LAPACK's general band storage.
+/// n x n band matrix A with `half_width` diagonals on either side, column by column, with room for
+/// what pivoting fills in.
 class BandMatrix {
  public:
   BandMatrix(int n, int half_width);
@@ -38,7 +39,8 @@ class BandMatrix {
 
  private:
   int n_, width_;
-  Eigen::MatrixXd storage_;  // (3 half_width + 1) x n
+  Eigen::MatrixXd
+      storage_;  // entry (i, j) in row 2 half_width + i − j, some rows below that unused
   std::vector<int> pivots_;
 };
 
