@@ -60,6 +60,10 @@ struct Change {
   double before, after;
 };
 
+struct LengthAndValue {
+  double length, value;
+};
+
 // A zero nearby, and the eigenvalue's slope by the length of the path.
 struct Zero {
   PathState state;
@@ -142,15 +146,52 @@ std::vector<LowestMode> lowest_of_each(const Line& line, const LineState& state,
   return lowest;
 }
 
-std::vector<Change> changed_signs(const std::vector<LowestMode>& before,
-                                  const std::vector<LowestMode>& after) {
-  std::vector<Change> changed;
+// The eigenvalues of a kind at both ends of a step.
+std::vector<Change> at_both_ends(const std::vector<LowestMode>& before,
+                                 const std::vector<LowestMode>& after) {
+  std::vector<Change> ends;
   for (const LowestMode& a : before)
     for (const LowestMode& b : after)
-      if (a.kind.m == b.kind.m && a.kind.parity == b.kind.parity
-          && (a.eigenvalue < 0) != (b.eigenvalue < 0))
-        changed.push_back({a.kind, a.eigenvalue, b.eigenvalue});
-  return changed;
+      if (a.kind.m == b.kind.m && a.kind.parity == b.kind.parity)
+        ends.push_back({a.kind, a.eigenvalue, b.eigenvalue});
+  return ends;
+}
+bool changes_sign(const Change& ends) { return (ends.before < 0) != (ends.after < 0); }
+
+// Where within a step the eigenvalue, which has one sign at both ends, has the other: parabolas lead to where it is
+// least against that sign.
+std::optional<LengthAndValue> beyond_zero(const Line& line, const PathState& from, double ds,
+                                          const Change& ends) {
+  constexpr int most_values = 12;
+  constexpr double nearest = 1e-3;  // of ds
+  const double sign = ends.before < 0 ? -1 : 1;
+  const auto at = [&](double h) {
+    return LengthAndValue{
+        h, eigenvalue_of(second_variation_at(line, step_to(line, from, h)), ends.kind)};
+  };
+  LengthAndValue low{0, ends.before}, middle = at(ds / 2), high{ds, ends.after};
+  for (int i = 1; i < most_values && sign * middle.value > 0; ++i) {
+    if (high.length - low.length < nearest * ds) return {};
+    const double a = sign * low.value, b = sign * middle.value, c = sign * high.value;
+    const bool falls_to_low = a < b, falls_to_high = c < b;
+    if (falls_to_low || falls_to_high) {
+      (falls_to_low && a < c ? high : low) = middle;
+      middle = at((low.length + high.length) / 2);
+      continue;
+    }
+    const double left = middle.length - low.length, right = high.length - middle.length;
+    const double p = (c - b) * left, q = (a - b) * right;  // b is no larger than a and c
+    const double turn = middle.length + (p + q > 0 ? (q * right - p * left) / (2 * (p + q)) : 0);
+    if (std::abs(turn - middle.length) < nearest * ds) return {};
+    const LengthAndValue next = at(turn);
+    const bool is_lower = sign * next.value < b;
+    if (turn < middle.length)
+      (is_lower ? high : low) = is_lower ? middle : next;
+    else
+      (is_lower ? low : high) = is_lower ? middle : next;
+    if (is_lower) middle = next;
+  }
+  return sign * middle.value > 0 ? std::nullopt : std::optional(middle);
 }
 
 // At the fold of a branch that is symmetric top to bottom, or has no such symmetry, the eigenvalue of m = 0 vanishes.
@@ -223,9 +264,31 @@ Threshold threshold_within(const Line& line, const PathState& from, double ds, i
                  promised);
 }
 
+namespace {
+
+// Those of one kind within a step.
+std::vector<Threshold> within_step(const Line& line, const PathState& from, double ds,
+                                   const Change& ends, const Numerics& numerics, double promised,
+                                   Search search) {
+  if (changes_sign(ends) != (search == Search::changes)) return {};
+  if (search == Search::changes) return {located(line, from, ds, ends, numerics, promised)};
+  try {
+    const auto between = beyond_zero(line, from, ds, ends);
+    if (!between) return {};
+    const auto& [h, value] = *between;
+    return {located(line, from, h, {ends.kind, ends.before, value}, numerics, promised),
+            located(line, step_to(line, from, h), ds - h, {ends.kind, value, ends.after}, numerics,
+                    promised)};
+  } catch (const std::domain_error&) {  // lost on the way
+    return {};
+  }
+}
+
+}  // namespace
+
 std::vector<Threshold> thresholds_along(const Line& line, const StationaryState& from,
                                         std::span<const int> ms, const Numerics& numerics,
-                                        double promised) {
+                                        double promised, Search search) {
   constexpr int most_steps = 60;
   constexpr double shortest = 1e-6;
   std::vector<Threshold> found;
@@ -242,10 +305,10 @@ std::vector<Threshold> thresholds_along(const Line& line, const StationaryState&
       next = step_to(line, *here, ds);
     }
     const std::vector<LowestMode> after = lowest_of_each(line, *next, ms);
-    for (const Change& change : changed_signs(before, after)) {
-      if (is_over_fold && is_of_fold(change.kind)) continue;
-      Threshold threshold = located(line, *here, ds, change, numerics, promised);
-      if (is_between_ends(line, threshold.state.at)) found.push_back(std::move(threshold));
+    for (const Change& ends : at_both_ends(before, after)) {
+      if (is_over_fold && is_of_fold(ends.kind)) continue;
+      for (Threshold& threshold : within_step(line, *here, ds, ends, numerics, promised, search))
+        if (is_between_ends(line, threshold.state.at)) found.push_back(std::move(threshold));
     }
     if (is_over_fold || next->mu >= 1) break;
     here = with_fresh_nodes(line, *next, numerics);

@@ -28,10 +28,15 @@ struct Threshold {
 Threshold threshold_within(const Line& line, const PathState& from, double ds, int m, Parity parity,
                            const Numerics& numerics, double promised = promised_threshold);
 
+/// What is looked for along the branch: eigenvalues with different signs at the ends of a step, or those with one sign at
+/// both ends and the other between them, which makes two thresholds.
+enum class Search { changes, turns };
+
 /// Those of these m between a stationary state at μ = 0 and μ = 1, or the fold before that, which is none of them
-/// itself. Two of one m and parity within a step along the path are not seen.
+/// itself.
 std::vector<Threshold> thresholds_along(const Line& line, const StationaryState& from,
                                         std::span<const int> ms, const Numerics& numerics,
-                                        double promised = promised_threshold);
+                                        double promised = promised_threshold,
+                                        Search search = Search::changes);
 
 }  // namespace sbeh::axisym

@@ -11,9 +11,10 @@ namespace sbeh::axisym {
 
 std::optional<BranchState> on_elements(const model::Material& material, model::Model model,
                                        const BranchState& state, int elements, double grading,
-                                       const NewtonOptions& options) {
+                                       NewtonOptions options) {
   StationaryState guess = redistribute(state, grading, elements);
-  if (is_symmetric(state.X)) guess = symmetric_part(guess);
+  options.symmetric = is_symmetric(state.X);
+  if (options.symmetric) guess = symmetric_part(guess);
   return solve_at(material, model, state.at, guess, options);
 }
 

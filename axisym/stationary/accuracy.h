@@ -24,10 +24,10 @@ struct ResolvedState {
   bool is_resolved;  ///< within what is promised
 };
 
-/// The same state over other elements; empty where Newton's method fails.
+/// The same state over other elements, symmetric top to bottom if it is; empty where Newton's method fails.
 std::optional<BranchState> on_elements(const model::Material& material, model::Model model,
                                        const BranchState& state, int elements, double grading,
-                                       const NewtonOptions& options = {});
+                                       NewtonOptions options = {});
 
 /// Doubles the elements (to most_elements at the most) until the errors are as promised. `state` is
 /// stationary at its place; the material but for L.

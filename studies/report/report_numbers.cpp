@@ -197,7 +197,7 @@ KeyNumbers of_stability(const fs::path& folder) {
                           [&](const Row& row) { return row.verdict == verdict; }));
   facts.push_back(range("rates over κ(2/3)", runs, &Row::reduced_rate));
   for (const Threshold& t : few_rows(threshold_columns(), folder / "thresholds.csv"))
-    facts.push_back({fmt::format("rate 0 of {} {}, L = {}, m = {}", sbeh::name(t.below.model),
+    facts.push_back({fmt::format("eigenvalue 0 of {} {}, L = {}, m = {}", sbeh::name(t.below.model),
                                  name(t.below.branch), t.below.L, t.below.m),
                      "V_r = " + text_of(t.reduced_volume)});
   return {fmt::format("Stability in 3D: {} {}", words_of(runs, model_of<Row>),

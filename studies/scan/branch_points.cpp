@@ -6,6 +6,7 @@
 #include "axisym/stationary/limit_shape.h"
 #include "axisym/stationary/stability.h"
 #include "axisym/stationary/stationary.h"
+#include "axisym/stationary/symmetry.h"
 #include "model/order_step.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/stopwatch.h"
@@ -201,7 +202,8 @@ PointOutcome failed_point(std::string reason) {
 
 std::optional<BranchState> settled(const StationaryCase& of, const State& state) {
   return axisym::solve_at(of.material, of.model, of.at(),
-                          axisym::guess_from(of.material, of.model, state));
+                          axisym::guess_from(of.material, of.model, state),
+                          {.symmetric = axisym::is_symmetric(state.X)});
 }
 
 bool has_state_here(const PointOutcome& point) {

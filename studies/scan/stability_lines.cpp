@@ -6,6 +6,8 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
 #include <numeric>
 
 namespace sbeh::studies {
@@ -22,6 +24,7 @@ struct Stretch {
   PointKey from, to;
   Along along;
   std::vector<int> ms;
+  axisym::Search search = axisym::Search::changes;
 };
 
 bool is_state(const PointResult& row) {
@@ -39,6 +42,41 @@ std::vector<int> changing(const axisym::Stability3d& a, const axisym::Stability3
   return ms;
 }
 
+// The least that a function may be between x_1 and x_2, where its values have one sign, which is made positive: as long as
+// it bends one way only it cannot pass the secants through the first and the last two of the four points. Those that are
+// not known are nan.
+double least_between(const std::array<double, 4>& x, const std::array<double, 4>& values) {
+  const double sign = values[1] < 0 ? -1 : 1;
+  const auto secant = [&](std::size_t k, double at) {
+    const double slope = (values[k + 1] - values[k]) / (x[k + 1] - x[k]);
+    return sign * (values[k] + slope * (at - x[k]));
+  };
+  if (std::isnan(values[0]) && std::isnan(values[3])) return sign * values[1];
+  if (std::isnan(values[0])) return secant(2, x[1]);
+  if (std::isnan(values[3])) return secant(0, x[2]);
+  const double left = secant(0, x[1]) - secant(2, x[1]), right = secant(0, x[2]) - secant(2, x[2]);
+  if (left <= 0 || right >= 0) return sign * values[1];  // they do not meet there
+  return secant(0, x[1] + (x[2] - x[1]) * left / (left - right));
+}
+
+// Of four rows in a line the ms whose eigenvalue has one sign in the second and the third, and may have the other between
+// them. Over L, with which all stiffnesses go.
+std::vector<int> turning(const std::array<const PointResult*, 4>& rows, Along along) {
+  std::vector<int> ms;
+  for (std::size_t m = 0; m < rows[1]->modes.eigenvalue.size(); ++m) {
+    std::array<double, 4> x{}, values{};
+    values.fill(not_known);
+    for (std::size_t k = 0; k < rows.size(); ++k) {
+      if (!rows[k]) continue;
+      const PointKey& key = rows[k]->key;
+      x[k] = along == Along::L ? key.L : key.reduced_volume;
+      values[k] = rows[k]->modes.eigenvalue[m] / key.L;
+    }
+    if (values[1] * values[2] > 0 && least_between(x, values) < 0) ms.push_back(int(m));
+  }
+  return ms;
+}
+
 class Stretches {
  public:
   Stretches(const ScanTable& table, int largest_m)
@@ -46,41 +84,57 @@ class Stretches {
     std::iota(all_ms_.begin(), all_ms_.end(), 0);
   }
 
-  void add(const PointKey& a, const PointKey& b, Along along) {
-    const PointResult *first = table_.find(a), *second = table_.find(b);
-    if (!first || !second) return;
-    if (is_state(*first) && is_state(*second)) {
-      if (auto ms = changing(first->modes, second->modes); !ms.empty())
-        all.push_back({a, b, along, std::move(ms)});
-    } else if (is_state(*first) && second->fold_side == "at") {
-      all.push_back({a, b, along, all_ms_});
-    } else if (is_state(*second) && first->fold_side == "at") {
-      all.push_back({b, a, along, all_ms_});
-    }
+  // Those between neighbours of a line of the scan.
+  void add(const std::vector<PointKey>& keys, Along along) {
+    std::vector<const PointResult*> rows{nullptr};
+    for (const PointKey& key : keys) rows.push_back(table_.find(key));
+    rows.push_back(nullptr);
+    for (std::size_t k = 2; k + 1 < rows.size(); ++k)
+      if (rows[k - 1] && rows[k])
+        add({state(rows[k - 2]), rows[k - 1], rows[k], state(rows[k + 1])}, along);
   }
 
   std::vector<Stretch> all;
 
  private:
+  static const PointResult* state(const PointResult* row) {
+    return row && is_state(*row) ? row : nullptr;
+  }
+  void add(const std::array<const PointResult*, 4>& rows, Along along) {
+    const PointResult &first = *rows[1], &second = *rows[2];
+    const PointKey &a = first.key, &b = second.key;
+    if (is_state(first) && is_state(second)) {
+      if (auto ms = changing(first.modes, second.modes); !ms.empty())
+        all.push_back({a, b, along, std::move(ms)});
+      if (auto ms = turning(rows, along); !ms.empty())
+        all.push_back({a, b, along, std::move(ms), axisym::Search::turns});
+    } else if (is_state(first) && second.fold_side == "at") {
+      all.push_back({a, b, along, all_ms_});
+    } else if (is_state(second) && first.fold_side == "at") {
+      all.push_back({b, a, along, all_ms_});
+    }
+  }
+
   const ScanTable& table_;
   std::vector<int> all_ms_;
 };
 
 std::vector<Stretch> stretches_of(const ScanInput& input, const ScanTable& table) {
   Stretches stretches(table, input.modes);
-  const auto &volumes = input.reduced_volume, &lengths = input.L;
   for (const Model model : input.models)
     for (const Branch branch : input.branches) {
-      const std::size_t rows = model == Model::SSH ? 1 : lengths.size();
+      const auto line = [&](const std::vector<double>& values, Along along, double other) {
+        std::vector<PointKey> keys;
+        for (const double x : values)
+          keys.push_back(along == Along::L ? PointKey{other, x, model, branch}
+                                           : PointKey{x, other, model, branch});
+        stretches.add(keys, along);
+      };
+      const std::size_t rows = model == Model::SSH ? 1 : input.L.size();
       for (std::size_t j = 0; j < rows; ++j)
-        for (std::size_t i = 1; i < volumes.size(); ++i)
-          stretches.add({volumes[i - 1], lengths[j], model, branch},
-                        {volumes[i], lengths[j], model, branch}, Along::reduced_volume);
+        line(input.reduced_volume, Along::reduced_volume, input.L[j]);
       if (model == Model::SSH) continue;
-      for (const double v : volumes)
-        for (std::size_t j = 1; j < lengths.size(); ++j)
-          stretches.add({v, lengths[j - 1], model, branch}, {v, lengths[j], model, branch},
-                        Along::L);
+      for (const double v : input.reduced_volume) line(input.L, Along::L, v);
     }
   return stretches.all;
 }
@@ -115,7 +169,7 @@ std::vector<StabilityLineRow> rows_on(const ScanInput& input, const Stretch& str
   const double promised = line.model == Model::SSH ? few_lines : axisym::promised_threshold;
   std::vector<StabilityLineRow> rows;
   for (const axisym::Threshold& threshold :
-       axisym::thresholds_along(line, *start, stretch.ms, input.numerics, promised))
+       axisym::thresholds_along(line, *start, stretch.ms, input.numerics, promised, stretch.search))
     rows.push_back(row_of(stretch, threshold));
   return rows;
 }

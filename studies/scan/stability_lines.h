@@ -25,8 +25,8 @@ struct StabilityLineRow {
   std::string reason{};      ///< why it is not located, and where it is about
 };
 
-/// Between neighbours of the scan whose unstable modes differ, and up to the fold where the branch has one between
-/// them. SSH's shapes do not depend on L: its lines are solved for once and stand under each L. In parallel;
+/// Between neighbours of the scan whose unstable modes differ, or whose eigenvalues may be beyond zero between them as those of
+/// their other neighbours say, and up to the fold where the branch has one between them. SSH's shapes do not depend on L: its lines are solved for once and stand under each L. In parallel;
 /// incomplete when interrupted.
 std::vector<StabilityLineRow> find_stability_lines(const ScanInput& input, const ScanTable& table,
                                                    const PointLookup& point);

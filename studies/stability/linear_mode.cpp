@@ -10,8 +10,6 @@
 
 namespace sbeh::studies {
 
-using axisym::Parity;
-
 double LinearMode::settled_at() const {
   return next_rate && *next_rate < rate ? std::log(100) / (rate - *next_rate) : 0;
 }
@@ -29,9 +27,7 @@ std::optional<LinearMode> linear_mode(const axisym::StationaryCase& of, const ax
   const auto spectrum = axisym::lowest_modes(second, m, count);
   const auto rates = axisym::growth_rates({second, of.material, of.model}, m, count);
   if (!spectrum || !rates) return {};
-  const auto is_ours = [&](Parity parity) {
-    return parity == Parity::none || (parity == Parity::even) == ((l - m) % 2 == 0);
-  };
+  const auto is_ours = [&](axisym::Parity parity) { return is_of_harmonic(l, m, parity); };
   const auto lowest = std::ranges::find_if(spectrum->modes, is_ours, &axisym::Eigenmode::parity);
   const auto fastest = std::ranges::find_if(*rates, is_ours, &axisym::GrowthMode::parity);
   if (lowest == spectrum->modes.end() || fastest == rates->end()) return {};

@@ -1,7 +1,7 @@
 // What the modes of an axisymmetric state say of a small perturbation, without any run.
 #pragma once
 
-#include "axisym/curve.h"
+#include "axisym/modes/parity.h"
 #include "axisym/stationary/stationary_case.h"
 
 #include <optional>
@@ -22,6 +22,11 @@ struct LinearMode {
   /// When all modes of a perturbation have decayed to a fiftieth of it: only noise is left. Infinite where they do not.
   double gone_at() const;
 };
+
+/// Whether a mode of m and this parity may be part of Y_lm.
+inline bool is_of_harmonic(int l, int m, axisym::Parity parity) {
+  return parity == axisym::Parity::none || (parity == axisym::Parity::even) == ((l - m) % 2 == 0);
+}
 
 /// That of m and the parity of Y_lm; without a parity where the state has no up-down symmetry. Empty where Newton's method
 /// or the search for modes fails.

@@ -1,14 +1,19 @@
 #include "studies/stability/stability.h"
 
+#include "axisym/modes/threshold.h"
+#include "axisym/stationary/symmetry.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
 #include "studies/io/stopwatch.h"
+#include "studies/scan/branch_points.h"
+#include "studies/stability/linear_mode.h"
 #include "studies/witnesses/state.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <tuple>
 
@@ -43,36 +48,26 @@ double by_harmonics(const StabilityInput& input, const StabilityKey& key, double
   return (low + high) / 2;
 }
 
-using Rates = std::vector<const StabilityResult*>;
-
-// Zero of the polynomial of degree 2 through the rates of rows a, b and c, between those of a and b.
-double parabola_zero(const StabilityResult& a, const StabilityResult& b, const StabilityResult& c) {
-  const double xa = a.key.reduced_volume, xb = b.key.reduced_volume, xc = c.key.reduced_volume;
-  const double slope = (b.growth->rate - a.growth->rate) / (xb - xa);
-  const double curvature = ((c.growth->rate - b.growth->rate) / (xc - xb) - slope) / (xc - xa);
-  double low = xa, high = xb;  // the ends have rates of different signs, and so they keep
-  for (int i = 0; i < 60; ++i) {
-    const double x = (low + high) / 2;
-    const double rate = a.growth->rate + (x - xa) * (slope + curvature * (x - xb));
-    (rate * a.growth->rate > 0 ? low : high) = x;
-  }
-  return (low + high) / 2;
+// The zero of the mode's eigenvalue on the branch from a row to a higher reduced volume.
+std::optional<axisym::Threshold> zero_between(const StabilityInput& input, const StabilityKey& from,
+                                              double upper_volume) {
+  const axisym::StationaryCase lower = case_of(input, from);
+  const WitnessState state = newton_state(lower);
+  const auto start = state.profile ? settled(lower, *state.profile) : std::nullopt;
+  if (!start) return {};
+  axisym::Line line{input.material, from.model, start->at, {upper_volume, from.L}};
+  line.symmetric = axisym::is_symmetric(start->X);
+  const std::array ms{from.m};
+  for (auto& zero : axisym::thresholds_along(line, *start, ms, input.numerics))
+    if (is_of_harmonic(from.l, from.m, zero.parity) && zero.is_located) return std::move(zero);
+  return {};
 }
 
-// How far the zero may be from that of the line through rows i − 1 and i: twice as far, for the sake of higher orders, as
-// that of a parabola through the next row too, on either side; without a third row, anywhere between the two.
-double interpolation_error(const Rates& rows, std::size_t i, double zero) {
-  const StabilityResult &a = *rows[i - 1], &b = *rows[i];
-  double error = -1;
-  const auto include = [&](const StabilityResult& c) {
-    if (line_of(c.key) == line_of(a.key))
-      error = std::max(error, 2 * std::abs(parabola_zero(a, b, c) - zero));
-  };
-  if (i > 1) include(*rows[i - 2]);
-  if (i + 1 < rows.size()) include(*rows[i + 1]);
-  return error >= 0 ? error : std::max(zero - a.key.reduced_volume, b.key.reduced_volume - zero);
+std::string place_text(const Threshold& t) {
+  return std::isnan(t.reduced_volume)
+           ? fmt::format("between V_r = {} and {}", t.below.reduced_volume, t.upper_volume)
+           : fmt::format("at V_r = {:.8f} ± {:.1g}", t.reduced_volume, t.error);
 }
-
 std::string mode_text(const StabilityResult& row) {
   return std::isnan(row.mode_rate) ? "–" : fmt::format("{:+.6g}", row.mode_rate);
 }
@@ -84,27 +79,21 @@ std::string rate_text(const StabilityResult& row) {
 
 std::vector<Threshold> find_thresholds(const StabilityInput& input,
                                        const std::vector<StabilityResult>& rows) {
-  Rates sorted;
+  std::vector<const StabilityResult*> sorted;
   for (const StabilityResult& row : rows)
-    if (row.growth) sorted.push_back(&row);
-  std::stable_sort(sorted.begin(), sorted.end(),
-                   [](const auto* a, const auto* b) { return line_of(a->key) < line_of(b->key); });
+    if (!std::isnan(row.eigenvalue)) sorted.push_back(&row);
+  std::ranges::stable_sort(
+      sorted, [](const auto* a, const auto* b) { return line_of(a->key) < line_of(b->key); });
   std::vector<Threshold> thresholds;
   for (std::size_t i = 1; i < sorted.size(); ++i) {
     const StabilityResult &a = *sorted[i - 1], &b = *sorted[i];
-    const double rise = b.growth->rate - a.growth->rate;
-    if (line_of(a.key) != line_of(b.key) || a.growth->rate * b.growth->rate > 0 || rise == 0)
-      continue;
-    const double low = a.key.reduced_volume, high = b.key.reduced_volume;
-    const double share = -a.growth->rate / rise, scale = (high - low) / std::abs(rise);
-    Threshold threshold;
-    threshold.below = a.key;
-    threshold.upper_volume = high;
-    threshold.reduced_volume = low + share * (high - low);
-    threshold.error =
-        std::hypot(scale * (1 - share) * a.growth->error, scale * share * b.growth->error,
-                   interpolation_error(sorted, i, threshold.reduced_volume));
-    threshold.harmonics = by_harmonics(input, a.key, low, high);
+    if (line_of(a.key) != line_of(b.key) || (a.eigenvalue < 0) == (b.eigenvalue < 0)) continue;
+    Threshold threshold{.below = a.key, .upper_volume = b.key.reduced_volume};
+    if (const auto zero = zero_between(input, a.key, threshold.upper_volume)) {
+      threshold.reduced_volume = zero->state.at.reduced_volume;
+      threshold.error = zero->error;
+    }
+    threshold.harmonics = by_harmonics(input, a.key, a.key.reduced_volume, threshold.upper_volume);
     thresholds.push_back(threshold);
   }
   return thresholds;
@@ -119,8 +108,8 @@ const Columns<Threshold>& threshold_columns() {
       column<Row>("branch", inside(&Row::below, &Key::branch)),
       column<Row>("l", inside(&Row::below, &Key::l)),
       column<Row>("m", inside(&Row::below, &Key::m)),
-      column("reduced_volume", &Row::reduced_volume),
-      column("error", &Row::error, "{:.2g}"),
+      known_column("reduced_volume", &Row::reduced_volume),
+      known_column("error", &Row::error, "{:.2g}"),
       column<Row>("below", inside(&Row::below, &Key::reduced_volume)),
       column("above", &Row::upper_volume),
       known_column("harmonics", &Row::harmonics, "{:.5f}"),
@@ -188,9 +177,8 @@ std::string table_of(const StabilitySummary& summary) {
   }
   for (const Threshold& t : summary.thresholds)
     text += fmt::format(
-        "{} {}, L = {}, l = {}, m = {}: the rate is 0 at V_r = {:.4f} ± {:.1g}{}\n",
-        sbeh::name(t.below.model), name(t.below.branch), t.below.L, t.below.l, t.below.m,
-        t.reduced_volume, t.error,
+        "{} {}, L = {}, l = {}, m = {}: the eigenvalue is 0 {}{}\n", sbeh::name(t.below.model),
+        name(t.below.branch), t.below.L, t.below.l, t.below.m, place_text(t),
         std::isnan(t.harmonics) ? "" : fmt::format("; spherical harmonics: {:.4f}", t.harmonics));
   return text;
 }

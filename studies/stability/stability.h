@@ -6,18 +6,20 @@
 
 namespace sbeh::studies {
 
-/// Zero of the rate of one mode at one L, between two neighbouring reduced volumes.
+/// Where the least stable mode of a Y_lm at one L begins to grow, or ceases to, between two neighbouring reduced
+/// volumes.
 struct Threshold {
   StabilityKey below{};  ///< the lower one; its `reduced_volume` is not that of the zero
   double upper_volume = 0;
-  double reduced_volume = 0;  ///< of the zero, by linear interpolation
-  double error = 0;           ///< from those of the rates, and of the interpolation
+  double reduced_volume = not_known;  ///< where the mode's eigenvalue is 0
+  double error = not_known;           ///< as in axisym/modes/threshold.h
   /// Of the classical oblate and prolate by spherical harmonics: where the number of directions in which
   /// the energy falls changes, by bisection to 1e-4; `not_known` where the method does not reach.
   double harmonics = not_known;
 };
 
-/// From all rows, in the order of their keys.
+/// From all rows, in the order of their keys: where the sign of the eigenvalue changes from one to the next. Without a
+/// volume where the branch is lost on the way.
 std::vector<Threshold> find_thresholds(const StabilityInput& input,
                                        const std::vector<StabilityResult>& rows);
 
@@ -33,8 +35,8 @@ struct StabilitySummary {
 };
 
 /// Runs the study into a folder: run.toml (the resolved input), stability.csv (a row per run as it
-/// finishes, in the order of the keys at the end), runs/ (a history per run), thresholds.csv (where rates
-/// change their sign). Runs that are there are not repeated; a folder that holds another study is refused.
+/// finishes, in the order of the keys at the end), runs/ (a history per run), thresholds.csv (where
+/// eigenvalues change their sign). Runs that are there are not repeated; a folder that holds another study is refused.
 /// Progress goes to standard error. Throws OutputError.
 StabilitySummary run_stability(const StabilityInput& input, const std::filesystem::path& folder,
                                std::string_view version);

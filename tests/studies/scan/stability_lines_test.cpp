@@ -83,6 +83,27 @@ TEST(StabilityLines, are_found_where_eigenvalues_rise_and_fall) {
   EXPECT_NEAR(found[0], 0.7705654351, 2e-8);
 }
 
+// At V_r = 0.74967 m = 2 is unstable between the L of its two zeros alone: the limit falls from 0.749729 at L = 0 to
+// 0.74966 and rises again.
+TEST(StabilityLines, are_found_where_an_eigenvalue_changes_its_sign_twice_between_neighbours) {
+  ScanInput input;
+  input.reduced_volume = {0.74967};
+  input.L = {0.001, 0.003, 0.025, 0.03};
+  input.models = {Model::SBEH};
+  const Tables tables = tables_of(input);
+  for (const PointResult& row : tables.points) EXPECT_GT(row.modes.eigenvalue[2], 0);
+  const auto found = crossings(tables, Model::SBEH, Along::L, 0.74967, 2);
+  ASSERT_EQ(found.size(), 2u);
+  input.L = {(0.003 + found[0]) / 2, (found[0] + found[1]) / 2, (found[1] + 0.025) / 2};
+  const Tables between = tables_of(input);
+  const auto again = crossings(between, Model::SBEH, Along::L, 0.74967, 2);
+  ASSERT_EQ(again.size(), 2u);
+  for (std::size_t k = 0; k < 2; ++k) EXPECT_NEAR(again[k], found[k], 2e-7);
+  // Without rows beyond, nothing says so.
+  input.L = {0.003, 0.025};
+  EXPECT_TRUE(crossings(tables_of(input), Model::SBEH, Along::L, 0.74967, 2).empty());
+}
+
 // Between neighbours an odd number of lines of an m is crossed where one of them alone is unstable.
 TEST(StabilityLines, separate_stable_from_unstable_states) {
   const Tables tables = tables_of(oblates());

@@ -211,54 +211,32 @@ TEST(Perturbation, that_has_gone_before_a_rate_can_be_told_has_none) {
   }
 }
 
-StabilityResult run_at(double volume, double rate, double error) {
-  StabilityResult run;
-  run.key = {{volume, 0.05, Model::SBEH, axisym::Branch::oblate}, 2, 2};
-  run.growth = GrowthRate{.rate = rate, .error = error};
-  return run;
+StabilityResult row_of(Model model, double volume, double eigenvalue, int m = 2) {
+  StabilityResult row;
+  row.key = {{volume, 0.05, model, axisym::Branch::oblate}, m, m};
+  row.eigenvalue = eigenvalue;
+  return row;
 }
 
-// Of two alone the zero may lie anywhere between them.
-TEST(Thresholds, lie_where_the_rate_between_two_reduced_volumes_is_0) {
-  const StabilityResult low = run_at(0.7, -0.01, 0.001);
-  StabilityResult high = run_at(0.8, 0.03, 0.001);
-  const auto thresholds = find_thresholds({}, {low, high});
-  ASSERT_EQ(thresholds.size(), 1u);
-  EXPECT_NEAR(thresholds[0].reduced_volume, 0.725, 1e-12);
-  EXPECT_NEAR(thresholds[0].error, std::hypot(0.075, 2.5 * std::hypot(0.75e-3, 0.25e-3)), 1e-12);
-  high.growth->rate = -0.03;
-  EXPECT_TRUE(find_thresholds({}, {low, high}).empty());
-  high.growth->rate = 0.03;
-  high.key.m = 3;
-  EXPECT_TRUE(find_thresholds({}, {low, high}).empty());
+// That of the line of a scan, see studies/docs/stability.md.
+TEST(Thresholds, lie_where_the_eigenvalue_is_0_on_the_branch_between_two_rows) {
+  const auto found =
+      find_thresholds({}, {row_of(Model::SBEH, 0.7, 1), row_of(Model::SBEH, 0.8, -1)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_NEAR(found[0].reduced_volume, 0.75098177, 2e-8);
+  EXPECT_LT(found[0].error, 1e-7);
+  EXPECT_TRUE(
+      find_thresholds({}, {row_of(Model::SSH, 0.7, -1), row_of(Model::SSH, 0.8, -1)}).empty());
+  EXPECT_TRUE(
+      find_thresholds({}, {row_of(Model::SSH, 0.7, 1), row_of(Model::SSH, 0.8, -1, 3)}).empty());
 }
 
-// Rates along a line, a parabola, an exponential, and as they were measured: the zero of the last lies at 0.7497.
-TEST(Thresholds, have_errors_that_cover_the_interpolation) {
-  struct Rates {
-    std::function<double(double)> rate;
-    double zero, largest_error;
-  };
-  const std::vector<Rates> cases{
-      {[](double v) { return 3 * (v - 0.74); }, 0.74, 1e-9},
-      {[](double v) { return (v - 0.74) * (2 - v); }, 0.74, 0.01},
-      {[](double v) { return (v - 0.76) * (1 + v); }, 0.76, 0.01},
-      {[](double v) { return std::exp(2 * v) - std::exp(1.5); }, 0.75, 0.01}};
-  for (const auto& [rate, zero, largest] : cases)
-    for (const auto& volumes :
-         {std::vector<double>{0.6, 0.7, 0.8}, {0.7, 0.8, 0.9}, {0.7, 0.8, 0.83}}) {
-      std::vector<StabilityResult> rows;
-      rows.reserve(volumes.size());
-      for (const double v : volumes) rows.push_back(run_at(v, rate(v), 1e-9));
-      const auto found = find_thresholds({}, rows);
-      ASSERT_EQ(found.size(), 1u);
-      EXPECT_NEAR(found[0].reduced_volume, zero, found[0].error + 1e-8);
-      EXPECT_LT(found[0].error, largest + 1e-8);
-    }
-  const auto measured = find_thresholds(
-      {}, {run_at(0.6, -1.116, 6e-4), run_at(0.7, -0.350, 6e-4), run_at(0.8, 0.322, 6e-4)});
-  EXPECT_NEAR(measured[0].reduced_volume, 0.7497, measured[0].error);
-  EXPECT_LT(measured[0].error, 0.005);
+TEST(Thresholds, that_the_branch_does_not_have_are_between_their_rows) {
+  const auto found = find_thresholds({}, {row_of(Model::SSH, 0.6, 1), row_of(Model::SSH, 0.7, -1)});
+  ASSERT_EQ(found.size(), 1u);
+  EXPECT_TRUE(std::isnan(found[0].reduced_volume));
+  EXPECT_EQ(found[0].below.reduced_volume, 0.6);
+  EXPECT_EQ(found[0].upper_volume, 0.7);
 }
 
 }  // namespace
