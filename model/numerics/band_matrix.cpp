@@ -64,11 +64,12 @@ bool BandMatrix::factor() {
     column.tail(below) = multipliers.head(below);
     if (below < width_) multipliers[below] = 0;
     last = std::max(last, std::min(n_ - 1, pivot + width_));
-    for (int k = j + 1; k <= last; ++k) {
-      double* const at_row_j = &(*this)(j, k);
-      std::swap(at_row_j[0], at_row_j[step]);
-      subtract(at_row_j[0], multipliers.data(), below, at_row_j + 1);
-    }
+    const auto row_j = [&](int k) { return &(*this)(j, k); };
+    // Apart from what follows, which would wait for these numbers to be stored.
+    if (step > 0)
+      for (int k = j + 1; k <= last; ++k) std::swap(row_j(k)[0], row_j(k)[step]);
+    for (int k = j + 1; k <= last; ++k)
+      subtract(row_j(k)[0], multipliers.data(), below, row_j(k) + 1);
   }
   return storage_.row(2 * width_).allFinite();  // NaN spreads to the pivots
 }
