@@ -125,6 +125,7 @@ std::vector<Stretch> stretches_of(const ScanInput& input, const ScanTable& table
     for (const Branch branch : input.branches) {
       const auto line = [&](const std::vector<double>& values, Along along, double other) {
         std::vector<PointKey> keys;
+        keys.reserve(values.size());
         for (const double x : values)
           keys.push_back(along == Along::L ? PointKey{other, x, model, branch}
                                            : PointKey{x, other, model, branch});
