@@ -3,13 +3,11 @@
 #include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
-#include "studies/io/spelling.h"
 #include "tools/commands/commands.h"
+#include "tools/unknown_word.h"
 
-#include <fmt/ranges.h>
 #include <malloc.h>
 
-#include <algorithm>
 #include <cstdio>
 
 namespace {
@@ -24,36 +22,6 @@ void keep_memory() {
   mallopt(M_TRIM_THRESHOLD, most);
 }
 
-// A word of the command line that CLI11 did not take, with what may have been meant.
-int complain_of(const std::string& word, const char* what, const std::vector<std::string>& known,
-                bool list) {
-  const auto meant = studies::nearest(word, known);
-  complain(fmt::format("{}: unknown {}{}{}", word, what,
-                       meant ? fmt::format("; did you mean {}?", *meant) : ".",
-                       list ? fmt::format(" Known: {}", fmt::join(known, ", ")) : ""));
-  return 2;
-}
-
-std::vector<std::string> options_of(const CLI::App& command) {
-  std::vector<std::string> names;
-  for (const CLI::Option* option : command.get_options())
-    for (const std::string& name : option->get_lnames()) names.push_back("--" + name);
-  return names;
-}
-
-int complain_of_command_line(const CLI::App& program, const CLI::ParseError& error) {
-  const CLI::App* at = &program;  // the command they belong to
-  while (!at->get_subcommands().empty()) at = at->get_subcommands().front();
-  const std::vector<std::string> rest = program.remaining(true);
-  const auto option = std::ranges::find_if(rest, [](const auto& w) { return w.starts_with('-'); });
-  if (option != rest.end()) return complain_of(*option, "option", options_of(*at), at == &program);
-  const bool has_commands = !at->get_subcommands({}).empty();
-  if (!has_commands || rest.empty()) return program.exit(error) == 0 ? 0 : 2;
-  std::vector<std::string> commands;
-  for (const CLI::App* command : at->get_subcommands({})) commands.push_back(command->get_name());
-  return complain_of(rest.front(), at == &program ? "command" : "shape", commands, true);
-}
-
 int run(int argc, char** argv) {
   CLI::App program{"Shapes and dynamics of fluid lipid membranes with liquid-crystalline order.",
                    "sbeh"};
@@ -64,7 +32,10 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    return complain_of_command_line(program, error);
+    const std::string unknown = tools::about_unknown_word(program, {"command", "shape"});
+    if (unknown.empty()) return program.exit(error) == 0 ? 0 : 2;
+    complain(unknown);
+    return 2;
   }
   studies::let_writes_fail();
   for (const tools::Command& command : commands)

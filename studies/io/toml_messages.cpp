@@ -91,11 +91,15 @@ std::string unknown(const TableState& table, const toml::key& key,
                      meant ? fmt::format("; did you mean {}?", in_quotes(*meant)) : ".");
 }
 
+void refuse_misspelt(const TableState& table, std::string_view key) {
+  if (!table.table) return;
+  for (const auto& [present, value] : *table.table)
+    if (!asked_for(table, present.str()) && 3 * edit_distance(present.str(), key) <= key.size())
+      throw InputError(unknown(table, present, std::string(key)));
+}
+
 void fail_missing(const TableState& table, std::string_view key, std::string_view kind) {
-  if (table.table)
-    for (const auto& [present, value] : *table.table)
-      if (!asked_for(table, present.str()) && 3 * edit_distance(present.str(), key) <= key.size())
-        throw InputError(unknown(table, present, std::string(key)));
+  refuse_misspelt(table, key);
   const bool top = table.section.empty() && table.prefix.empty();
   throw InputError(fmt::format("{}: {}: missing{}; {}", place(table, table.line),
                                full_name(table, key), top ? " at the top of the file" : "", kind));

@@ -44,6 +44,9 @@ std::string unknown(const TableState& table, const toml::key& key,
 [[noreturn]] void fail_at(const TableState& table, std::string_view key, const toml::node& value,
                           std::string_view what);
 
+/// Throws InputError where a key that nobody asked for has nearly the letters of this one.
+void refuse_misspelt(const TableState& table, std::string_view key);
+
 /// Throws InputError: a required key of this kind is not there. A present key of nearly the same
 /// letters is taken for a misprint.
 [[noreturn]] void fail_missing(const TableState& table, std::string_view key,

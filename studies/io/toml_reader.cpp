@@ -270,6 +270,10 @@ void TomlTable::reject_unknown_keys() const {
                                fmt::join(known, ", ")));
 }
 
+void TomlTable::refuse_misspelt(std::string_view key) const {
+  studies::refuse_misspelt(*state_, key);
+}
+
 void TomlTable::fail(std::string_view key, std::string_view what) const {
   if (const toml::node* value = state_->table ? state_->table->get(key) : nullptr)
     fail_at(*state_, key, *value, what);

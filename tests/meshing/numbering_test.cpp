@@ -94,6 +94,7 @@ TEST(Numbering, makes_neighbours_agree_bit_for_bit_on_their_edge) {
     for (const auto c : mesh.triangles.colwise())
       for (int side = 0; side < 3; ++side) {
         std::vector<int> between;
+        between.reserve(std::size_t(order - 1));
         for (int k = 0; k < order - 1; ++k) between.push_back(c[3 + side * (order - 1) + k]);
         EXPECT_TRUE(seen.try_emplace({c[side], c[(side + 1) % 3]}, between).second);
       }

@@ -1,6 +1,8 @@
 // `sbeh check FILE`: says what would run, and writes nothing.
 #include "tests/tools/workplace.h"
 
+#include <fmt/format.h>
+
 namespace sbeh::tools::test {
 namespace {
 
@@ -70,6 +72,21 @@ TEST_F(Check, of_a_start_that_is_not_there_is_refused) {
         "reduced_volume = 0.7\nL = 0.05\n");
   must_refuse({"check", "in.toml"},
               "nowhere: is not there: neither from the folder of the input nor from ");
+}
+
+TEST_F(Check, of_a_misspelt_table_names_the_nearest) {
+  for (const auto& [wrong, right] : {std::pair("scna", "scan"),
+                                     {"strat", "start"},
+                                     {"surfac", "surface"},
+                                     {"compaire", "compare"},
+                                     {"stabiilty", "stability"},
+                                     {"mode", "modes"}}) {
+    write("in.toml", fmt::format("[material]\nviscosity = 2\n[{}]\nL = 0.05\n", wrong));
+    must_refuse({"check", "in.toml"},
+                fmt::format("in.toml:3: [{}]: unknown table; did you mean \"{}\"?", wrong, right));
+  }
+  write("in.toml", "[material]\nviscosity = 2\n");
+  must_refuse({"check", "in.toml"}, "in.toml: must have a table [scan]");
 }
 
 TEST_F(Check, of_the_inputs_that_come_with_the_toolkit_finds_them_right) {

@@ -57,6 +57,14 @@ TEST_F(CommandLine, that_is_wrong_is_refused_with_exit_2_and_without_a_trace) {
               "--repiar: unknown option; did you mean --repair?");
   must_refuse({"mesh", "sphere", "--triangle", "320"},
               "--triangle: unknown option; did you mean --triangles?");
+  for (const char* kind : {"scan", "run", "figures", "mesh"}) {
+    EXPECT_EQ(sbeh({"picture", kind, "out", "--fromat", "pdf"}).err,
+              "--fromat: unknown option; did you mean --format?\n");
+    EXPECT_EQ(sbeh({"picture", kind, "out", "--witdh", "86mm"}).exit_code, 2);
+  }
+  EXPECT_TRUE(
+      sbeh({"picture", "scna", "out"})
+          .err.starts_with("scna: unknown kind of results; did you mean scan? Known: scan, "));
 }
 
 TEST_F(CommandLine, without_a_folder_writes_into_results_under_the_name_of_the_input) {

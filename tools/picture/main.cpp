@@ -9,6 +9,7 @@
 #include "tools/picture/modes/modes.h"
 #include "tools/picture/scan/scan.h"
 #include "tools/picture/studies/studies.h"
+#include "tools/unknown_word.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -120,6 +121,8 @@ int run(int count, char** arguments) {
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
+    const std::string unknown = tools::about_unknown_word(app, {"kind of results", "picture"});
+    if (!unknown.empty()) throw InputError(unknown);
     return app.exit(error) == 0 ? 0 : exit_bad_input;
   }
   read_words(words, options);
