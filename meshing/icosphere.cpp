@@ -51,7 +51,7 @@ TriangleMesh octahedron() {
 class SharedPoints {
  public:
   SharedPoints(const Eigen::Matrix3Xd& corners, int n) : n_(n) {
-    for (Eigen::Index i = 0; i < corners.cols(); ++i) points_.push_back(corners.col(i));
+    for (Eigen::Index i = 0; i < corners.cols(); ++i) points_.emplace_back(corners.col(i));
   }
 
   /// The point with lattice weights (n − i − j, i, j)/n in the triangle abc; made when it is new.
