@@ -121,6 +121,7 @@ int style_of(Marker marker) {
   switch (marker) {
     case Marker::full:
     case Marker::hollow:
+    case Marker::dotted:
       return vtkPlotPoints::SQUARE;
     case Marker::cross:
       return vtkPlotPoints::CROSS;
@@ -215,6 +216,7 @@ void Chart::markers(const Points& points, Marker marker, Colour colour, double s
   plot->SetMarkerSize(float(size));
   chart_->AddPlot(plot);
   if (marker == Marker::hollow) markers(points, Marker::full, white, size - 4.0);
+  if (marker == Marker::dotted) markers(points, Marker::circle, white, 0.5 * size);
 }
 
 }  // namespace sbeh::picture

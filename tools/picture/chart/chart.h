@@ -10,7 +10,7 @@ class vtkChartXY;
 
 namespace sbeh::picture {
 
-enum class Marker { full, hollow, cross, plus, diamond, circle };
+enum class Marker { full, hollow, dotted, cross, plus, diamond, circle };
 
 /// The room that labels and title take below the lower axis.
 double below_axis(double text_size);

@@ -29,6 +29,9 @@ struct Series {
   Mark mark(std::size_t i) const {
     return quantity.marks.size() > 1 ? quantity.marks[i][0] : quantity.marks[0][i];
   }
+  bool is_saddle(std::size_t i) const {
+    return quantity.saddles.size() > 1 ? quantity.saddles[i][0] : quantity.saddles[0][i];
+  }
   int region(std::size_t i) const {
     return quantity.regions.size() > 1 ? quantity.regions[i][0] : quantity.regions[0][i];
   }
@@ -112,11 +115,15 @@ constexpr MarkLook mark_looks[] = {{Mark::none, Marker::full, nullptr},
 void draw_series(Chart& chart, const Series& series, const std::vector<double>& x, const Axis& y,
                  double marker) {
   Points line;
+  Points saddles;
   std::map<Mark, Points> marked;
   for (std::size_t i = 0; i < x.size(); ++i) {
     const double value = series.value(i);
     const bool shown = std::isfinite(value);
-    marked[series.mark(i)].push_back({x[i], shown ? value : y.low + 0.03 * (y.high - y.low)});
+    if (shown && series.is_saddle(i))
+      saddles.push_back({x[i], value});
+    else
+      marked[series.mark(i)].push_back({x[i], shown ? value : y.low + 0.03 * (y.high - y.low)});
     if (!shown || (i > 0 && series.region(i) != series.region(i - 1)))
       chart.curve(std::exchange(line, {}), series.style);
     if (shown) line.push_back({x[i], value});
@@ -124,6 +131,7 @@ void draw_series(Chart& chart, const Series& series, const std::vector<double>& 
   chart.curve(line, series.style);
   for (const MarkLook& look : mark_looks)
     chart.markers(marked[look.mark], look.marker, series.style.colour, marker);
+  chart.markers(saddles, Marker::dotted, series.style.colour, marker);
 }
 
 std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
@@ -131,15 +139,16 @@ std::vector<LegendEntry> legend_of(const std::vector<Panel>& panels) {
   for (const Series& series : panels.back().series)
     if (!series.name.empty()) entries.push_back(line_entry(series.style, series.name));
   std::ranges::reverse(entries);
-  const auto marked = [&](Mark mark) {
+  const auto any = [&](auto&& has) {
     return std::ranges::any_of(panels, [&](const Panel& panel) {
-      return std::ranges::any_of(panel.series,
-                                 [&](const Series& s) { return s.quantity.has(mark); });
+      return std::ranges::any_of(panel.series, has, &Series::quantity);
     });
   };
   for (const MarkLook& look : mark_looks)
-    if (look.meaning && marked(look.mark))
+    if (look.meaning && any([&](const Quantity& quantity) { return quantity.has(look.mark); }))
       entries.push_back(marker_entry(look.marker, dark_grey, look.meaning));
+  if (any(&Quantity::has_saddle))
+    entries.push_back(marker_entry(Marker::dotted, dark_grey, "no minimum in 3D"));
   return entries;
 }
 
