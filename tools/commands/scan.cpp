@@ -45,11 +45,11 @@ namespace {
 // stable and unstable states are looked for along both.
 double seconds_of(const studies::ScanInput& input) {
   const auto points = double(studies::point_count(input));
-  if (input.method != studies::Method::newton) return points;
+  if (input.method != studies::Method::newton) return 0.5 * points;
   const auto volumes = double(input.reduced_volume.size());
   const auto branches = double(input.models.size() * input.branches.size());
   const double modes =
-      0.0032 * (input.modes + 1) * points + 0.037 * (volumes + double(input.L.size())) * branches;
+      0.0022 * (input.modes + 1) * points + 0.018 * (volumes + double(input.L.size())) * branches;
   return 0.035 * volumes * branches + 0.004 * points + (input.modes > 0 ? modes : 0)
        + (input.beyond_fold ? 0.75 * volumes : 0);
 }
