@@ -47,16 +47,15 @@ class Cumulative {
   std::vector<double> sum_;
 };
 
-// Σ length/√(distance² + a²) over the necks, a their radii: as many for each factor e of the distance from a neck,
-// over which what it does to the curve decays.
+// Σ depth length/√(distance² + a²) over the necks, a their radii: as many for each factor e of the distance from a
+// neck, over which what it does to the curve decays.
 Eigen::VectorXd near_necks(const Nodes& X, const Eigen::VectorXd& length) {
   const Cumulative arc(length);
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(length.size());
-  for (Eigen::Index i = 1; i + 1 < X.cols(); ++i) {
-    if (!is_neck(X, i)) continue;
-    const double s = arc.at(samples / 3. * double(i)), a = X(0, i);
+  for (const Neck& neck : necks(X)) {
+    const double s = arc.at(samples / 3. * double(neck.node));
     for (Eigen::Index k = 0; k < length.size(); ++k)
-      shares[k] += length[k] / std::hypot(arc.at(double(k) + 0.5) - s, a);
+      shares[k] += neck.depth * length[k] / std::hypot(arc.at(double(k) + 0.5) - s, neck.radius);
   }
   return shares;
 }

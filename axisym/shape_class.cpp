@@ -54,20 +54,32 @@ ShapeClass classify(const Nodes& X) {
   return dent > asymmetry_limit ? ShapeClass::stomatocyte : ShapeClass::pear;
 }
 
-bool is_neck(const Nodes& X, Eigen::Index i) {
-  return i > 0 && i + 1 < X.cols() && X(0, i) < X(0, i - 1) && X(0, i) <= X(0, i + 1);
+namespace {
+
+// The largest radius from a node on in steps of ±1, before the curve comes nearer to the axis than there.
+double widest_beside(const Nodes& X, Eigen::Index node, Eigen::Index step) {
+  double widest = X(0, node);
+  for (Eigen::Index i = node; i >= 0 && i < X.cols() && X(0, i) >= X(0, node); i += step)
+    widest = std::max(widest, X(0, i));
+  return widest;
 }
 
-int neck_count(const Nodes& X) {
-  int count = 0;
-  for (Eigen::Index i = 0; i < X.cols(); ++i) count += is_neck(X, i);
-  return count;
+}  // namespace
+
+std::vector<Neck> necks(const Nodes& X) {
+  std::vector<Neck> found;
+  for (Eigen::Index i = 1; i + 1 < X.cols(); ++i) {
+    const double a = X(0, i);
+    if (!(a < X(0, i - 1) && a <= X(0, i + 1))) continue;
+    const double beside = std::min(widest_beside(X, i, -1), widest_beside(X, i, 1));
+    found.push_back({i, a, 1 - a / beside});
+  }
+  return found;
 }
 
 double thinnest_neck(const Nodes& X) {
   double radius = std::numeric_limits<double>::infinity();
-  for (Eigen::Index i = 0; i < X.cols(); ++i)
-    if (is_neck(X, i)) radius = std::min(radius, X(0, i));
+  for (const Neck& neck : necks(X)) radius = std::min(radius, neck.radius);
   return radius;
 }
 

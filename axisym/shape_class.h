@@ -4,6 +4,8 @@
 #include "axisym/curve.h"
 #include "model/names.h"
 
+#include <vector>
+
 namespace sbeh::axisym {
 
 enum class ShapeClass {
@@ -16,11 +18,14 @@ constexpr auto names(ShapeClass) { return std::array{"oblate", "prolate", "stoma
 
 ShapeClass classify(const Nodes& X);
 
-/// Whether the curve comes nearest to the axis at this node, other than at a pole.
-bool is_neck(const Nodes& X, Eigen::Index node);
-
-/// How often it does.
-int neck_count(const Nodes& X);
+/// Where the curve comes nearest to the axis, other than at a pole.
+struct Neck {
+  Eigen::Index node;
+  double radius;
+  double
+      depth;  ///< 1 − radius/R, R that of the less wide part beside it: 0 in a tube, 1 where the neck closes
+};
+std::vector<Neck> necks(const Nodes& X);
 
 /// The smallest radius at which the curve comes nearest to the axis between the poles; infinite where it has no
 /// neck.

@@ -20,11 +20,11 @@ std::optional<BranchState> on_elements(const model::Material& material, model::M
 
 namespace {
 
-// The fold near a state of its path, by secants of the slope; μ and the energy are off by its square.
+// The fold near a state of its path, by secants of the slope; μ and the energy are off by its square, the rest by it.
 std::optional<PathState> fold_near(const Line& line, PathState here) {
   constexpr double flat = 1e-6;
   double ds = 1e-5;
-  for (int step = 0; step < 12 && std::abs(here.slope()) > flat; ++step) {
+  for (int step = 0; step < 12 && std::abs(here.slope()) > Line::limits.fold; ++step) {
     const auto next = arc_step(line, here, ds);
     if (!next) {
       ds /= 2;

@@ -96,7 +96,11 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
     }
     if (next->slope() <= 0) {
       const PathState fold = locate_fold(line, *here, *next, ds);
-      return {Arrival::fold, {fold, line.at(fold.mu), sign}, line, fold.mu};
+      return {Arrival::fold,
+              {fold, line.at(fold.mu), sign},
+              line,
+              fold.mu,
+              {*here, line.at(here->mu), sign}};
     }
     if (next->mu >= 1) {
       const double share = (1 - here->mu) / (next->mu - here->mu);

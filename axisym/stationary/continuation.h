@@ -31,8 +31,9 @@ enum class Arrival {
 struct FollowResult {
   Arrival arrival;
   BranchState state;
-  Line line;  ///< that was followed
-  double mu;  ///< of the state
+  Line line;             ///< that was followed
+  double mu;             ///< of the state
+  BranchState before{};  ///< of a fold: the last state before it
 };
 
 /// Moves a stationary state along a line, from μ = 0 to 1: one Newton solve from the tangent's

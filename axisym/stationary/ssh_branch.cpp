@@ -4,8 +4,10 @@
 #include "axisym/diagnostics.h"
 #include "axisym/shape_class.h"
 #include "axisym/stationary/arclength.h"
+#include "axisym/stationary/limit_shape.h"
 #include "axisym/stationary/stability.h"
 #include "axisym/stationary/symmetry.h"
+#include "model/numerics/root.h"
 
 #include <cmath>
 
@@ -20,6 +22,9 @@ constexpr int highest = 19;  // 0.95
 constexpr int lowest = 6;    // 0.3: from here upwards all branches are there without H₀
 
 double volume_at(int k) { return k / 20.; }
+
+// Of what closes the necks: where H₀ is more, no waypoint is worth the steps that so narrow a neck takes.
+constexpr double dear = 0.95;
 
 // A value of the map, computed where it is not there yet.
 template <class Compute>
@@ -90,13 +95,11 @@ const SshBranch::Waypoint& SshBranch::classical(int k) {
 const SshBranch::Waypoint& SshBranch::downward(int k) {
   return kept(downward_, k, [&] {
     Waypoint best;
+    if (share_of_closing(volume_at(k)) > dear) return best;
     if (k < highest)
       if (const Waypoint& above = downward(k + 1)) best = better(best, along(*above, volume_at(k)));
     const Waypoint& there = classical(k);
-    if (!there || k < closed_) return best;
-    const FollowResult found = with_H0(*there);
-    if (found.arrival == Arrival::neck && branch_ == Branch::stomatocyte) closed_ = k;
-    return better(best, found);
+    return there ? better(best, with_H0(*there)) : best;
   });
 }
 
@@ -104,6 +107,7 @@ const SshBranch::Waypoint& SshBranch::waypoint(int k) {
   if (material_.spontaneous_curvature == 0) return classical(k);
   return kept(waypoints_, k, [&] {
     Waypoint best = downward(k);
+    if (share_of_closing(volume_at(k)) > dear) return best;
     if (k > lowest)
       if (const Waypoint& below = best ? downward(k - 1) : waypoint(k - 1))
         best = better(best, along(*below, volume_at(k)));
@@ -146,7 +150,47 @@ std::optional<FollowResult> SshBranch::at(double reduced_volume) {
       break;
     }
   if (!best) best = end_towards_H0(below);
+  const double share = share_of_closing(reduced_volume);
+  if (best && best->arrival == Arrival::neck && share > 0 && share < 1)
+    if (const Waypoint& open = with_open_neck())
+      if (FollowResult found = along(*open, reduced_volume); found.arrival != Arrival::neck)
+        best = std::move(found);
   return best;
+}
+
+double SshBranch::share_of_closing(double reduced_volume) const {
+  if (branch_ != Branch::stomatocyte) return 0;
+  return material_.spontaneous_curvature / closing_H0(sphere_in_sphere(reduced_volume));
+}
+
+const SshBranch::Waypoint& SshBranch::with_open_neck() {
+  constexpr double share = 0.8;
+  constexpr int first = 12;  // 0.6
+  return kept(open_, 0, [&]() -> Waypoint {
+    constexpr double highest_volume = 0.9999;
+    Waypoint here = classical(first);
+    if (!here || share_of_closing(volume_at(first)) < share
+        || share_of_closing(highest_volume) > share)
+      return {};
+    const double last = model::root_between([&](double v) { return share_of_closing(v) - share; },
+                                            volume_at(first), highest_volume)
+                            .middle();
+    double H0 = 0;
+    const auto go = [&](double v) {
+      Line line{.material = material_,
+                .model = Model::SSH,
+                .from = here->at,
+                .to = {v, material_.L1},
+                .first_H0 = H0};
+      if (v != last) line.material.spontaneous_curvature *= share / share_of_closing(v);
+      H0 = line.material.spontaneous_curvature;
+      const FollowResult found = follow(line, *here, numerics_);
+      here = found.arrival == Arrival::reached ? Waypoint(found.state) : Waypoint{};
+    };
+    for (int k = first; here && volume_at(k) < last; ++k) go(volume_at(k));
+    if (here) go(last);
+    return here;
+  });
 }
 
 std::optional<FollowResult> SshBranch::end_towards_H0(int k) {

@@ -11,7 +11,8 @@ namespace sbeh::axisym {
 /// A branch of SSH at one material. Without spontaneous curvature it is followed from its entry over
 /// waypoints, multiples of 0.05 in V_r; these are then carried on to H₀ at fixed V_r, and from both neighbours
 /// along V_r at fixed H₀, since neither way reaches all: where several states of the branch's class are found,
-/// that with the fewest negative directions counts, of these the lowest. Symmetric branches stay symmetric.
+/// that with the fewest negative directions counts, of these the lowest. Stomatocytes whose necks H₀ closes up to V_r = 0.65
+/// are reached where it leaves them open. Symmetric branches stay symmetric.
 /// The shapes depend on H₀ alone of the material.
 class SshBranch {
  public:
@@ -30,6 +31,11 @@ class SshBranch {
   const Waypoint& waypoint(int k);   // the best
   FollowResult with_H0(const BranchState& classical) const;
   std::optional<FollowResult> end_towards_H0(int k);  // where no waypoint is there
+  double share_of_closing(
+      double reduced_volume) const;  // H₀ over that which closes the neck; 0 of symmetric branches
+  /// Of stomatocytes that are all closed at V_r <= 0.65: where H₀ is 0.8 of what closes the neck, by a way on which it is
+  /// always that.
+  const Waypoint& with_open_neck();
   FollowResult along(const BranchState& from, double reduced_volume) const;
   bool is_ours(const FollowResult& found) const;
   bool is_better(const BranchState& a, const BranchState& b) const;
@@ -39,8 +45,7 @@ class SshBranch {
   model::Material material_, classical_material_;
   Numerics numerics_;
   std::optional<std::optional<BranchState>> entry_;
-  std::map<int, Waypoint> classical_, downward_, waypoints_;
-  int closed_ = 0;  ///< stomatocytes: their neck closes on the way to H₀ here and below
+  std::map<int, Waypoint> classical_, downward_, waypoints_, open_;
 };
 
 }  // namespace sbeh::axisym

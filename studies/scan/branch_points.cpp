@@ -13,6 +13,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 
 namespace sbeh::studies {
@@ -60,12 +61,6 @@ PointOutcome outcome_of(const StationaryCase& of, const StationaryState& state,
   return point;
 }
 
-// At a fold one eigenvalue is zero, and rounding says whether it counts. Before it, the number of negative
-// directions is that of the start, up to pairs.
-int before_fold(int at_fold, int at_start) {
-  return at_fold == 0 || (at_fold - at_start) % 2 == 0 ? at_fold : at_fold - 1;
-}
-
 // As a clause; empty where the order is fixed.
 std::string what_gives_way(const StationaryCase& of, const BranchState& fold) {
   const auto kind =
@@ -77,8 +72,7 @@ std::string what_gives_way(const StationaryCase& of, const BranchState& fold) {
 }
 
 // What the branch's end in a fold means for the point.
-void describe_fold(const StationaryCase& of, const axisym::ResolvedState& fold,
-                   int negative_at_start, PointResult& row) {
+void describe_fold(const StationaryCase& of, const axisym::ResolvedState& fold, PointResult& row) {
   const PlanePoint& at = fold.state.at;
   row.status = PointStatus::unresolved;
   row.fold_side = "at";
@@ -86,11 +80,12 @@ void describe_fold(const StationaryCase& of, const axisym::ResolvedState& fold,
     row.fold_L = at.L;
     row.fold_L_error = fold.L_error;
   }
-  row.negative_directions = before_fold(*row.negative_directions, negative_at_start);
   row.stop_reason = fmt::format(
-      "the smooth {} branch ends in a fold at V_r = {:.6g}, L = {:.6g}{}; the values are those at "
-      "the fold",
-      name(of.branch), at.reduced_volume, at.L, what_gives_way(of, fold.state));
+      "the smooth {} branch ends in a fold at V_r = {:.6g}{}{}; the values are those at the fold{}",
+      name(of.branch), at.reduced_volume,
+      of.model == Model::SBEH ? fmt::format(", L = {:.6g}", at.L) : "",
+      what_gives_way(of, fold.state),
+      row.self_contact ? ", where the surface passes through itself" : "");
 }
 
 // A state of the case itself, over as many elements as its errors need.
@@ -120,6 +115,14 @@ std::optional<axisym::TouchingSpheres> limit_of(Branch branch, double reduced_vo
   return axisym::chain_of_spheres(spheres);
 }
 
+// How many parts necks that are about to close leave.
+int parts_of(const axisym::Nodes& X) {
+  constexpr double closing = 0.5;
+  return 1 + int(std::ranges::count_if(axisym::necks(X), [](const auto& neck) {
+           return neck.depth > closing;
+         }));
+}
+
 std::string text_of(const axisym::TouchingSpheres& spheres) {
   const double v = axisym::diagnose({}, spheres).reduced_volume;
   const std::string shapes =
@@ -140,30 +143,28 @@ PointOutcome limit_point(const StationaryCase& of, const BranchState& last) {
       fmt::format("a neck closes: its radius is {:.2g}", axisym::thinnest_neck(last.X));
   if (of.model != Model::SSH) return point;
   const double v = of.branch == Branch::stomatocyte ? of.reduced_volume : last.at.reduced_volume;
-  const auto spheres = limit_of(of.branch, v, 1 + axisym::neck_count(last.X));
+  const auto spheres = limit_of(of.branch, v, parts_of(last.X));
   if (!spheres) return point;
   point.row.diagnostics = axisym::diagnose(of.material, *spheres);
   point.row.stop_reason += text_of(*spheres);
   return point;
 }
 
-PointOutcome fold_point(const StationaryCase& of, const BranchState& start,
-                        const axisym::FollowResult& result) {
+PointOutcome fold_point(const StationaryCase& of, const axisym::FollowResult& result) {
   const axisym::ResolvedState fold = axisym::resolved_fold(result, of.numerics);
   const StationaryCase there = moved_to(fold.state.at, of);
   PointOutcome point = outcome_of(there, fold.state, fold.diagnostics);
   PointResult& row = point.row;
   row.residual = axisym::residual_of(there.material, of.model, fold.state);
   row.error = fold.error;
-  row.negative_directions = axisym::negative_directions(there.material, of.model, fold.state);
-  if (row.status == PointStatus::failed) return point;
-  describe_fold(of, fold,
-                axisym::negative_directions(of.material.with_L(start.at.L), of.model, start), row);
+  // At the fold itself one eigenvalue is zero, and rounding would say whether it counts.
+  row.negative_directions =
+      axisym::negative_directions(of.material.with_L(result.before.at.L), of.model, result.before);
+  if (row.status != PointStatus::failed) describe_fold(of, fold, row);
   return point;
 }
 
-PointOutcome outcome_of(const StationaryCase& of, const BranchState& start,
-                        const axisym::FollowResult& result) {
+PointOutcome outcome_of(const StationaryCase& of, const axisym::FollowResult& result) {
   const PlanePoint at = result.state.at;
   const double H0 = result.line.material_at(result.mu).spontaneous_curvature;
   const bool is_on_the_way = H0 != of.material.spontaneous_curvature;
@@ -173,7 +174,7 @@ PointOutcome outcome_of(const StationaryCase& of, const BranchState& start,
     return failed_point(
         fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}, H0 = {:.4g}",
                     at.reduced_volume, at.L, H0));
-  if (!is_on_the_way) return fold_point(of, start, result);
+  if (!is_on_the_way) return fold_point(of, result);
   PointOutcome nowhere = failed_point(
       fmt::format("the smooth {} branch ends in a fold at H0 = {:.6g}, V_r = {:.6g}, before this "
                   "spontaneous curvature",
@@ -251,7 +252,7 @@ PointOutcome ssh_point(const StationaryCase& of, axisym::SshBranch& branch) {
   const Stopwatch watch;
   const auto found = branch.at(of.reduced_volume);
   if (!found) return failed_point("Newton's method failed at the entry of the branch");
-  PointOutcome point = outcome_of(of, found->state, *found);
+  PointOutcome point = outcome_of(of, *found);
   point.row.wall_seconds = watch.seconds();
   return point;
 }
@@ -260,7 +261,7 @@ PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
   const Stopwatch watch;
   const auto start = settled(moved_to(from.at, of), from.state);
   if (!start) return failed_point("Newton's method failed at the neighbouring point");
-  PointOutcome point = outcome_of(of, *start, follow_up(of, *start, of.L()));
+  PointOutcome point = outcome_of(of, follow_up(of, *start, of.L()));
   point.row.wall_seconds = watch.seconds();
   return point;
 }
@@ -282,7 +283,7 @@ PointOutcome order_from(const StationaryCase& of, const State& ssh) {
   for (double L = first_L; L > first_L / 1000; L /= 2) {
     const auto first = settled(moved_to({of.reduced_volume, L}, of), ssh);
     if (!first) continue;
-    PointOutcome point = outcome_of(of, *first, follow_up(of, *first, of.L()));
+    PointOutcome point = outcome_of(of, follow_up(of, *first, of.L()));
     point.row.wall_seconds = watch.seconds();
     return point;
   }

@@ -1,4 +1,6 @@
 // Start shapes, redistribution of nodes, and the correction of area and volume.
+#include "axisym/redistribute.h"
+#include "axisym/shape_class.h"
 #include "model/numerics/quadrature.h"
 #include "tests/axisym/cases.h"
 
@@ -292,6 +294,31 @@ TEST(CorrectAreaVolume, refuses_the_impossible_and_leaves_the_curve_alone) {
 
   Nodes point = Nodes::Zero(2, before.cols());
   EXPECT_FALSE(correct_area_volume(point, 4 * pi, 4 * pi / 3));
+}
+
+TEST(Necks, have_the_depth_of_a_dumbbell_and_next_to_none_in_a_tube) {
+  const int elements = 40, last = 3 * elements;
+  const auto profile = [&](auto&& radius) {
+    Nodes X(2, last + 1);
+    for (int i = 0; i <= last; ++i) {
+      const double z = 1 - 2. * i / last;
+      X.col(i) << std::sqrt(std::max(0., 1 - std::pow(z, 8))) * radius(z), 5 * z;
+    }
+    return X;
+  };
+  const auto waist = necks(profile([](double z) { return 0.5 + z * z; }));
+  ASSERT_EQ(waist.size(), 1u);
+  EXPECT_EQ(waist[0].node, last / 2);
+  EXPECT_EQ(waist[0].radius, 0.5);
+  EXPECT_GT(waist[0].depth, 0.4);
+  for (const Neck& neck : necks(profile([](double z) { return 0.5 + 1e-13 * std::sin(999 * z); })))
+    EXPECT_LT(neck.depth, 1e-12);
+}
+
+TEST(Redistribution, leaves_a_uniform_order_uniform_to_the_last_bit) {
+  State state{spheroid(0.7, true, 24, 0.5), Field::Constant(73, model::full_order)};
+  for (const int elements : {31, 17, 48}) state = redistribute(state, 0.5, elements);
+  EXPECT_TRUE((state.beta.array() == model::full_order).all());
 }
 
 }  // namespace

@@ -55,6 +55,11 @@ TEST(SymmetricBranches, pass_where_others_leave_them_and_say_what_is) {
   EXPECT_NEAR(energy_of(point), -6.857131672, 1e-8);
 }
 
+TEST(LongTubes, are_resolved) {
+  const PointOutcome point = alone(case_of(Branch::prolate, 0.13));
+  EXPECT_EQ(point.row.status, PointStatus::stationary) << point.row.stop_reason;
+}
+
 // Of shapes that few elements resolve badly: thin necks and long tubes.
 TEST(ErrorColumns, bound_the_errors_whatever_the_elements) {
   for (const auto& [branch, v, H0] : {std::tuple{Branch::stomatocyte, 0.4, 0.},
@@ -105,6 +110,22 @@ TEST(NarrowNecks, are_followed_until_they_close) {
   EXPECT_NEAR(axisym::thinnest_neck(open.state->X), 0.00103, 1e-5);
   EXPECT_NEAR(energy_of(open), -7.09821737, 1e-8);  // from 48, 96 and 192 elements on
   EXPECT_LT(open.row.error->energy, 1e-8);
+}
+
+// H₀ = 1.5 closes all necks up to V_r = 0.73, and so all ways from H₀ = 0; beyond they are open again.
+TEST(OpenNecks, are_found_where_those_of_all_smaller_volumes_are_closed) {
+  EXPECT_EQ(alone(case_of(Branch::stomatocyte, 0.7, 1.5)).row.status, PointStatus::limit);
+  for (const int elements : {48, 96}) {
+    const PointOutcome open = alone(case_of(Branch::stomatocyte, 0.9, 1.5, elements));
+    ASSERT_EQ(open.row.status, PointStatus::stationary) << open.row.stop_reason;
+    EXPECT_EQ(open.row.shape, "stomatocyte");
+    EXPECT_EQ(open.row.negative_directions, 0);
+    EXPECT_NEAR(energy_of(open), -4.672792866, 1e-8);
+  }
+  const PointOutcome fold = alone(case_of(Branch::stomatocyte, 0.95, 1.5));
+  EXPECT_EQ(fold.row.negative_directions, 0);
+  ASSERT_TRUE(fold.row.diagnostics);
+  EXPECT_NEAR(fold.row.diagnostics->reduced_volume, 0.912559, 1e-6);
 }
 
 TEST(FoldsOnTheWay, to_a_spontaneous_curvature_are_told_without_values) {
