@@ -164,23 +164,33 @@ PointOutcome fold_point(const StationaryCase& of, const axisym::FollowResult& re
   return point;
 }
 
+// Of a branch that ends before the point.
+PointOutcome none_here(std::string reason) {
+  PointOutcome point = failed_point(std::move(reason));
+  point.row.status = PointStatus::unresolved;
+  return point;
+}
+
 PointOutcome outcome_of(const StationaryCase& of, const axisym::FollowResult& result) {
   const PlanePoint at = result.state.at;
   const double H0 = result.line.material_at(result.mu).spontaneous_curvature;
   const bool is_on_the_way = H0 != of.material.spontaneous_curvature;
   if (result.arrival == axisym::Arrival::reached) return resolved_point(of, result.state);
   if (result.arrival == axisym::Arrival::neck) return limit_point(of, result.state);
+  const auto shape = name(axisym::classify(result.state.X));
+  if (result.arrival == axisym::Arrival::lost && shape != name(of.branch))
+    return none_here(fmt::format(
+        "the states to which the {} branch leads are of class {} at V_r = {:.4g}, H0 = {:.4g}",
+        name(of.branch), shape, at.reduced_volume, H0));
   if (result.arrival == axisym::Arrival::lost)
     return failed_point(
         fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}, H0 = {:.4g}",
                     at.reduced_volume, at.L, H0));
   if (!is_on_the_way) return fold_point(of, result);
-  PointOutcome nowhere = failed_point(
+  return none_here(
       fmt::format("the smooth {} branch ends in a fold at H0 = {:.6g}, V_r = {:.6g}, before this "
                   "spontaneous curvature",
                   name(of.branch), H0, at.reduced_volume));
-  nowhere.row.status = PointStatus::unresolved;
-  return nowhere;
 }
 
 // Follows along L in stages, so that a fold at a small L is no tiny piece of the way.
@@ -230,7 +240,7 @@ std::optional<axisym::ResolvedState> fold_above(const StationaryCase& of, const 
   return axisym::resolved_fold(result, of.numerics);
 }
 
-PointOutcome without_ssh(const StationaryCase& of, const PointOutcome& ssh) {
+PointOutcome without_ssh(const StationaryCase& of, const PointOutcome& ssh, double computed_at) {
   if (of.model == Model::SSH && ssh.row.status == PointStatus::limit) {
     PointOutcome same = ssh;  // no shape of SSH depends on L
     same.row.wall_seconds = 0;
@@ -241,6 +251,13 @@ PointOutcome without_ssh(const StationaryCase& of, const PointOutcome& ssh) {
     }
     if (const auto spheres = limit_of(of.branch, v, int(std::lround(1 / (v * v)))))
       same.row.diagnostics = axisym::diagnose(of.material, *spheres);
+    return same;
+  }
+  if (of.model == Model::SSH && ssh.row.fold_side == "at" && ssh.state) {
+    PointOutcome same = ssh;
+    same.row.diagnostics = axisym::diagnose(of.material, *ssh.state);
+    if (same.row.error) same.row.error->energy *= of.L() / computed_at;
+    same.row.wall_seconds = 0;
     return same;
   }
   PointOutcome outcome = failed_point("no SSH shape to start from: " + ssh.row.stop_reason);

@@ -40,9 +40,10 @@ bool has_state_here(const PointOutcome& point);
 /// What modes up to cos(largest_m φ) say of the state of the point; nothing where there is none.
 void add_modes(const axisym::StationaryCase& of, int largest_m, PointOutcome& point);
 
-/// Of a point at whose reduced volume SSH's shape is not to be had, as `ssh` says: for SSH the limit at the L of this
-/// point, if it is one.
-PointOutcome without_ssh(const axisym::StationaryCase& of, const PointOutcome& ssh);
+/// Of a point at whose reduced volume SSH's shape is not to be had, as `ssh`, computed at some L, says: for SSH the limit
+/// or the fold at the L of this point, if it is one.
+PointOutcome without_ssh(const axisym::StationaryCase& of, const PointOutcome& ssh,
+                         double computed_at);
 
 /// SSH's state of the branch.
 PointOutcome ssh_point(const axisym::StationaryCase& of, axisym::SshBranch& branch);

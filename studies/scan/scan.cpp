@@ -159,7 +159,8 @@ void walk_volumes(Scan& scan, Branch branch, BranchOff&& branch_off) {
       continue;
     }
     // Without it nothing of this reduced volume can be reached: all its points share the reason.
-    scan_all_of(scan, v, branch, [&](const StationaryCase& of) { return without_ssh(of, *ssh); });
+    scan_all_of(scan, v, branch,
+                [&](const StationaryCase& of) { return without_ssh(of, *ssh, L); });
   }
 }
 

@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace sbeh::studies {
 
@@ -59,13 +60,27 @@ std::string advice_for(const PointKey& key, const std::vector<RowStatus>& rows) 
       *nearest, key.L);
 }
 
+// As a clause.
+std::string nearest_to(const PointKey& key, const std::vector<RowStatus>& rows) {
+  const auto distance = [&](const RowStatus& row) {
+    return std::tuple(!row.stationary(), row.key.model != key.model, row.key.branch != key.branch,
+                      std::abs(row.key.reduced_volume - key.reduced_volume),
+                      std::abs(row.key.L - key.L));
+  };
+  const auto nearest = std::ranges::min_element(rows, {}, distance);
+  return nearest == rows.end() || !nearest->stationary()
+           ? "none of its rows is stationary"
+           : "the nearest that is stationary is " + text_of(nearest->key);
+}
+
 void require_stationary(const ScanRow& start) {
   const fs::path table = fs::path(start.folder) / "scan.csv";
   const std::vector<RowStatus> rows = read_rows(status_columns(), table);
   const PointKey& key = start;
   const auto at = std::ranges::find_if(rows, [&](const RowStatus& row) { return row.key == key; });
   if (at == rows.end())
-    throw OutputError(fmt::format("{}: has no row {}", table.string(), text_of(key)));
+    throw OutputError(
+        fmt::format("{}: has no row {}; {}", table.string(), text_of(key), nearest_to(key, rows)));
   if (!at->stationary())
     throw OutputError(fmt::format("{}: its row {} is {}, not stationary, and so no start ({}); {}",
                                   table.string(), text_of(key), at->status, at->reason,

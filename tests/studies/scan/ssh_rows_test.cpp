@@ -114,15 +114,15 @@ TEST(NarrowNecks, are_followed_until_they_close) {
 
 // H₀ = 1.5 closes all necks up to V_r = 0.73, and so all ways from H₀ = 0; beyond they are open again.
 TEST(OpenNecks, are_found_where_those_of_all_smaller_volumes_are_closed) {
-  EXPECT_EQ(alone(case_of(Branch::stomatocyte, 0.7, 1.5)).row.status, PointStatus::limit);
-  for (const int elements : {48, 96}) {
-    const PointOutcome open = alone(case_of(Branch::stomatocyte, 0.9, 1.5, elements));
-    ASSERT_EQ(open.row.status, PointStatus::stationary) << open.row.stop_reason;
-    EXPECT_EQ(open.row.shape, "stomatocyte");
-    EXPECT_EQ(open.row.negative_directions, 0);
-    EXPECT_NEAR(energy_of(open), -4.672792866, 1e-8);
-  }
-  const PointOutcome fold = alone(case_of(Branch::stomatocyte, 0.95, 1.5));
+  const StationaryCase of = case_of(Branch::stomatocyte, 0.9, 1.5);
+  SshBranch branch(of.branch, of.material, of.numerics);
+  const auto at = [&](double v) { return ssh_point(case_of(of.branch, v, 1.5), branch); };
+  EXPECT_EQ(at(0.7).row.status, PointStatus::limit);
+  const PointOutcome open = at(0.9), fold = at(0.95);
+  ASSERT_EQ(open.row.status, PointStatus::stationary) << open.row.stop_reason;
+  EXPECT_EQ(open.row.shape, "stomatocyte");
+  EXPECT_EQ(open.row.negative_directions, 0);
+  EXPECT_NEAR(energy_of(open), -4.672792866, 1e-8);  // from 48 and 96 elements
   EXPECT_EQ(fold.row.negative_directions, 0);
   ASSERT_TRUE(fold.row.diagnostics);
   EXPECT_NEAR(fold.row.diagnostics->reduced_volume, 0.912559, 1e-6);
@@ -205,14 +205,26 @@ TEST(SshRows, that_are_limits_have_the_energy_of_the_spheres_at_every_L) {
   for (const double L : {0.01, 0.05, 0.1}) {
     StationaryCase there = of;
     there.material = of.material.with_L(L);
-    const PointOutcome row = without_ssh(there, limit);
+    const PointOutcome row = without_ssh(there, limit, 0.05);
     EXPECT_EQ(row.row.status, PointStatus::limit);
     ASSERT_TRUE(row.row.diagnostics);
     EXPECT_EQ(row.row.diagnostics->energy.total(),
               axisym::diagnose(there.material, spheres).energy.total());
     there.model = Model::SBEH;
-    EXPECT_FALSE(without_ssh(there, limit).row.diagnostics);
+    EXPECT_FALSE(without_ssh(there, limit, 0.05).row.diagnostics);
   }
+}
+
+TEST(SshRows, that_are_folds_have_the_same_values_as_a_scan_of_their_L_alone) {
+  const StationaryCase of = case_of(Branch::stomatocyte, 0.7);
+  const PointOutcome fold = alone(of);
+  StationaryCase there = of;
+  there.material = of.material.with_L(0.02);
+  const PointOutcome carried = without_ssh(there, fold, of.L()), own = alone(there);
+  EXPECT_EQ(carried.row.stop_reason, own.row.stop_reason);
+  EXPECT_EQ(carried.row.negative_directions, own.row.negative_directions);
+  EXPECT_NEAR(energy_of(carried), energy_of(own), own.row.error->energy);
+  EXPECT_NEAR(carried.row.error->energy / own.row.error->energy, 1, 0.5);
 }
 
 }  // namespace
