@@ -9,6 +9,7 @@
 #include "axisym/stationary/symmetry.h"
 #include "model/numerics/root.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace sbeh::axisym {
@@ -22,6 +23,9 @@ constexpr int highest = 19;  // 0.95
 constexpr int lowest = 6;    // 0.3: from here upwards all branches are there without H₀
 
 double volume_at(int k) { return k / 20.; }
+int below(double reduced_volume) {
+  return std::clamp(int(std::floor(reduced_volume / spacing)), 1, highest);
+}
 
 // Of what closes the necks: where H₀ is more, no waypoint is worth the steps that so narrow a neck takes.
 constexpr double dear = 0.95;
@@ -117,7 +121,6 @@ const SshBranch::Waypoint& SshBranch::waypoint(int k) {
 
 std::optional<FollowResult> SshBranch::at(double reduced_volume) {
   if (!entry()) return {};
-  const int below = std::clamp(int(std::floor(reduced_volume / spacing)), 1, highest);
   const bool classical_only = material_.spontaneous_curvature == 0;
   std::optional<FollowResult> best;
   const auto ends_nearer = [&](const FollowResult& a, const FollowResult& b) {
@@ -139,17 +142,18 @@ std::optional<FollowResult> SshBranch::at(double reduced_volume) {
     return best;
   }
   // From the nearest above and, where one way may not reach it, below.
-  for (int k = below + 1; k <= highest; ++k)
+  for (int k = below(reduced_volume) + 1; k <= highest; ++k)
     if (const Waypoint& above = waypoint(k)) {
       offer(*above);
       break;
     }
-  for (int k = below; k >= (classical_only ? 1 : lowest) && !(classical_only && best); --k)
+  for (int k = below(reduced_volume);
+       k >= (classical_only ? 1 : lowest) && !(classical_only && best); --k)
     if (const Waypoint& there = waypoint(k)) {
       offer(*there);
       break;
     }
-  if (!best) best = end_towards_H0(below);
+  if (!best) best = end_towards_H0(reduced_volume);
   const double share = share_of_closing(reduced_volume);
   if (best && best->arrival == Arrival::neck && share > 0 && share < 1)
     if (const Waypoint& open = with_open_neck())
@@ -193,11 +197,12 @@ const SshBranch::Waypoint& SshBranch::with_open_neck() {
   });
 }
 
-std::optional<FollowResult> SshBranch::end_towards_H0(int k) {
-  for (; k >= 1; --k)
+std::optional<FollowResult> SshBranch::end_towards_H0(double reduced_volume) {
+  for (int k = below(reduced_volume); k >= 1; --k)
     if (const Waypoint& there = classical(k)) {
       FollowResult end = with_H0(*there);
-      if (end.arrival == Arrival::reached) end.arrival = Arrival::lost;  // of another class
+      if (end.arrival == Arrival::reached) end = along(end.state, reduced_volume);
+      if (end.arrival == Arrival::reached && !is_ours(end)) end.arrival = Arrival::lost;
       return end;
     }
   return {};

@@ -30,7 +30,7 @@ class SshBranch {
   const Waypoint& downward(int k);   // carried on from above
   const Waypoint& waypoint(int k);   // the best
   FollowResult with_H0(const BranchState& classical) const;
-  std::optional<FollowResult> end_towards_H0(int k);  // where no waypoint is there
+  std::optional<FollowResult> end_towards_H0(double reduced_volume);  // where no waypoint is there
   double share_of_closing(
       double reduced_volume) const;  // H₀ over that which closes the neck; 0 of symmetric branches
   /// Of stomatocytes that are all closed at V_r <= 0.65: where H₀ is 0.8 of what closes the neck, by a way on which it is

@@ -15,6 +15,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string>
 
 namespace sbeh::studies {
 
@@ -177,7 +178,7 @@ PointOutcome outcome_of(const StationaryCase& of, const axisym::FollowResult& re
   const bool is_on_the_way = H0 != of.material.spontaneous_curvature;
   if (result.arrival == axisym::Arrival::reached) return resolved_point(of, result.state);
   if (result.arrival == axisym::Arrival::neck) return limit_point(of, result.state);
-  const auto shape = name(axisym::classify(result.state.X));
+  const std::string shape = name(axisym::classify(result.state.X));
   if (result.arrival == axisym::Arrival::lost && shape != name(of.branch))
     return none_here(fmt::format(
         "the states to which the {} branch leads are of class {} at V_r = {:.4g}, H0 = {:.4g}",
@@ -199,7 +200,7 @@ axisym::FollowResult follow_up(const StationaryCase& of, BranchState from, doubl
   const double v = from.at.reduced_volume;
   while (true) {
     const double next = from.at.L > 0 && stage * from.at.L < L ? stage * from.at.L : L;
-    const auto result = axisym::follow(of.material, of.model, from, {v, next}, of.numerics);
+    auto result = axisym::follow(of.material, of.model, from, {v, next}, of.numerics);
     if (next == L || result.arrival != axisym::Arrival::reached) return result;
     from = result.state;
   }
