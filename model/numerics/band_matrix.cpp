@@ -1,33 +1,24 @@
 #include "model/numerics/band_matrix.h"
 
 #include <Eigen/LU>
+#include <lapacke.h>
 
 #include <algorithm>
 #include <cassert>
-#include <cmath>
+
+extern "C" void openblas_set_num_threads(int);
 
 namespace sbeh::model {
 
 namespace {
-
-// A column of multipliers is filled up with zeros to whole registers, which may reach beyond the band: into what is not
-// used of the column, or zeros times what is.
-constexpr int lanes = 8;
-using Lanes = Eigen::Array<double, lanes, 1>;
-int filled(int count) { return (count + lanes - 1) / lanes * lanes; }
-
-// to −= factor · column, of `count` numbers filled up.
-void subtract(double factor, const double* column, int count, double* to) {
-  for (int i = 0; i < count; i += lanes)
-    Eigen::Map<Lanes>(to + i) -= factor * Eigen::Map<const Lanes>(column + i);
-}
-
+// On bands as narrow as ours OpenBLAS's own threads only wait for each other.
+const bool one_thread = (openblas_set_num_threads(1), true);
 }  // namespace
 
 BandMatrix::BandMatrix(int n, int half_width)
     : n_(n),
       width_(half_width),
-      storage_(Eigen::MatrixXd::Zero(3 * half_width + 1 + lanes, n)),
+      storage_(Eigen::MatrixXd::Zero(3 * half_width + 1, n)),
       pivots_(std::size_t(n)) {}
 
 void BandMatrix::set_identity_row(int i) {
@@ -51,52 +42,24 @@ Eigen::VectorXd BandMatrix::times(const Eigen::VectorXd& x) const {
 }
 
 bool BandMatrix::factor() {
-  int last = 0;  // column that a pivot's row reaches
-  Eigen::VectorXd multipliers = Eigen::VectorXd::Zero(filled(width_));
-  for (int j = 0; j < n_; ++j) {
-    const int below = std::min(width_, n_ - 1 - j);
-    auto column = storage_.col(j).segment(2 * width_, below + 1);
-    Eigen::Index step = 0;
-    if (!(column.cwiseAbs().maxCoeff(&step) > 0)) return false;
-    const int pivot = pivots_[std::size_t(j)] = j + int(step);
-    std::swap(column[0], column[step]);
-    multipliers.head(below) = column.tail(below) / column[0];
-    column.tail(below) = multipliers.head(below);
-    if (below < width_) multipliers[below] = 0;
-    last = std::max(last, std::min(n_ - 1, pivot + width_));
-    const auto row_j = [&](int k) { return &(*this)(j, k); };
-    // Apart from what follows, which would wait for these numbers to be stored.
-    if (step > 0)
-      for (int k = j + 1; k <= last; ++k) std::swap(row_j(k)[0], row_j(k)[step]);
-    for (int k = j + 1; k <= last; ++k)
-      subtract(row_j(k)[0], multipliers.data(), below, row_j(k) + 1);
-  }
-  return storage_.row(2 * width_).allFinite();  // NaN spreads to the pivots
+  const int info = LAPACKE_dgbtrf_work(LAPACK_COL_MAJOR, n_, n_, width_, width_, storage_.data(),
+                                       int(storage_.rows()), pivots_.data());
+  return info == 0 && storage_.row(2 * width_).allFinite();  // NaN spreads to the pivots
 }
 
 int BandMatrix::determinant_sign() const {
   int sign = 1;
   for (int i = 0; i < n_; ++i) {
     if (storage_(2 * width_, i) < 0) sign = -sign;
-    if (pivots_[std::size_t(i)] != i) sign = -sign;
+    if (pivots_[std::size_t(i)] != i + 1) sign = -sign;  // LAPACK counts from 1
   }
   return sign;
 }
 
 void BandMatrix::solve(Eigen::Ref<Eigen::MatrixXd> rhs) const {
   assert(rhs.rows() == n_);
-  for (auto x : rhs.colwise()) {
-    for (int j = 0; j < n_; ++j) {
-      const int below = std::min(width_, n_ - 1 - j);
-      std::swap(x[j], x[pivots_[std::size_t(j)]]);
-      x.segment(j + 1, below) -= x[j] * storage_.col(j).segment(2 * width_ + 1, below);
-    }
-    for (int j = n_ - 1; j >= 0; --j) {
-      const int above = std::min(2 * width_, j);
-      x[j] /= storage_(2 * width_, j);
-      x.segment(j - above, above) -= x[j] * storage_.col(j).segment(2 * width_ - above, above);
-    }
-  }
+  LAPACKE_dgbtrs_work(LAPACK_COL_MAJOR, 'N', n_, width_, width_, int(rhs.cols()), storage_.data(),
+                      int(storage_.rows()), pivots_.data(), rhs.data(), int(rhs.outerStride()));
 }
 
 BorderedSolution solve_bordered(const BandMatrix& A, const Eigen::MatrixXd& B,

@@ -1,4 +1,4 @@
-// A band matrix with a dense border, and its LU factors: one solve costs O(n) at fixed bandwidth.
+// A band matrix with a dense border, factored by LAPACK: one solve costs O(n) at fixed bandwidth.
 #pragma once
 
 #include <Eigen/Core>
@@ -7,8 +7,7 @@
 
 namespace sbeh::model {
 
-/// n x n band matrix A with `half_width` diagonals on either side, column by column, with room for
-/// what pivoting fills in.
+/// n x n band matrix A with `half_width` diagonals on either side, in LAPACK's general band storage.
 class BandMatrix {
  public:
   BandMatrix(int n, int half_width);
@@ -39,8 +38,7 @@ class BandMatrix {
 
  private:
   int n_, width_;
-  Eigen::MatrixXd
-      storage_;  // entry (i, j) in row 2 half_width + i − j, some rows below that unused
+  Eigen::MatrixXd storage_;  // (3 half_width + 1) x n
   std::vector<int> pivots_;
 };
 

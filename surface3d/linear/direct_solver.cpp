@@ -8,14 +8,9 @@
 #include <cmath>
 #include <vector>
 
-extern "C" void openblas_set_num_threads(int);
-
 namespace sbeh::surface3d {
 
 namespace {
-
-// On fronts as small as ours OpenBLAS's own threads only wait for each other.
-const bool one_thread = (openblas_set_num_threads(1), true);
 
 // A row with more entries than this is a multiplier's: eliminated last, and no part of the graph.
 constexpr Eigen::Index dense_row = 1000;
