@@ -153,7 +153,9 @@ TEST_F(Relax, from_a_row_that_is_not_stationary_or_not_there_is_refused) {
   must_refuse(into("out", "relax"),
               "scan: is not there: neither from the folder of the input nor from ");
   must(into("scan", "scan", "scan.toml"));
-  must_refuse(into("out", "relax"), "scan/scan.csv: has no row SBEH oblate, V_r = 0.8, L = 0.07\n");
+  must_refuse(into("out", "relax"),
+              "scan/scan.csv: has no row SBEH oblate, V_r = 0.8, L = 0.07; the nearest that is "
+              "stationary is SBEH oblate, V_r = 0.8, L = 0.05\n");
   write("in.toml", from_the_scan("SBEH", "0.05"));
   write("scan/points/SBEH_oblate_v0.8_L0.05.csv", "r,z\n");
   must_refuse(into("out", "relax"),

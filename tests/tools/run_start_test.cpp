@@ -172,7 +172,7 @@ TEST_F(Run3d, refuses_what_is_wrong_with_file_line_and_reason) {
       {head + "shape = \"harmonics\"\nmodes = [[2, 0, 9.0]]\n" + time, "in.toml: [surface] r = "},
       {head + "shape = \"ellipsoid\"\nreduced_volume = 0.01\n" + time,
        "in.toml: [surface] ellipsoid: reduced volume 0.01: must be >= "},
-      {head + "shape = \"ellipsoid\"\naxes = [1, 1, 0.05]\ntriangles = 80\n" + time,
+      {head + "shape = \"ellipsoid\"\naxes = [1, 1, 0.05]\ntriangles = 20\n" + time,
        "in.toml: [surface] the shape bends too sharply for "},
       {head + "shape = \"ellipsoid\"\nreduced_volume = 0.8\nperturbation = [[2, 0, -3]]\n" + time,
        "in.toml: [surface] perturbation: is too large: the triangle at ("},
