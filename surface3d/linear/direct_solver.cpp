@@ -36,6 +36,7 @@ std::vector<int> elimination_order(const SparseMatrix& matrix) {
     METIS_NodeND(&vertices, start.data(), neighbours.data(), nullptr, nullptr, order.data(),
                  place.data());
   std::vector<int> positions;
+  positions.reserve(number.size());
   int last = vertices;
   for (const int vertex : number)
     positions.push_back(1 + (vertex >= 0 ? place[std::size_t(vertex)] : last++));
@@ -48,7 +49,7 @@ class DirectSolver::Factors {
  public:
   virtual ~Factors() = default;
   virtual bool factor(const SparseMatrix& A) = 0;
-  virtual void solve(Eigen::Ref<Eigen::MatrixXd> rhs) = 0;
+  virtual void solve(Eigen::Ref<Eigen::MatrixXd>& rhs) = 0;
   virtual double flops() const = 0;
   virtual double entries() const = 0;
 };
@@ -89,7 +90,7 @@ class DirectSolver::Mumps : public Factors {
   Mumps& operator=(const Mumps&) = delete;
 
   bool factor(const SparseMatrix& A) override;
-  void solve(Eigen::Ref<Eigen::MatrixXd> rhs) override;
+  void solve(Eigen::Ref<Eigen::MatrixXd>& rhs) override;
 
   double flops() const override { return double(id_.rinfog[2]); }
   double entries() const override {
@@ -162,7 +163,7 @@ bool DirectSolver::Mumps<Number>::factor(const SparseMatrix& A) {
 }
 
 template <class Number>
-void DirectSolver::Mumps<Number>::solve(Eigen::Ref<Eigen::MatrixXd> rhs) {
+void DirectSolver::Mumps<Number>::solve(Eigen::Ref<Eigen::MatrixXd>& rhs) {
   rhs_ = rhs.cast<Number>();
   id_.rhs = rhs_.data();
   id_.nrhs = int(rhs_.cols());
