@@ -11,6 +11,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <string_view>
 
 namespace sbeh::axisym {
 
@@ -69,8 +70,8 @@ FollowResult SshBranch::with_H0(const BranchState& classical) const {
 }
 
 bool SshBranch::is_ours(const FollowResult& found) const {
-  const bool same = name(classify(found.state.X)) == name(branch_);
-  return found.arrival == Arrival::reached && same;
+  const std::string_view shape = name(classify(found.state.X));
+  return found.arrival == Arrival::reached && shape == name(branch_);
 }
 
 bool SshBranch::is_better(const BranchState& a, const BranchState& b) const {
