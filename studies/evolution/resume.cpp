@@ -31,7 +31,7 @@ bool reaches(const std::vector<TimedLine>& rows, const std::vector<double>& time
 }
 
 // The newest state in the folder that can be read and whose rows are there: a frame or the checkpoint;
-// empty when there is none yet. Throws OutputError when there are some and all are damaged.
+// empty when there is none yet. Throws OutputError when there are some and none can be gone on with.
 std::optional<Kept> newest_state(const Times& times, const OutputFolder& folder) {
   std::vector<fs::path> candidates{folder / Checkpoint::file_name};
   const std::vector<TimedLine> series = timed_lines(folder / "series.csv"),
@@ -54,11 +54,14 @@ std::optional<Kept> newest_state(const Times& times, const OutputFolder& folder)
       tell(fmt::format("sbeh: {}; going back to the state before it\n", error.what()));
     }
   }
-  if (damaged && !newest)  // starting anew would overwrite what somebody may still mend
-    throw OutputError(fmt::format(
-        "{}: none of its frames can be read; choose another folder with -o, or delete its run.toml "
-        "and series.csv to start anew",
-        folder.path().string()));
+  const bool there = fs::exists(folder / "frames/0001.vtu") || fs::exists(candidates.front());
+  if (!newest && (damaged || there))  // starting anew would overwrite what may still be mended
+    throw OutputError(
+        fmt::format("{}: {}; choose another folder with -o, or delete its run.toml and series.csv "
+                    "to start anew",
+                    folder.path().string(),
+                    damaged ? "none of its frames can be read"
+                            : "no frame is there with its rows in series.csv and frames.csv"));
   return newest;
 }
 
@@ -174,7 +177,10 @@ Resumption resume(const RunInput& input, const OutputFolder& folder, std::string
   Resumption resumed{.input = input, .remarks = remarks_in(before)};
   const Times times = read_run(folder / "run.toml").times;
   auto newest = newest_state(times, folder);
-  if (!newest) return resumed;
+  if (!newest) {
+    tell(fmt::format("sbeh: {}: no state is there yet: the run begins\n", folder.path().string()));
+    return resumed;
+  }
   surface3d::FlowRecord& record = newest->moment.record;
   resumed.input.times = times_of(folder.path(), record, times, input.times);
   tell_missed(folder.path(), times, input.times, record.time);

@@ -150,6 +150,26 @@ TEST_F(Run3d, goes_back_to_the_frame_before_a_damaged_one) {
   EXPECT_EQ(contents("out"), contents("whole"));
 }
 
+TEST_F(Run3d, whose_tables_are_lost_is_not_begun_anew_over_its_frames) {
+  write("in.toml", ellipsoid + "[time]\nend = 0.002\nframes = [0, 0.001, 0.002]\n");
+  must(into("out", "run"));
+  for (const char* lost : {"series.csv", "frames.csv"}) {
+    fs::copy(path("out"), path("part"), fs::copy_options::recursive);
+    fs::remove(path("part") / lost);
+    const Contents before = contents("part");
+    must_refuse(
+        resumed("part"),
+        "part: no frame is there with its rows in series.csv and frames.csv; choose another");
+    EXPECT_EQ(contents("part"), before) << lost;
+    fs::remove_all(path("part"));
+  }
+  fs::remove_all(path("out/frames"));
+  const Ended ended = sbeh(resumed("out"));
+  EXPECT_EQ(ended.exit_code, 0);
+  EXPECT_NE(ended.err.find("sbeh: out: no state is there yet: the run begins\n"),
+            std::string::npos);
+}
+
 TEST_F(Run3d, is_not_overwritten_and_not_resumed_with_other_parameters) {
   const std::string short_times = "[time]\nend = 0.001\nframes = [0]\noutput = [0.001]\n";
   write("in.toml", ellipsoid + short_times);
