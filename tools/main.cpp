@@ -1,10 +1,8 @@
 // The command line of sbeh.
 
-#include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
-#include "studies/io/progress.h"
 #include "tools/commands/commands.h"
-#include "tools/unknown_word.h"
+#include "tools/refusals.h"
 
 #include <malloc.h>
 
@@ -13,7 +11,6 @@
 namespace {
 
 using namespace sbeh;
-using tools::complain;
 
 // Matrices come and go by the thousand: their memory is not given back to the system in between.
 void keep_memory() {
@@ -32,41 +29,20 @@ int run(int argc, char** argv) {
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {
-    const std::string unknown = tools::about_unknown_word(program, {"command", "shape"});
-    if (unknown.empty()) return program.exit(error) == 0 ? 0 : 2;
-    complain(unknown);
-    return 2;
+    return tools::refuse_words(program, error, {"command", "shape"});
   }
   studies::let_writes_fail();
   for (const tools::Command& command : commands)
     if (*command.app) return command.run();
-  return 2;
-}
-
-int run_and_report(int argc, char** argv) {
-  try {
-    return run(argc, argv);
-  } catch (const studies::InputError& error) {
-    complain(error.what());
-    return 2;
-  } catch (const studies::OutputError& error) {
-    complain(error.what());
-    return 2;
-  } catch (const studies::Interrupted&) {
-    complain("interrupted; nothing is kept, the same command begins again");
-    return tools::exit_code_of_interrupt();
-  } catch (const std::exception& error) {
-    complain(error.what());
-    return 1;
-  }
+  return tools::exit_bad_input;
 }
 
 }  // namespace
 
 int main(int argc, char** argv) {
   keep_memory();
-  const int code = run_and_report(argc, argv);
+  const int code = tools::exit_code_of([&] { return run(argc, argv); });
   if (std::fflush(stdout) == 0) return code;
-  complain("standard output cannot be written");
-  return code == 0 ? 2 : code;
+  tools::complain("standard output cannot be written");
+  return code == 0 ? tools::exit_bad_input : code;
 }

@@ -17,6 +17,7 @@ void read_harmonics(const TomlTable& start, RelaxInput& input) {
   if (start.has("modes") || !has_order_modes)
     harmonics.shape = start.modes("modes", 1, largest_degree);
   if (start.has("reduced_volume")) {
+    start.refuse_misspelt({"modes"});
     if (harmonics.shape.empty())
       start.fail("reduced_volume", "needs modes, whose amplitudes it multiplies by one factor");
     harmonics.reduced_volume = start.number("reduced_volume", reduced_volumes);

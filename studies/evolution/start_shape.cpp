@@ -21,6 +21,7 @@ Ellipsoid read_ellipsoid(const TomlTable& start, std::size_t count, std::string_
     if (*largest / aspect > *least)
       start.fail("axes", fmt::format("must not differ by more than a factor of {}", aspect));
   } else {
+    start.refuse_misspelt({"axes"});
     ellipsoid.reduced_volume = start.number("reduced_volume", reduced_volumes);
   }
   ellipsoid.prolate = start.word("kind", {"oblate", "prolate"}, "oblate") == "prolate";

@@ -91,15 +91,25 @@ std::string unknown(const TableState& table, const toml::key& key,
                      meant ? fmt::format("; did you mean {}?", in_quotes(*meant)) : ".");
 }
 
-void refuse_misspelt(const TableState& table, std::string_view key) {
+void refuse_misspelt(const TableState& table, const std::vector<std::string>& keys) {
   if (!table.table) return;
-  for (const auto& [present, value] : *table.table)
-    if (!asked_for(table, present.str()) && 3 * edit_distance(present.str(), key) <= key.size())
-      throw InputError(unknown(table, present, std::string(key)));
+  const toml::key* found = nullptr;
+  std::string meant;
+  for (const auto& [present, value] : *table.table) {
+    if (asked_for(table, present.str())) continue;
+    const auto key = nearest(present.str(), keys);
+    if (!key) continue;
+    const bool nearer =
+        !found || edit_distance(present.str(), *key) < edit_distance(found->str(), meant);
+    if (!nearer) continue;
+    found = &present;
+    meant = *key;
+  }
+  if (found) throw InputError(unknown(table, *found, meant));
 }
 
 void fail_missing(const TableState& table, std::string_view key, std::string_view kind) {
-  refuse_misspelt(table, key);
+  refuse_misspelt(table, {std::string(key)});
   const bool top = table.section.empty() && table.prefix.empty();
   throw InputError(fmt::format("{}: {}: missing{}; {}", place(table, table.line),
                                full_name(table, key), top ? " at the top of the file" : "", kind));

@@ -44,8 +44,8 @@ std::string unknown(const TableState& table, const toml::key& key,
 [[noreturn]] void fail_at(const TableState& table, std::string_view key, const toml::node& value,
                           std::string_view what);
 
-/// Throws InputError where a key that nobody asked for has nearly the letters of this one.
-void refuse_misspelt(const TableState& table, std::string_view key);
+/// Throws InputError where a key that nobody asked for has nearly the letters of one of these.
+void refuse_misspelt(const TableState& table, const std::vector<std::string>& keys);
 
 /// Throws InputError: a required key of this kind is not there. A present key of nearly the same
 /// letters is taken for a misprint.

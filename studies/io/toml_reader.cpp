@@ -270,13 +270,14 @@ void TomlTable::reject_unknown_keys() const {
                                fmt::join(known, ", ")));
 }
 
-void TomlTable::refuse_misspelt(std::string_view key) const {
-  studies::refuse_misspelt(*state_, key);
+void TomlTable::refuse_misspelt(const std::vector<std::string>& keys) const {
+  studies::refuse_misspelt(*state_, keys);
 }
 
 void TomlTable::fail(std::string_view key, std::string_view what) const {
   if (const toml::node* value = state_->table ? state_->table->get(key) : nullptr)
     fail_at(*state_, key, *value, what);
+  refuse_misspelt({std::string(key)});
   throw InputError(
       fmt::format("{}: {}: {}", place(*state_, state_->line), full_name(*state_, key), what));
 }

@@ -93,8 +93,8 @@ class TomlTable {
   /// Throws for the first key that nobody asked for; names the nearest known one and lists all.
   void reject_unknown_keys() const;
 
-  /// Throws where a key that nobody asked for is nearly this one.
-  void refuse_misspelt(std::string_view key) const;
+  /// Throws where a key that nobody asked for is nearly one of these: before something is said of their absence.
+  void refuse_misspelt(const std::vector<std::string>& keys) const;
 
   /// Throws at the key, with its value when it is there.
   [[noreturn]] void fail(std::string_view key, std::string_view what) const;

@@ -12,9 +12,10 @@ InputKind kind_of(const std::filesystem::path& path) {
              compare = file.has("compare"), stability = file.has("stability"),
              modes = file.has("modes");
   const int count = scan + relax + run + compare + stability + modes;
-  if (count == 0)
-    for (const char* table : {"scan", "start", "surface", "compare", "stability", "modes"})
-      file.refuse_misspelt(table);
+  if (count == 0) {
+    for (const char* known : {"model", "surface3d"}) file.has(known);
+    file.refuse_misspelt({"scan", "start", "surface", "compare", "stability", "modes"});
+  }
   if (count != 1)
     throw InputError(fmt::format(
         "{}: must have {}[scan] (a scan), [start] (one axisymmetric evolution), [surface] (one "

@@ -80,6 +80,7 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
   constexpr auto branches = values_of(axisym::Branch{});
   read_grid(table, input, {branches.begin(), branches.end()});
   read_value(table, "method", input.method);
+  table.refuse_misspelt({"method"});
   if (input.method != Method::flow)
     table.refuse("end_time", "must not be given without method = \"flow\"");
   input.flow_end_time = table.number("end_time", above(0), input.flow_end_time);

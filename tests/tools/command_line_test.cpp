@@ -36,12 +36,17 @@ TEST_F(CommandLine, that_is_wrong_is_refused_with_exit_2_and_without_a_trace) {
                                                     {"scan", "in.toml", "-o"},
                                                     {"scan", "in.toml", "--threads", "0"},
                                                     {"scan", "in.toml", "--threads", "two"},
-                                                    {"check", "in.toml", "-o", "out"}};
+                                                    {"check", "in.toml", "-o", "out"},
+                                                    {"picture"},
+                                                    {"picture", "scan"},
+                                                    {"picture", "scan", "out", "--only", "x"},
+                                                    {"picture", "scan", "out", "--size", "7"},
+                                                    {"picture", "mesh", "in.toml"}};
   for (const auto& arguments : wrong) {
     const Ended ended = sbeh(arguments);
     EXPECT_EQ(ended.exit_code, 2);
     EXPECT_EQ(ended.out, "");
-    EXPECT_NE(ended.err, "");
+    EXPECT_TRUE(ended.err.starts_with("sbeh: ")) << ended.err;
     EXPECT_LT(ended.err.size(), 200u) << ended.err;
   }
   EXPECT_EQ(contents("").size(), 1u);
@@ -59,12 +64,11 @@ TEST_F(CommandLine, that_is_wrong_is_refused_with_exit_2_and_without_a_trace) {
               "--triangle: unknown option; did you mean --triangles?");
   for (const char* kind : {"scan", "run", "figures", "mesh"}) {
     EXPECT_EQ(sbeh({"picture", kind, "out", "--fromat", "pdf"}).err,
-              "--fromat: unknown option; did you mean --format?\n");
+              "sbeh: --fromat: unknown option; did you mean --format?\n");
     EXPECT_EQ(sbeh({"picture", kind, "out", "--witdh", "86mm"}).exit_code, 2);
   }
-  EXPECT_TRUE(
-      sbeh({"picture", "scna", "out"})
-          .err.starts_with("scna: unknown kind of results; did you mean scan? Known: scan, "));
+  must_refuse({"picture", "scna", "out"},
+              "scna: unknown kind of results; did you mean scan? Known: scan, ");
 }
 
 TEST_F(CommandLine, without_a_folder_writes_into_results_under_the_name_of_the_input) {

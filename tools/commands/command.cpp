@@ -44,8 +44,6 @@ Command add_study(CLI::App& program, studies::InputKind kind, const char* text,
           }};
 }
 
-void complain(std::string_view what) { studies::tell(fmt::format("sbeh: {}\n", what)); }
-
 void draw_results(studies::ResultsKind kind, const fs::path& folder) {
   if (draw({sbeh::name(kind), folder.string()}) != 0)
     complain(
@@ -54,7 +52,6 @@ void draw_results(studies::ResultsKind kind, const fs::path& folder) {
                     folder.string(), sbeh::name(kind)));
 }
 
-int exit_code_of_interrupt() { return 128 + studies::interrupt_signal(); }
 int exit_code_of_success() { return studies::interrupt_signal() ? exit_code_of_interrupt() : 0; }
 
 int finish(const Study& study, studies::ResultsKind kind, bool interrupted) {

@@ -3,6 +3,7 @@
 
 #include "studies/parameters/input_kind.h"
 #include "studies/report/report.h"
+#include "tools/refusals.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -37,15 +38,11 @@ struct Study {
 Command add_study(CLI::App& program, studies::InputKind kind, const char* text,
                   std::function<int(const Study&)> run);
 
-/// Writes "sbeh: what" to standard error.
-void complain(std::string_view what);
-
 /// Runs sbeh-picture with these arguments; its exit code, 127 when it cannot be started.
 int draw(const std::vector<std::string>& arguments);
 /// All pictures of a folder; complains when they cannot be drawn.
 void draw_results(studies::ResultsKind kind, const std::filesystem::path& folder);
 
-int exit_code_of_interrupt();
 /// What a program ends with that has done its work, unless it was told to end while drawing.
 int exit_code_of_success();
 /// Draws, unless pictures are not wanted or the study was interrupted, to go on later; the exit code.

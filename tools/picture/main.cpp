@@ -1,6 +1,5 @@
 // sbeh-picture: the pictures of a scan, of one evolution, of the classical branches, of a comparison, of a
 // study of stability or of a mesh, and the paper's figures, from the files they leave.
-#include "studies/io/output.h"
 #include "studies/report/path_kind.h"
 #include "tools/picture/canvas/virtual_display.h"
 #include "tools/picture/command_line.h"
@@ -9,7 +8,7 @@
 #include "tools/picture/modes/modes.h"
 #include "tools/picture/scan/scan.h"
 #include "tools/picture/studies/studies.h"
-#include "tools/unknown_word.h"
+#include "tools/refusals.h"
 
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
@@ -19,9 +18,6 @@
 
 namespace sbeh::picture {
 namespace {
-
-constexpr int exit_failed = 1;
-constexpr int exit_bad_input = 2;
 
 void draw_scan(Canvas& canvas, const Options& options) {
   const ScanGrid scan(options.directory, options.branch);
@@ -121,9 +117,7 @@ int run(int count, char** arguments) {
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
-    const std::string unknown = tools::about_unknown_word(app, {"kind of results", "picture"});
-    if (!unknown.empty()) throw InputError(unknown);
-    return app.exit(error) == 0 ? 0 : exit_bad_input;
+    return tools::refuse_words(app, error, {"kind of results", "picture"});
   }
   read_words(words, options);
   ensure_display(arguments);
@@ -141,16 +135,5 @@ int run(int count, char** arguments) {
 }  // namespace sbeh::picture
 
 int main(int count, char** arguments) {
-  try {
-    return sbeh::picture::run(count, arguments);
-  } catch (const sbeh::studies::InputError& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return sbeh::picture::exit_bad_input;
-  } catch (const sbeh::studies::OutputError& error) {  // of a table that cannot be read
-    fmt::print(stderr, "{}\n", error.what());
-    return sbeh::picture::exit_bad_input;
-  } catch (const std::exception& error) {
-    fmt::print(stderr, "{}\n", error.what());
-    return sbeh::picture::exit_failed;
-  }
+  return sbeh::tools::exit_code_of([&] { return sbeh::picture::run(count, arguments); });
 }

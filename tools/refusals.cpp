@@ -1,5 +1,8 @@
-#include "tools/unknown_word.h"
+#include "tools/refusals.h"
 
+#include "studies/io/errors.h"
+#include "studies/io/interrupt.h"
+#include "studies/io/progress.h"
 #include "studies/io/spelling.h"
 
 #include <fmt/format.h>
@@ -35,8 +38,7 @@ Words subcommands_of(const CLI::App& command) {
   return names;
 }
 
-}  // namespace
-
+// Of the first word that CLI11 did not take; empty where it took all.
 std::string about_unknown_word(const CLI::App& program,
                                const std::array<const char*, 2>& subcommands) {
   const CLI::App* at = &program;  // the command they belong to
@@ -48,6 +50,38 @@ std::string about_unknown_word(const CLI::App& program,
   const Words below = subcommands_of(*at);
   if (below.empty() || rest.empty()) return {};
   return about(rest.front(), subcommands[is_program ? 0 : 1], below, true);
+}
+
+}  // namespace
+
+void complain(std::string_view what) { studies::tell(fmt::format("sbeh: {}\n", what)); }
+
+int refuse_words(const CLI::App& program, const CLI::ParseError& error,
+                 const std::array<const char*, 2>& subcommands) {
+  if (error.get_exit_code() == 0) return program.exit(error);  // --help
+  const std::string unknown = about_unknown_word(program, subcommands);
+  complain(unknown.empty() ? fmt::format("{}; see --help", error.what()) : unknown);
+  return exit_bad_input;
+}
+
+int exit_code_of_interrupt() { return 128 + studies::interrupt_signal(); }
+
+int exit_code_of(const std::function<int()>& work) {
+  try {
+    return work();
+  } catch (const studies::InputError& error) {
+    complain(error.what());
+    return exit_bad_input;
+  } catch (const studies::OutputError& error) {
+    complain(error.what());
+    return exit_bad_input;
+  } catch (const studies::Interrupted&) {
+    complain("interrupted; nothing is kept, the same command begins again");
+    return exit_code_of_interrupt();
+  } catch (const std::exception& error) {
+    complain(error.what());
+    return exit_failed;
+  }
 }
 
 }  // namespace sbeh::tools
