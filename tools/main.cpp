@@ -1,11 +1,13 @@
 // The command line of sbeh.
 
+#include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "tools/commands/commands.h"
 #include "tools/refusals.h"
 
 #include <malloc.h>
 
+#include <algorithm>
 #include <cstdio>
 
 namespace {
@@ -26,6 +28,9 @@ int run(int argc, char** argv) {
   program.require_subcommand(1);
   std::vector<tools::Command> commands;
   for (const auto add : tools::all_commands) commands.push_back(add(program));
+  if (std::any_of(argv + 1, argv + argc, [](const char* word) { return *word == '\0'; }))
+    throw studies::InputError(
+        "a word of the command line is empty: is there a variable of the shell that is not set?");
   try {
     program.parse(argc, argv);
   } catch (const CLI::ParseError& error) {

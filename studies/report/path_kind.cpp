@@ -65,7 +65,9 @@ std::optional<PathKind> kind_of_path(const fs::path& path) {
 
 void refuse_other_kind(const fs::path& path, std::string_view command) {
   const auto kind = kind_of_path(path);
-  if (!kind || std::ranges::find(kind->commands, command) != kind->commands.end()) return;
+  if (!kind) return;
+  const bool for_it = std::ranges::find(kind->commands, command) != kind->commands.end();
+  if (for_it && kind->argument == path) return;
   std::vector<std::string> commands;
   for (const std::string& known : kind->commands)
     commands.push_back(fmt::format("sbeh {} {}", known, kind->argument.string()));

@@ -235,10 +235,15 @@ std::string how_to_run(const fs::path& folder, const Contents& contents, bool ha
 
 }  // namespace
 
-ResultsKind kind_of_results(const fs::path& folder) {
+void require_folder(const fs::path& folder) {
   std::error_code ignored;
-  if (!fs::is_directory(folder, ignored))
-    throw InputError(fmt::format("{}: is no folder", folder.string()));
+  if (fs::is_directory(folder, ignored)) return;
+  throw InputError(fmt::format("{}: {}", folder.string(),
+                               fs::exists(folder, ignored) ? "is no folder" : "is not there"));
+}
+
+ResultsKind kind_of_results(const fs::path& folder) {
+  require_folder(folder);
   for (const Contents& contents : all_contents())
     if (std::all_of(contents.required.begin(), contents.required.end(),
                     [&](const char* file) { return fs::exists(folder / file); }))

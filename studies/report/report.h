@@ -17,6 +17,9 @@ constexpr auto names(ResultsKind) {
   return std::array{"scan", "run", "relax", "seifert", "compare", "stability", "modes"};
 }
 
+/// Throws InputError where there is no folder.
+void require_folder(const std::filesystem::path& folder);
+
 /// Told by the tables in the folder. Throws InputError, naming what is missing, when it is none.
 ResultsKind kind_of_results(const std::filesystem::path& folder);
 

@@ -37,6 +37,8 @@ TEST_F(CommandLine, that_is_wrong_is_refused_with_exit_2_and_without_a_trace) {
                                                     {"scan", "in.toml", "--threads", "0"},
                                                     {"scan", "in.toml", "--threads", "two"},
                                                     {"check", "in.toml", "-o", "out"},
+                                                    {"scan", ""},
+                                                    {"scan", "in.toml", "-o", ""},
                                                     {"picture"},
                                                     {"picture", "scan"},
                                                     {"picture", "scan", "out", "--only", "x"},

@@ -168,7 +168,7 @@ TEST_F(Report, escapes_names_and_inputs) {
 }
 
 TEST_F(Report, refuses_a_folder_that_holds_no_results_and_says_what_is_missing) {
-  must_refuse({"report", "nowhere"}, "nowhere: is no folder");
+  must_refuse({"report", "nowhere"}, "nowhere: is not there");
   write("in.toml", "");
   must_refuse({"report", "in.toml"}, "in.toml: is no folder");
   fs::create_directory(path("empty"));

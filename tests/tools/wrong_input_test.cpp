@@ -122,6 +122,8 @@ TEST_F(WrongInput, that_is_a_file_or_a_folder_of_another_kind_is_refused_with_th
   write("in.toml", scan);
   must(into("out", "scan"));
   must({"mesh", "sphere", "--triangles", "80", "-o", "a.stl"});
+  write("relaxed/series.csv", "time,energy\n");
+  write("relaxed/profiles.csv", "index,time,file\n");  // of which `picture compare` has one too
   const std::string profile =
       "out/points/" + fs::directory_iterator(path("out/points"))->path().filename().string();
   const std::vector<std::pair<std::string, std::string>> kinds{
@@ -130,11 +132,14 @@ TEST_F(WrongInput, that_is_a_file_or_a_folder_of_another_kind_is_refused_with_th
       {profile, "is a profile: for sbeh mesh revolve " + profile},
       {"out/scan.csv",
        "is a table of the results of sbeh scan: for sbeh report out or sbeh picture scan out"},
-      {"out", "holds the results of sbeh scan: for sbeh report out or sbeh picture scan out"}};
-  for (const std::string command :
-       {"run", "check", "report", "mesh file", "mesh revolve", "picture run", "picture mesh"})
+      {"out", "holds the results of sbeh scan: for sbeh report out or sbeh picture scan out"},
+      {"relaxed",
+       "holds the results of sbeh relax: for sbeh report relaxed or sbeh picture relax relaxed"}};
+  for (const std::string command : {"run", "check", "report", "mesh file", "mesh revolve",
+                                    "picture scan", "picture compare", "picture mesh"})
     for (const auto& [file, what] : kinds) {
-      if (what.find("sbeh " + command + ' ') != std::string::npos) continue;
+      if ((what + ' ').find(fmt::format("sbeh {} {} ", command, file)) != std::string::npos)
+        continue;
       std::vector<std::string> arguments{file};
       arguments.insert(arguments.begin(), command.substr(command.find(' ') + 1));
       if (command.find(' ') != std::string::npos)
@@ -145,7 +150,11 @@ TEST_F(WrongInput, that_is_a_file_or_a_folder_of_another_kind_is_refused_with_th
       EXPECT_NE(ended.err.find(fmt::format("{}: {}\n", file, what)), std::string::npos)
           << command << ended.err;
     }
+  must_refuse({"picture", "scan", "a.png"}, "a.png: is not there");
+  must_refuse({"modes", "--scan", "none", "--reduced-volume", "0.7", "--L", "0.05"},
+              "none: is not there");
   write("t.csv", "a\n");
+  must_refuse({"picture", "run", "t.csv"}, "t.csv: is no folder");
   must_refuse({"mesh", "file", "t.csv", "--report"}, "t.csv: unknown suffix \".csv\"");
   const std::string of_mesh = "model = \"SSH\"\ntime.end = 1\n[surface]\nshape = \"mesh\"\nfile = ";
   write("in.toml", of_mesh + "\"t.csv\"\n");

@@ -29,6 +29,7 @@ void take_state(const ModesWords& w, ModesInput& input) {
   if (*w.reduced_volume == 1)
     throw InputError(fmt::format("--reduced-volume 1: {}", studies::no_sphere));
   axisym::StationaryCase& state = input.state;
+  if (!w.scan.empty()) studies::require_folder(w.scan);
   input.scan = w.scan;
   if (!w.model.empty()) state.model = *value_named<model::Model>(w.model);
   if (!w.branch.empty()) state.branch = *value_named<axisym::Branch>(w.branch);

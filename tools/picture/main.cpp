@@ -1,6 +1,7 @@
 // sbeh-picture: the pictures of a scan, of one evolution, of the classical branches, of a comparison, of a
 // study of stability or of a mesh, and the paper's figures, from the files they leave.
 #include "studies/report/path_kind.h"
+#include "studies/report/report.h"
 #include "tools/picture/canvas/virtual_display.h"
 #include "tools/picture/command_line.h"
 #include "tools/picture/evolution/evolution.h"
@@ -13,7 +14,6 @@
 #include <CLI/CLI.hpp>
 #include <fmt/format.h>
 
-#include <stdexcept>
 #include <string>
 
 namespace sbeh::picture {
@@ -120,14 +120,11 @@ int run(int count, char** arguments) {
     return tools::refuse_words(app, error, {"kind of results", "picture"});
   }
   read_words(words, options);
+  studies::refuse_other_kind(options.directory,
+                             "picture " + app.get_subcommands().front()->get_name());
+  if (!*mesh) studies::require_folder(options.directory);
   ensure_display(arguments);
-  try {
-    draw(app, options);
-  } catch (const std::runtime_error&) {  // of a mesh or of a table
-    const std::string kind = app.get_subcommands().front()->get_name();
-    studies::refuse_other_kind(options.directory, "picture " + kind);
-    throw;
-  }
+  draw(app, options);
   return 0;
 }
 

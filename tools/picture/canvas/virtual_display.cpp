@@ -40,8 +40,9 @@ void ensure_display(char** arguments) {
   if (std::getenv(already_tried) || !is_installed("xvfb-run") || !is_installed("xauth"))
     throw missing;
 
+  // A server that resets itself sends xvfb-run the signal of a new one, which then may fail while it cleans up.
   std::string self = std::filesystem::read_symlink("/proc/self/exe").string();
-  std::vector<std::string> words{"xvfb-run", "-a", "-s", "-screen 0 1280x1024x24", self};
+  std::vector<std::string> words{"xvfb-run", "-a", "-s", "-screen 0 1280x1024x24 -noreset", self};
   std::vector<char*> command;
   for (auto& word : words) command.push_back(word.data());
   for (char** argument = arguments + 1; *argument; ++argument) command.push_back(*argument);
