@@ -44,6 +44,10 @@ th, td { padding: .25rem .6rem; text-align: left; white-space: nowrap;
 thead th { position: sticky; top: 0; background: var(--shade); }
 pre { background: var(--shade); border-radius: .4rem; padding: .8rem 1rem; overflow-x: auto;
   font: .85rem/1.45 ui-monospace, monospace; } code { font-family: ui-monospace, monospace; }
+.cut { display: none; background: #8a1c1c; color: #fff; padding: .6rem .9rem; border-radius: .4rem; }
+@supports selector(:has(a)) { .cut { display: block; animation: arrive 0s 2s backwards; }
+  body:has(#end-of-page) .cut { display: none; } }
+@keyframes arrive { from { visibility: hidden; } }
 @media print { .wide { max-height: none; } }
 )";
 
@@ -191,7 +195,11 @@ std::string page(std::string_view title, std::string_view generator, std::string
       "<!DOCTYPE html>\n<html lang=\"en\">\n<head>\n<meta charset=\"utf-8\">\n"
       "<meta name=\"generator\" content=\"{}\">\n"
       "<meta name=\"viewport\" content=\"width=device-width, initial-scale=1\">\n"
-      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n{}</body>\n</html>\n",
+      "<title>{}</title>\n<style>{}</style>\n</head>\n<body>\n"
+      "<p class=\"cut\" role=\"alert\">This file ends before the page does: it was cut off. Copy "
+      "it "
+      "again, or make it again with <code>sbeh report</code>.</p>\n"
+      "{}<div id=\"end-of-page\"></div>\n</body>\n</html>\n",
       escaped(generator), escaped(title), style, body);
 }
 

@@ -1,6 +1,7 @@
 #include "studies/report/report.h"
 
 #include "studies/io/output.h"
+#include "studies/report/live_data.h"
 #include "studies/report/svg_chart.h"
 
 #include <fmt/format.h>
@@ -213,6 +214,20 @@ std::string files_of(const fs::path& folder) {
   return "<ul class=\"files\">\n" + text + "</ul>\n";
 }
 
+// Where the script shows its page.
+std::string explore(ResultsKind kind, bool live) {
+  if (!has_live_page(kind)) return "";
+  if (!live)
+    return "<p class=\"note\">This page is still. In one that can be explored shapes are a click "
+           "away: build "
+           "sbeh with <code>-DSBEH_PAGE=ON</code> (what that needs is installed by "
+           "<code>tools/setup page</code>), then make this report again.</p>\n";
+  return html::section(
+      "Explore",
+      "<div id=\"explore\"><p class=\"note\">Here the results can be explored when "
+      "the page is whole and its script may run. The pictures are below.</p></div>\n");
+}
+
 std::string how_to_run(const fs::path& folder, const Contents& contents, bool has_input) {
   const std::string results = folder.string();
   if (!has_input)
@@ -268,7 +283,8 @@ std::vector<std::string> missing_pictures(const fs::path& folder, ResultsKind ki
   return missing;
 }
 
-ReportSummary write_report(const fs::path& folder, std::string_view version) {
+ReportSummary write_report(const fs::path& folder, std::string_view version,
+                           std::string_view script) {
   const Contents& contents = contents_of(kind_of_results(folder));
   ReportSummary summary{.file = folder / "report.html"};
   if (fs::exists(summary.file)) {
@@ -281,6 +297,7 @@ ReportSummary write_report(const fs::path& folder, std::string_view version) {
     summary.replaced = true;
   }
   const KeyNumbers numbers = key_numbers(folder, contents.kind);
+  summary.live = has_live_page(contents.kind) && !script.empty();
   summary.missing = missing_pictures(folder, contents.kind);
   const std::string where = fs::absolute(folder).lexically_normal().filename().string();
   const bool has_input = fs::exists(folder / "run.toml");
@@ -291,6 +308,7 @@ ReportSummary write_report(const fs::path& folder, std::string_view version) {
                   html::escaped(where.empty() ? folder.string() : where), name(contents.kind),
                   html::escaped(version));
   body += "</header>\n<main>\n" + html::section("Key numbers", html::facts(numbers.facts));
+  body += explore(contents.kind, summary.live);
   if (const std::string pictures = pictures_of(folder, contents); !pictures.empty())
     body += html::section("Pictures", pictures);
   if (const std::string history = over_time(folder); !history.empty())
@@ -302,6 +320,9 @@ ReportSummary write_report(const fs::path& folder, std::string_view version) {
                           html::element("pre", read_file(folder / "run.toml")));
   body += html::section("How to run it again", how_to_run(folder, contents, has_input));
   body += "</main>\n";
+  if (summary.live)
+    body +=
+        fmt::format("{}<script>{}</script>\n", live_data(folder, contents.kind).element(), script);
   write_file(summary.file,
              html::page(numbers.title, fmt::format("{} {}", generator, version), body));
   return summary;

@@ -37,12 +37,14 @@ KeyNumbers key_numbers(const std::filesystem::path& folder, ResultsKind kind);
 struct ReportSummary {
   std::filesystem::path file;
   bool replaced = false;               ///< an earlier report
+  bool live = false;                   ///< it can be explored
   std::vector<std::string> missing{};  ///< pictures that are not in it
 };
 
 /// Writes report.html into the folder: title, key numbers, pictures and charts, tables, the resolved input
-/// and how to run it again. Replaces an earlier report; throws OutputError when a file of that name is
+/// and how to run it again. With the `script` of tools/page the page of a scan or a 3D run can be explored. Replaces an earlier report; throws OutputError when a file of that name is
 /// something else, or cannot be written, and what kind_of_results() and key_numbers() throw.
-ReportSummary write_report(const std::filesystem::path& folder, std::string_view version);
+ReportSummary write_report(const std::filesystem::path& folder, std::string_view version,
+                           std::string_view script);
 
 }  // namespace sbeh::studies

@@ -1,0 +1,37 @@
+// The data of live pages, from a folder of results: tables as they are, shapes in 16 bits.
+#pragma once
+
+#include "studies/report/bundle.h"
+#include "studies/report/report.h"
+
+#include <filesystem>
+#include <string>
+
+namespace sbeh::studies {
+
+/// Of a scan: its tables, and its profiles by the rows of scan.csv (packed_profiles.h). Throws OutputError where a table or
+/// a profile is damaged.
+Bundle live_scan(const std::filesystem::path& folder);
+
+// Of an evolution: series.csv, `states`, how many the folder has, and shown.csv, a row per state that is shown: time, file.
+// Where there are more than a page can hold they are as many as it can, evenly spread. Throws OutputError and InputError
+// where a table or a state is damaged.
+
+/// In 3D: shown.csv also says which mesh a state has, and there are
+///   fields.csv     name and range of each field: x, y, z, order, H, speed
+///   meshes.csv     of each mesh its curved triangles, nodes, and states
+///   mesh/0 …       the small plain triangles of a mesh, by their nodes
+///   frames/0 …     the fields of its states, as differences from one to the next
+Bundle live_run(const std::filesystem::path& folder);
+/// Axisymmetric: the profiles by the rows of shown.csv.
+Bundle live_relax(const std::filesystem::path& folder);
+
+/// The text of a file without the last line where that is not whole: it may be half written.
+std::string whole_lines(const std::filesystem::path& file);
+
+/// Which kinds of results have a live page.
+bool has_live_page(ResultsKind kind);
+/// Of a kind that has one.
+Bundle live_data(const std::filesystem::path& folder, ResultsKind kind);
+
+}  // namespace sbeh::studies

@@ -1,0 +1,25 @@
+#include "studies/report/live_data.h"
+#include "studies/report/packed_profiles.h"
+#include "studies/scan/scan_table.h"
+
+namespace sbeh::studies {
+
+namespace fs = std::filesystem;
+
+Bundle live_scan(const fs::path& folder) {
+  Bundle bundle;
+  for (const char* table :
+       {"scan.csv", "folds.csv", "equal_energy.csv", "stability_lines.csv", "lowest.csv"})
+    if (fs::exists(folder / table)) bundle.add(table, whole_lines(folder / table));
+  PackedProfiles profiles;
+  int row = 0;
+  for (const PointResult& point : read_rows(scan_columns(), folder / "scan.csv")) {
+    const fs::path file = point_file(folder, point.key, ".csv");
+    if (fs::exists(file)) profiles.add(row, file);
+    ++row;
+  }
+  profiles.put_into(bundle);
+  return bundle;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,108 @@
+// What the tests of the pages share: results made by the program, and a browser that looks at their report.
+import { execFileSync } from "node:child_process";
+import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
+import { createRequire } from "node:module";
+import { tmpdir } from "node:os";
+import { join } from "node:path";
+
+const { chromium } = createRequire(`${process.env.SBEH_PAGE_FOLDER}/`)("playwright-core");
+
+// A folder with the results of one input and their report.
+export function reported(command, input) {
+  const folder = mkdtempSync(join(tmpdir(), "sbeh-page-"));
+  const results = join(folder, "out");
+  writeFileSync(join(folder, "in.toml"), input);
+  const sbeh = (...words) => execFileSync(process.env.SBEH_PROGRAM, words, { encoding: "utf8" });
+  sbeh(command, join(folder, "in.toml"), "-o", results, "--no-pictures");
+  const report = () => sbeh("report", results, "--no-pictures");
+  report();
+  return {
+    report,
+    folder: results,
+    file: join(results, "report.html"),
+    read: (name) => readFileSync(join(results, name), "utf8"),
+    table: (name) => table_of(readFileSync(join(results, name), "utf8")),
+    // Another page, made of this one.
+    written(name, text) {
+      writeFileSync(join(results, name), text);
+      return join(results, name);
+    },
+    remove: () => rmSync(folder, { recursive: true }),
+  };
+}
+
+// Rows of comma separated values by their columns; fields in quotes have no quotes in them.
+export function table_of(text) {
+  const fields = (line) => [...line.matchAll(/("([^"]*)"|[^,]*)(,|$)/g)].map((m) => m[2] ?? m[1]);
+  const [header, ...lines] = text.trimEnd().split("\n");
+  const columns = header.split(",");
+  return lines.map((line) => Object.fromEntries(columns.map((name, k) => [name, fields(line)[k]])));
+}
+
+export class Browser {
+  static async start(...more) {
+    const browser = new Browser();
+    browser.chromium = await chromium.launch({
+      executablePath: process.env.SBEH_CHROMIUM,
+      args: [
+        "--no-sandbox",
+        "--disable-background-networking",
+        "--disable-component-update",
+        "--disable-sync",
+        "--use-angle=swiftshader",
+        "--enable-unsafe-swiftshader",
+        ...more,
+      ],
+    });
+    return browser;
+  }
+  // The page, once it is live or has failed; `page.faults` and `page.requests` grow.
+  async open(file, width = 1200) {
+    const page = await this.chromium.newPage({ viewport: { width, height: 900 } });
+    page.faults = [];
+    page.requests = [];
+    page.on("pageerror", (error) => page.faults.push(error.message));
+    page.on("request", (request) => page.requests.push(request.url()));
+    await page.goto(`file://${file}`);
+    return page;
+  }
+  async open_live(file, width) {
+    const page = await this.open(file, width);
+    await page.waitForSelector("#explore[data-state=live]");
+    return page;
+  }
+  close() {
+    return this.chromium.close();
+  }
+}
+
+// What a canvas shows, as a picture, after it was drawn.
+export async function picture_of(page, selector) {
+  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  return (await page.locator(selector).screenshot()).toString("base64");
+}
+
+// How many colours there are in a picture of the page.
+export function colours_in(page, picture) {
+  return page.evaluate(async (data) => {
+    const image = new Image();
+    image.src = `data:image/png;base64,${data}`;
+    await image.decode();
+    const canvas = document.createElement("canvas");
+    [canvas.width, canvas.height] = [image.width, image.height];
+    const context = canvas.getContext("2d");
+    context.drawImage(image, 0, 0);
+    const pixels = new Uint32Array(context.getImageData(0, 0, image.width, image.height).data.buffer);
+    return new Set(pixels).size;
+  }, picture);
+}
+
+// The numbers of a table of the page, by their columns.
+export function numbers_in(page, selector) {
+  return page.$$eval(`${selector} tr[data-column]`, (rows) =>
+    Object.fromEntries(rows.map((row) => [row.dataset.column, row.querySelector("td").textContent])),
+  );
+}
+
+export const is_told_to_be_cut_off = (page) => page.locator(".cut").isVisible();
+export const after_the_delay = 2500; // milliseconds: the page waits, for it may be loading
