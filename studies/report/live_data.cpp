@@ -9,13 +9,24 @@ std::string whole_lines(const std::filesystem::path& file) {
   return text.substr(0, text.rfind('\n') + 1);
 }
 
-bool has_live_page(ResultsKind kind) {
-  return kind == ResultsKind::scan || kind == ResultsKind::run || kind == ResultsKind::relax;
+Bundle live_data(const std::filesystem::path& folder, ResultsKind kind) {
+  switch (kind) {
+    case ResultsKind::scan:
+      return live_scan(folder);
+    case ResultsKind::run:
+      return live_run(folder);
+    case ResultsKind::relax:
+      return live_relax(folder);
+    case ResultsKind::modes:
+      return live_modes(folder);
+    default:
+      return {};
+  }
 }
 
-Bundle live_data(const std::filesystem::path& folder, ResultsKind kind) {
-  if (kind == ResultsKind::scan) return live_scan(folder);
-  return kind == ResultsKind::run ? live_run(folder) : live_relax(folder);
+bool has_live_page(ResultsKind kind) {
+  using enum ResultsKind;
+  return kind == scan || kind == run || kind == relax || kind == modes;
 }
 
 }  // namespace sbeh::studies

@@ -26,6 +26,9 @@ Bundle live_run(const std::filesystem::path& folder);
 /// Axisymmetric: the profiles by the rows of shown.csv.
 Bundle live_relax(const std::filesystem::path& folder);
 
+/// Of the modes of a state: modes.csv, and the table of each mode, modes/m2_even_1.csv …, that is there.
+Bundle live_modes(const std::filesystem::path& folder);
+
 /// The text of a file without the last line where that is not whole: it may be half written.
 std::string whole_lines(const std::filesystem::path& file);
 

@@ -1,4 +1,6 @@
 // Reports as their reader sees them: one page for every kind of results, whole and by itself.
+#include "studies/report/report.h"
+
 #include "studies/io/csv.h"
 #include "tests/tools/workplace.h"
 
@@ -141,6 +143,21 @@ TEST_F(Report, of_a_comparison_and_of_the_classical_diagram_has_their_numbers) {
 
   must({"seifert", "-o", "seifert", "--no-pictures", "--elements", "48"});
   expect_numbers(page_of("seifert"), "seifert/points.csv");
+}
+
+TEST_F(Report, can_be_explored_with_a_script_and_says_how_to_have_it_without) {
+  write("in.toml", "[scan]\nreduced_volume = 0.8\nL = 0.05\nmodels = [\"SSH\"]\n");
+  must(into("out", "scan"));
+  const std::string data = "id=\"sbeh-data\"", how = "-DSBEH_PAGE=ON";
+  EXPECT_FALSE(studies::write_report(path("out"), "0", "").live);
+  const std::string still = read("out/report.html");
+  EXPECT_EQ(still.find(data), std::string::npos);
+  EXPECT_NE(still.find(how), std::string::npos);
+  EXPECT_TRUE(studies::write_report(path("out"), "0", "begin()").live);
+  const std::string live = read("out/report.html");
+  EXPECT_NE(live.find(data), std::string::npos);
+  EXPECT_NE(live.find("<script>begin()</script>"), std::string::npos);
+  EXPECT_EQ(live.find(how), std::string::npos);
 }
 
 TEST_F(Report, holds_the_pictures_that_are_there) {

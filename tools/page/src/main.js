@@ -2,12 +2,14 @@
 import uplot_style from "uplot/dist/uPlot.min.css";
 import { unpacked } from "./data.js";
 import { element } from "./dom.js";
+import { ModesPage } from "./modes/page.js";
 import { RunPage } from "./run/page.js";
 import { ScanPage } from "./scan/page.js";
 import style from "./style.css";
 
 function page_of(parts, size) {
-  return parts.has("scan.csv") ? new ScanPage(parts) : new RunPage(parts, size);
+  if (parts.has("scan.csv")) return new ScanPage(parts);
+  return parts.has("modes.csv") ? new ModesPage(parts) : new RunPage(parts, size);
 }
 
 async function begin() {

@@ -1,5 +1,5 @@
 // A profile turned about its axis, as triangles.
-const segments = 72, columns = segments + 1;
+const segments = 72;
 const first_angle = -0.25;
 
 const still = () => [0, 0];
@@ -8,6 +8,7 @@ const still = () => [0, 0];
 // the corners their numbers, value(i, φ).
 export function revolved({ r, z }, { open = false, displaced = still } = {}) {
   const nodes = r.length, middle = 0.5 * (z[0] + z[nodes - 1]);
+  const columns = open ? segments + 1 : segments; // closed, the last piece ends where the first begins
   const angle = (k) => first_angle + ((open ? 1.5 : 2) * Math.PI * k) / segments;
   const at = (value) => Float32Array.from({ length: nodes * columns }, (_, c) => value(Math.floor(c / columns), angle(c % columns)));
   const positions = new Float32Array(3 * nodes * columns);
@@ -19,8 +20,8 @@ export function revolved({ r, z }, { open = false, displaced = still } = {}) {
   const triangles = new Uint32Array(6 * (nodes - 1) * segments);
   for (let i = 0, to = 0; i + 1 < nodes; ++i)
     for (let k = 0; k < segments; ++k, to += 6) {
-      const a = i * columns + k, b = a + columns;
-      triangles.set([a, b, a + 1, a + 1, b, b + 1], to);
+      const a = i * columns + k, b = i * columns + ((k + 1) % columns);
+      triangles.set([a, a + columns, b, b, a + columns, b + columns], to);
     }
   return { positions, triangles, at };
 }
