@@ -147,6 +147,28 @@ test("neighbours, models and branches are a click away", async () => {
   await choose("branch", "oblate");
 });
 
+test("a scan over one parameter is drawn as curves", async () => {
+  const one = reported("scan", "[scan]\nreduced_volume = [0.6, 0.7, 0.8]\nL = 0.05\nbranches = [\"oblate\", \"prolate\"]\nmodels = [\"SSH\"]\nmodes = 0\n");
+  const all = one.table("scan.csv"), curves = await browser.open_live(one.file);
+  const dots = await curves.$$eval(".curve circle", (circles) => circles.map((dot) => [Number(dot.dataset.row), Number(dot.getAttribute("cy"))]));
+  assert.equal(dots.length, all.length);
+  // Heights go linearly with the energy: by the first two, all others.
+  const [[first, y0], [second, y1]] = dots;
+  const slope = (y1 - y0) / (all[second].energy - all[first].energy);
+  for (const [row, y] of dots) assert.ok(Math.abs(y - y0 - slope * (all[row].energy - all[first].energy)) < 1e-6);
+  const crossings = await curves.locator(".lines path.equal").count();
+  assert.equal(crossings, one.table("equal_energy.csv").length);
+  for (const [index, row] of all.entries()) {
+    await curves.locator(`.curve circle[data-row="${index}"]`).click({ force: true });
+    assert.equal(await heading(curves), expected_heading(row));
+    assert.deepEqual(await numbers_in(curves, ".numbers-of"), row);
+  }
+  await curves.locator(".diagram svg").focus();
+  await curves.keyboard.press("ArrowLeft");
+  assert.deepEqual(curves.faults, []);
+  one.remove();
+});
+
 test("nothing is asked of a network, and no error is left", () => {
   assert.deepEqual(page.requests.filter((url) => !/^(file|data|blob):/.test(url)), []);
   assert.deepEqual(page.faults, []);

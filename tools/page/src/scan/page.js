@@ -2,6 +2,7 @@
 import { class_colours, colour_map_choices, colour_scale, not_known } from "../colours.js";
 import { colour_bar, colour_list } from "../colour_bar.js";
 import { choice, element } from "../dom.js";
+import { Curves } from "./curves.js";
 import { Diagram } from "./diagram.js";
 import { lines_of } from "./lines.js";
 import { name_of, PointPanel } from "./point.js";
@@ -36,9 +37,10 @@ export class ScanPage {
       colours: "viridis",
     };
     this.branches = branches.length > 1 && lowest.length ? [...branches, lowest_branch] : branches;
-    this.diagram = new Diagram(this.scan, {
+    this.is_plane = this.scan.V.length > 1 && this.scan.L.length > 1;
+    this.diagram = new (this.is_plane ? Diagram : Curves)(this.scan, {
       hover: (point, event) => this.hover(point, event),
-      choose: (point) => this.choose(point),
+      choose: (point) => this.go_to(point),
       step: (direction) => this.step(direction),
       enter: () => this.panel.view.canvas.focus(),
     });
@@ -90,14 +92,15 @@ export class ScanPage {
     this.quantity = this.scan.quantities.find((q) => q.name === quantity);
     const lines = lines_of(this.scan, model, branch);
     const { colour_of, legend } = colouring(this.quantity, this.map, colours);
-    this.diagram.show({ map: this.map, colour_of, lines, title: `${quantity} of ${model} ${branch}` }, this.chosen);
-    this.legend.replaceChildren(legend, this.signs(lines));
+    const title = `${quantity} of ${model} ${branch}`;
+    this.diagram.show({ model, map: this.map, quantity: this.quantity, colour_of, lines, title }, this.chosen);
+    this.legend.replaceChildren(this.is_plane ? legend : this.diagram.legend(), this.signs(lines));
   }
 
   // What else is in the diagram.
   signs(lines) {
     const sign = (name, text) => element("span", {}, element("i", { class: `sign ${name}` }), text);
-    const { points } = this.map;
+    const points = this.is_plane ? this.map.points : this.scan.points.filter((p) => p.model === this.choices.model);
     return element(
       "div",
       { class: "classes" },
