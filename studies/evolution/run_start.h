@@ -26,7 +26,7 @@ void perturb(meshing::CurvedMesh& mesh, const std::vector<meshing::Harmonic>& mo
 /// Seconds and MB as measured with the defaults on one core of 2026; good to a factor of two.
 struct RunCost {
   int unknowns;  ///< of the linear system of the flow: V, p, H, and with Y where monolithic
-  double seconds_per_step;  ///< of the two-step method; step doubling takes three times that
+  double seconds_per_step;  ///< of one core
   double megabytes;
   double frame_megabytes;  ///< of one file
 };

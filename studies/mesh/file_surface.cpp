@@ -6,6 +6,7 @@
 #include "studies/io/errors.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <optional>
 #include <stdexcept>
@@ -73,6 +74,11 @@ std::string advice(const fs::path& file, const Defect& defect, const Mesh& mesh)
   return "; --repair mends that, but not this: " + left->text;
 }
 
+// What was left out and repaired before, for a refusal.
+std::string told(const std::vector<std::string>& notes) {
+  return notes.empty() ? "" : fmt::format(" ({})", fmt::join(notes, "; "));
+}
+
 // The repair, if it is wanted. Throws InputError for what is no surface then.
 template <class Mesh>
 auto checked(const fs::path& file, const Mesh& mesh, bool repair, std::vector<std::string>& notes)
@@ -80,15 +86,15 @@ auto checked(const fs::path& file, const Mesh& mesh, bool repair, std::vector<st
   const auto defect = defect_of(mesh);
   if (!repair || !can_be_repaired(defect)) {
     if (defect)
-      throw InputError(
-          fmt::format("{}: {}{}", file.string(), defect->text, advice(file, *defect, mesh)));
+      throw InputError(fmt::format("{}: {}{}{}", file.string(), defect->text,
+                                   advice(file, *defect, mesh), told(notes)));
     return {};
   }
   const auto result = meshing::repaired(mesh);
   for (const std::string& what : result.done) notes.push_back("repaired: " + what);
   if (const auto left = defect_of(result))
-    throw InputError(
-        fmt::format("{}: {}; --repair does not help there", file.string(), left->text));
+    throw InputError(fmt::format("{}: {}; --repair does not help there{}", file.string(),
+                                 left->text, told(notes)));
   return result;
 }
 

@@ -116,6 +116,8 @@ class Body {
     return value;
   }
 
+  bool goes_on() { return order_ ? !bytes_.empty() : lines_.next(); }
+
   [[noreturn]] void fail(std::string_view what) const {
     if (!order_) lines_.fail(what);
     throw InputError(fmt::format("{}: {}: {}", file_, where_, what));
@@ -250,7 +252,10 @@ MeshFile parse_ply(std::string_view text, const std::string& file) {
         for (const Property& p : element.properties) skip(body, p);
     }
   }
-  return {PlainFile{mesh.mesh()}, {}};
+  MeshFile result{PlainFile{mesh.mesh()}, {}};
+  if (body.goes_on())
+    result.notes.emplace_back("what follows the last of the elements of its header left out");
+  return result;
 }
 
 std::string ply_text(const meshing::TriangleMesh& mesh) {

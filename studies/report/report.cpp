@@ -8,6 +8,8 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
+#include <cmath>
+#include <functional>
 #include <iterator>
 
 namespace sbeh::studies {
@@ -118,6 +120,7 @@ std::string pictures_of(const fs::path& folder, const Contents& contents) {
 struct Chart {
   ChartFrame frame;
   std::vector<std::pair<const char*, const char*>> columns;  // and what they are called
+  double least_dissipation = 0.0;  // of its largest: below, the values say nothing
 };
 const std::vector<Chart>& charts() {
   constexpr auto log = AxisScale::logarithmic;
@@ -129,8 +132,10 @@ const std::vector<Chart>& charts() {
        {{"dissipation_friction", "friction"},
         {"dissipation_order", "order"},
         {"dissipation_viscous", "viscous"}}},
-      {{"Energy lost over energy dissipated, in a step", log, AxisScale::linear, "ratio"},
-       {{"energy_balance", "ratio"}}},
+      {{"Energy lost over energy dissipated in a step, while 1e-4 of the most is dissipated", log,
+        AxisScale::linear, "ratio"},
+       {{"energy_balance", "ratio"}},
+       1e-4},
       {{"Largest |H|", log, AxisScale::linear, "|H|"}, {{"H_abs_max", "|H|"}}},
       {{"Time step and largest speed", log, log, "τ, |V|"},
        {{"time_step", "time step"}, {"speed_max", "speed"}}},
@@ -147,11 +152,23 @@ std::string charts_of(const CsvTable& series) {
     return values;
   };
   const std::vector<double> time = numbers("time");
+  std::vector<double> dissipation(time.size());
+  for (const char* column : {"dissipation_friction", "dissipation_order", "dissipation_viscous"})
+    if (series.find(column))
+      std::ranges::transform(dissipation, numbers(column), dissipation.begin(), std::plus{});
+  double most = 0.0;
+  for (const double value : dissipation) most = std::fmax(most, value);
+  const auto shown = [&](std::vector<double> values, double least) {
+    for (std::size_t row = 0; row < values.size(); ++row)
+      if (dissipation[row] < least * most) values[row] = not_known;
+    return values;
+  };
   std::string text;
   for (const Chart& chart : charts()) {
     std::vector<ChartLine> lines;
     for (const auto& [column, called] : chart.columns)
-      if (series.find(column)) lines.push_back({called, time, numbers(column)});
+      if (series.find(column))
+        lines.push_back({called, time, shown(numbers(column), chart.least_dissipation)});
     text += svg_chart(chart.frame, lines);
   }
   return text;

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 
 namespace sbeh::studies {
@@ -56,6 +57,7 @@ std::vector<Tick> ShownAxis::ticks() const {
   for (double k = std::ceil(low / step - 1e-9); k * step <= high + 1e-9 * step; ++k) {
     const double at = k == 0 ? 0 : k * step;
     ticks.push_back({at, scale == AxisScale::linear ? fmt::format("{:.{}f}", at, decimals)
+                         : at == 0                  ? "1"
                                                     : fmt::format("1e{:.0f}", at)});
   }
   return ticks;
@@ -94,13 +96,21 @@ std::vector<Curve> placed(const std::vector<ChartLine>& lines, ShownAxis& x, Sho
   return curves;
 }
 
+// Told apart without colours too.
+const char* dashes(std::size_t line) {
+  constexpr const char* patterns[] = {"none", "8 3", "2 3", "8 3 2 3"};
+  return patterns[line % std::size(patterns)];
+}
+
 std::string legend_of(const std::vector<ChartLine>& lines, const std::vector<Curve>& curves) {
   if (lines.size() < 2) return "";
   std::string text;
   for (std::size_t k = 0; k < lines.size(); ++k)
     if (curves[k].size() > 1)
-      text += fmt::format(" <span style=\"color: var(--c{})\">&#9644; {}</span>", k,
-                          html::escaped(lines[k].name));
+      text += fmt::format(
+          " <svg class=\"key\" viewBox=\"0 0 30 8\"><path d=\"M0 4H30\" stroke=\"var(--c{0})\" "
+          "stroke-width=\"2.5\" stroke-dasharray=\"{1}\"/></svg>&nbsp;{2}",
+          k, dashes(k), html::escaped(lines[k].name));
   return text;
 }
 
@@ -142,7 +152,9 @@ std::string svg_chart(const ChartFrame& frame, const std::vector<ChartLine>& lin
       path += fmt::format("{}{:.1f} {:.1f}", path.empty() ? "M" : "L", at.x, at.y);
       last = at;
     }
-    text += fmt::format("<path d=\"{}\" stroke=\"var(--c{})\" stroke-width=\"1.8\"/>\n", path, k);
+    text += fmt::format(
+        "<path d=\"{0}\" stroke=\"var(--c{1})\" stroke-width=\"1.8\" stroke-dasharray=\"{2}\"/>\n",
+        path, k, dashes(k));
   }
   return text
        + fmt::format(

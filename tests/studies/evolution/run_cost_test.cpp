@@ -51,5 +51,37 @@ TEST(RunCost, is_near_what_was_measured) {
   }
 }
 
+TEST(RunCost, of_other_methods_is_within_a_factor_of_two_of_what_was_measured) {
+  using enum surface3d::Integrator;
+  using enum surface3d::Factorisation;
+  struct Measured {
+    int triangles;
+    Model model;
+    surface3d::Integrator integrator;
+    surface3d::Factorisation factorisation;
+    double seconds;
+  };
+  for (const Measured& run : {Measured{80, Model::SBEH, step_doubling, lagged, 0.0212},
+                              Measured{320, Model::SBEH, step_doubling, lagged, 0.088},
+                              Measured{1280, Model::SBEH, step_doubling, lagged, 0.429},
+                              Measured{80, Model::SBEH, two_step, every_step, 0.0147},
+                              Measured{320, Model::SBEH, two_step, every_step, 0.0761},
+                              Measured{1280, Model::SBEH, two_step, every_step, 0.412},
+                              Measured{80, Model::HelfrichGlobal, two_step, lagged, 0.0060},
+                              Measured{320, Model::HelfrichGlobal, two_step, lagged, 0.0225},
+                              Measured{1280, Model::HelfrichGlobal, two_step, lagged, 0.104},
+                              Measured{320, Model::HelfrichGlobal, step_doubling, lagged, 0.0632},
+                              Measured{320, Model::HelfrichLocal, two_step, lagged, 0.0311},
+                              Measured{720, Model::SSH, two_step, lagged, 0.0838}}) {
+    RunInput input;
+    input.model = run.model;
+    input.numerics.integrator = run.integrator;
+    input.numerics.factorisation = run.factorisation;
+    const double ratio = cost_of(input, run.triangles).seconds_per_step / run.seconds;
+    EXPECT_GT(ratio, 0.5) << run.triangles << name(run.model);
+    EXPECT_LT(ratio, 2) << run.triangles << name(run.model);
+  }
+}
+
 }  // namespace
 }  // namespace sbeh::studies

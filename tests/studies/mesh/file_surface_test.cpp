@@ -1,6 +1,7 @@
 // What is wrong with a user's mesh is told in the file's numbers, and a repair is promised where it helps.
 #include "studies/mesh/file_surface.h"
 
+#include "meshing/curving.h"
 #include "meshing/icosphere.h"
 #include "meshing/measures.h"
 #include "studies/mesh/make_mesh.h"
@@ -245,6 +246,33 @@ TEST_F(FileSurfaceTest, has_no_numbers_for_the_points_of_stl) {
   } catch (const InputError& error) {
     EXPECT_NE(std::string(error.what()).find(": the edge from ("), std::string::npos)
         << error.what();
+  }
+}
+
+// A count that is too small opens the surface: the refusal says that there was more.
+TEST_F(FileSurfaceTest, is_refused_with_what_was_left_out_of_it) {
+  const meshing::CurvedMesh mesh = meshing::curved(
+      meshing::icosphere(4), 1, meshing::Projection([](const Eigen::Vector3d& x) { return x; }));
+  const std::string count = "320";
+  for (const auto& [name, left_out] :
+       {std::pair("a.off", "(a.off: what follows the last of its 317 faces left out)"),
+        {"a.ply", "(a.ply: what follows the last of the elements of its header left out)"},
+        {"a.stl", "(a.stl: 150 bytes after the last of its 317 triangles left out)"}}) {
+    write_mesh(path(name), mesh, {});
+    std::string text = read_file(path(name));
+    if (path(name).extension() == ".stl")
+      text[80] = char(text[80] - 3);  // of 320 = 0x140
+    else
+      text.replace(text.find(count, text.find("face") + 1), count.size(), "317");
+    const fs::path file = write(name, text);
+    try {
+      surface_of_file(file, false);
+      ADD_FAILURE() << name;
+    } catch (const InputError& error) {
+      const std::string told = error.what(), folder = file.parent_path().string() + '/';
+      EXPECT_NE(told.find("the surface is open"), std::string::npos) << told;
+      EXPECT_TRUE(told.ends_with(fmt::format("({}{}", folder, left_out + 1))) << told;
+    }
   }
 }
 

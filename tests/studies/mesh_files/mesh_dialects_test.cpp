@@ -72,6 +72,11 @@ TEST_F(MeshDialects, reads_ply_with_its_elements_in_any_order) {
   const auto ply = [&](const std::string& header, const std::string& body) {
     return write("a.ply", "ply\nformat ascii 1.0\ncomment #1\n" + header + "end_header\n" + body);
   };
+  EXPECT_NE(read_mesh(ply(point + face, points + faces + "3 0 1 2\n"))
+                .notes.at(0)
+                .find("what follows the last of the elements of its header left out"),
+            std::string::npos);
+  EXPECT_TRUE(read_mesh(ply(point + face, points + faces + "\n")).notes.empty());
   expect_a_tetrahedron(ply(point + face, points + faces));
   expect_a_tetrahedron(ply(face + point, faces + points));
   expect_a_tetrahedron(ply(edge + face + empty + point, edges + faces + points));

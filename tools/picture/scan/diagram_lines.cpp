@@ -128,10 +128,7 @@ double place_in(const std::vector<double>& grid, double value) {
 }
 
 // A crossing of which is not known to which others it belongs.
-void draw_point(Canvas& canvas, const Rect& inside, const std::array<double, 2>& at,
-                const LineStyle& style) {
-  if (at[0] < inside.x || at[0] > inside.right() || at[1] < inside.y || at[1] > inside.top())
-    return;
+void draw_point(Canvas& canvas, const std::array<double, 2>& at, const LineStyle& style) {
   const auto square = [&](double side, Colour colour) {
     const double half = 0.5 * side * canvas.unit();
     canvas.line({{at[0] - half, at[1]}, {at[0] + half, at[1]}}, {.colour = colour, .width = side});
@@ -140,20 +137,54 @@ void draw_point(Canvas& canvas, const Rect& inside, const std::array<double, 2>&
   square(3.0 * style.width, style.colour);
 }
 
-// To the right of the line, on white, at this share of its length.
-void draw_label(Canvas& canvas, const Points& piece, const DiagramLine& line, double share,
-                double text_size) {
+struct PlacedLabel {
+  std::string text;
+  Rect rect;
+};
+
+// To the right of a line through `at` in the direction (dx, dy), on white; within `inside`, and not beside one that says
+// the same.
+void draw_label(Canvas& canvas, const Rect& inside, const std::array<double, 2>& at, double dx,
+                double dy, const DiagramLine& line, double text_size,
+                std::vector<PlacedLabel>& placed) {
   const double size = 0.75 * text_size, width = canvas.text_width(line.label, size) + 0.4 * size,
-               height = 1.1 * size;
-  if (line.label.empty() || length_of(piece) < 2.0 * width) return;
-  const auto k = std::size_t(share * double(piece.size() - 1));
-  const auto &from = piece[k], &to = piece[k + 1];
-  const double dx = to[0] - from[0], dy = to[1] - from[1], length = std::hypot(dx, dy);
+               height = 1.1 * size, length = std::hypot(dx, dy);
   const double side = dy < 0.0 ? -1.0 : 1.0, nx = side * dy / length, ny = -side * dx / length;
   const double away = 0.5 * (width * nx + height * std::abs(ny)) + 0.3 * size;
-  const double x = from[0] + away * nx, y = from[1] + away * ny;
-  canvas.fill({x - 0.5 * width, y - 0.5 * height, width, height}, white);
+  const double right = at[0] + away * nx + 0.5 * width <= inside.right() ? 1.0 : -1.0;
+  const double x = at[0] + right * away * nx, y = at[1] + right * away * ny;
+  const Rect rect{x - 0.5 * width, y - 0.5 * height, width, height};
+  if (std::ranges::any_of(placed, [&](const PlacedLabel& label) {
+        return label.text == line.label && std::abs(label.rect.x - rect.x) < 2.0 * width
+            && std::abs(label.rect.y - rect.y) < 2.0 * height;
+      }))
+    return;
+  placed.push_back({line.label, rect});
+  canvas.fill(rect, white);
   canvas.text(x, y, line.label, {.size = size, .colour = line.style.colour});
+}
+
+bool within(const Rect& inside, const std::array<double, 2>& at) {
+  return at[0] >= inside.x && at[0] <= inside.right() && at[1] >= inside.y && at[1] <= inside.top();
+}
+
+// Of every piece of a line, at another share of its length for each, so that those of lines side by side are apart;
+// then of single points.
+void draw_labels(Canvas& canvas, const Rect& inside,
+                 const std::vector<std::pair<const DiagramLine*, Points>>& pieces,
+                 double text_size) {
+  std::vector<PlacedLabel> placed;
+  double share = 0.0;
+  for (const auto& [line, piece] : pieces) {
+    share = std::fmod(share + 0.3, 0.9);
+    if (line->label.empty() || piece.size() < 2) continue;
+    const auto k = std::size_t(share * double(piece.size() - 1));
+    draw_label(canvas, inside, piece[k], piece[k + 1][0] - piece[k][0],
+               piece[k + 1][1] - piece[k][1], *line, text_size, placed);
+  }
+  for (const auto& [line, piece] : pieces)
+    if (!line->label.empty() && piece.size() == 1)
+      draw_label(canvas, inside, piece.front(), 0.0, 1.0, *line, text_size, placed);
 }
 
 }  // namespace
@@ -203,18 +234,17 @@ void draw_diagram_lines(Canvas& canvas, const Rect& inside, const std::vector<Di
     for (const auto& [volume, L] : line.points)
       pixels.push_back({inside.x + share_of(grid.x, volume) * inside.width,
                         inside.y + share_of(grid.y, L) * inside.height});
-    if (pixels.size() == 1) draw_point(canvas, inside, pixels.front(), line.style);
+    if (pixels.size() == 1 && within(inside, pixels.front())) {
+      draw_point(canvas, pixels.front(), line.style);
+      pieces.emplace_back(&line, pixels);
+    }
     for (const Points& piece : clipped(pixels, inside)) {
       canvas.line(piece, {.colour = white, .width = line.style.width + border});
       canvas.line(piece, line.style);
       pieces.emplace_back(&line, piece);
     }
   }
-  double share = 0.0;  // another one for each label, so that those of lines side by side are apart
-  for (const auto& [line, piece] : pieces) {
-    share = std::fmod(share + 0.3, 0.9);
-    draw_label(canvas, piece, *line, share, text_size);
-  }
+  draw_labels(canvas, inside, pieces, text_size);
 }
 
 std::vector<LegendEntry> legend_of(const std::vector<DiagramLine>& lines) {

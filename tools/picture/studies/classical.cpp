@@ -117,19 +117,36 @@ std::vector<Special> limits_of_stability(const std::filesystem::path& file) {
   return limits;
 }
 
-// The place of a letter beside a point, as far as can be from `occupied`, all in pixels.
-std::array<double, 2> free_place(const std::array<double, 2>& point, const Points& occupied,
-                                 double distance) {
+constexpr double mark = 0.5;  // size of a special point, in text sizes
+
+// What points are called whose marks lie on each other: "a, b".
+struct Label {
+  std::string text;
+  double width;
+  Points points;  // in pixels
+
+  std::array<double, 2> middle() const {
+    std::array<double, 2> sum{};
+    for (const auto& [x, y] : points) sum = {sum[0] + x, sum[1] + y};
+    return {sum[0] / double(points.size()), sum[1] / double(points.size())};
+  }
+};
+
+// Its place, as far as can be from `occupied`, all in pixels.
+std::array<double, 2> free_place(const Label& label, const Points& occupied, double distance) {
+  const std::array<double, 2> point = label.middle();
+  const double half = 0.5 * label.width;
   std::array<double, 2> best = point;
   double farthest = -1.0;
   constexpr int directions = 16;
   for (int k = 0; k < directions; ++k) {
     const double angle = 2.0 * std::numbers::pi * k / directions;
-    const std::array<double, 2> place{point[0] + distance * std::cos(angle),
+    const std::array<double, 2> place{point[0] + (distance + half) * std::cos(angle),
                                       point[1] + distance * std::sin(angle)};
     double nearest = 1e300;
     for (const auto& [x, y] : occupied)
-      nearest = std::min(nearest, std::hypot(place[0] - x, place[1] - y));
+      nearest =
+          std::min(nearest, std::hypot(std::max(std::abs(place[0] - x) - half, 0.0), place[1] - y));
     if (nearest > farthest) {
       farthest = nearest;
       best = place;
@@ -151,11 +168,25 @@ void draw_letters(Canvas& canvas, const std::vector<Special>& special, const Bra
       for (const double share : {0.0, 0.25, 0.5, 0.75})
         occupied.push_back(pixel({points[i - 1][0] + share * (points[i][0] - points[i - 1][0]),
                                   points[i - 1][1] + share * (points[i][1] - points[i - 1][1])}));
-  for (const Special& point : special) occupied.push_back(pixel(point.at));
+  std::vector<Label> labels;
   for (const Special& point : special) {
-    const auto place = free_place(pixel(point.at), occupied, 1.1 * text);
-    canvas.text(place[0], place[1], point.letter, {.size = text});
-    occupied.push_back(place);
+    const auto at = pixel(point.at);
+    occupied.push_back(at);
+    const bool together = !labels.empty()
+                       && std::hypot(at[0] - labels.back().points.back()[0],
+                                     at[1] - labels.back().points.back()[1])
+                              < mark * text;
+    if (!together) labels.push_back({});
+    Label& label = labels.back();
+    label.text += (together ? ", " : "") + point.letter;
+    label.points.push_back(at);
+    label.width = canvas.text_width(label.text, text);
+  }
+  for (const Label& label : labels) {
+    const auto [at_x, at_y] = free_place(label, occupied, 1.1 * text);
+    canvas.text(at_x, at_y, label.text, {.size = text});
+    for (const double share : {-0.5, 0.0, 0.5})
+      occupied.push_back({at_x + share * label.width, at_y});
   }
 }
 
@@ -242,7 +273,7 @@ void draw_classical_diagram(Canvas& canvas, const Options& options) {
   Points marked;
   marked.reserve(special.size());
   for (const Special& point : special) marked.push_back(point.at);
-  chart.markers(marked, Marker::full, black, 0.5 * text);
+  chart.markers(marked, Marker::full, black, mark * text);
   chart.markers(all.saddles, Marker::cross, dark_grey, 0.7 * text);
   std::vector<Special> lettered = special;
   for (const Special& limit : limits) {
