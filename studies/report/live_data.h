@@ -9,7 +9,7 @@
 
 namespace sbeh::studies {
 
-/// Of a scan: its tables, and its profiles by the rows of scan.csv (packed_profiles.h). Throws OutputError where a table or
+/// Of a scan: its tables, `folder`, where it is, and its profiles by the rows of scan.csv (packed_profiles.h). Throws OutputError where a table or
 /// a profile is damaged.
 Bundle live_scan(const std::filesystem::path& folder);
 
@@ -34,6 +34,8 @@ std::string whole_lines(const std::filesystem::path& file);
 
 /// Which kinds of results have a live page.
 bool has_live_page(ResultsKind kind);
+/// Why results of such a kind are too many for one; empty where they are not.
+std::string too_many_for_a_page(const std::filesystem::path& folder, ResultsKind kind);
 /// Of a kind that has one.
 Bundle live_data(const std::filesystem::path& folder, ResultsKind kind);
 

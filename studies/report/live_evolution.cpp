@@ -150,10 +150,11 @@ Bundle live_run(const fs::path& folder) {
 Bundle live_relax(const fs::path& folder) {
   const std::vector<FrameEntry> there = entries_there(folder, "profiles.csv");
   Bundle bundle = history(folder, there.size());
-  PackedProfiles profiles;
+  const std::vector<FrameEntry> entries = evenly(there, most_states);
+  PackedProfiles profiles(entries.size());
   std::string shown = "time,file\n";
   int index = 0;
-  for (const FrameEntry& entry : evenly(there, most_states)) {
+  for (const FrameEntry& entry : entries) {
     profiles.add(index++, folder / entry.file);
     shown += fmt::format("{},{}\n", entry.time, csv_field(entry.file));
   }

@@ -11,9 +11,11 @@ Bundle live_scan(const fs::path& folder) {
   for (const char* table :
        {"scan.csv", "folds.csv", "equal_energy.csv", "stability_lines.csv", "lowest.csv"})
     if (fs::exists(folder / table)) bundle.add(table, whole_lines(folder / table));
-  PackedProfiles profiles;
+  bundle.add("folder", folder.string());
+  const std::vector<PointResult> points = read_rows(scan_columns(), folder / "scan.csv");
+  PackedProfiles profiles(points.size());
   int row = 0;
-  for (const PointResult& point : read_rows(scan_columns(), folder / "scan.csv")) {
+  for (const PointResult& point : points) {
     const fs::path file = point_file(folder, point.key, ".csv");
     if (fs::exists(file)) profiles.add(row, file);
     ++row;

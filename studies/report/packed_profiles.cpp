@@ -2,11 +2,13 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 namespace sbeh::studies {
 
 namespace {
 
-constexpr std::size_t most_nodes = 97;
+constexpr std::size_t most_nodes_of_all = 500'000, largest_profile = 97, least_profile = 25;
 
 struct ProfileField {
   const char* name;
@@ -17,19 +19,22 @@ constexpr std::array<ProfileField, 4> profile_fields{{{"r", &ProfileRow::r},
                                                       {"order", &ProfileRow::order},
                                                       {"H", &ProfileRow::mean_curvature}}};
 
-// As many nodes as a picture needs, with both poles.
-std::vector<ProfileRow> thinned(const std::vector<ProfileRow>& nodes) {
-  if (nodes.size() <= most_nodes) return nodes;
+// Evenly spread nodes, with both poles.
+std::vector<ProfileRow> thinned(const std::vector<ProfileRow>& nodes, std::size_t most) {
+  if (nodes.size() <= most) return nodes;
   std::vector<ProfileRow> few;
-  for (std::size_t k = 0; k < most_nodes; ++k)
-    few.push_back(nodes[k * (nodes.size() - 1) / (most_nodes - 1)]);
+  for (std::size_t k = 0; k < most; ++k) few.push_back(nodes[k * (nodes.size() - 1) / (most - 1)]);
   return few;
 }
 
 }  // namespace
 
+PackedProfiles::PackedProfiles(std::size_t expected)
+    : most_nodes_(std::clamp(most_nodes_of_all / std::max<std::size_t>(expected, 1), least_profile,
+                             largest_profile)) {}
+
 void PackedProfiles::add(int index, const std::filesystem::path& file) {
-  const std::vector<ProfileRow> nodes = thinned(read_rows(profile_columns(), file));
+  const std::vector<ProfileRow> nodes = thinned(read_rows(profile_columns(), file), most_nodes_);
   Line& line = lines_.emplace_back(Line{index, int(nodes.size())});
   for (std::size_t k = 0; k < profile_fields.size(); ++k) {
     const auto value = profile_fields[k].value;

@@ -15,6 +15,9 @@ namespace sbeh::studies {
 ///   profiles       r, z, order and mean curvature of each, as differences from node to node
 class PackedProfiles {
  public:
+  /// Where many are expected each has fewer nodes.
+  explicit PackedProfiles(std::size_t expected);
+
   /// The profile in a file, thinned where it has more nodes than a picture needs. Throws OutputError where it is damaged.
   void add(int index, const std::filesystem::path& file);
   void put_into(Bundle& bundle) const;
@@ -24,6 +27,7 @@ class PackedProfiles {
     int index, nodes;
     std::array<NumberRange, 4> ranges{};
   };
+  std::size_t most_nodes_;
   std::vector<Line> lines_;
   std::vector<std::uint16_t> numbers_;
 };

@@ -231,18 +231,20 @@ std::string files_of(const fs::path& folder) {
   return "<ul class=\"files\">\n" + text + "</ul>\n";
 }
 
-// Where the script shows its page.
-std::string explore(ResultsKind kind, bool live) {
-  if (!has_live_page(kind)) return "";
-  if (!live)
-    return "<p class=\"note\">This page is still. In one that can be explored shapes are a click "
-           "away: build "
-           "sbeh with <code>-DSBEH_PAGE=ON</code> (what that needs is installed by "
-           "<code>tools/setup page</code>), then make this report again.</p>\n";
-  return html::section(
-      "Explore",
-      "<div id=\"explore\"><p class=\"note\">Here the results can be explored when "
-      "the page is whole and its script may run. The pictures are below.</p></div>\n");
+// Where the script shows its page, or why there is none.
+std::string explore(bool live, const std::string& too_many) {
+  if (live)
+    return html::section(
+        "Explore",
+        "<div id=\"explore\"><p class=\"note\">Here the results can be explored when "
+        "the page is whole and its script may run. The pictures are below.</p></div>\n");
+  if (!too_many.empty())
+    return fmt::format(
+        "<p class=\"note\">This page is still: there is too much to explore in one ({}).</p>\n",
+        too_many);
+  return "<p class=\"note\">This page is still. In one that can be explored shapes are a click "
+         "away: build sbeh with <code>-DSBEH_PAGE=ON</code> (what that needs is installed by "
+         "<code>tools/setup page</code>), then make this report again.</p>\n";
 }
 
 std::string how_to_run(const fs::path& folder, const Contents& contents, bool has_input) {
@@ -314,7 +316,8 @@ ReportSummary write_report(const fs::path& folder, std::string_view version,
     summary.replaced = true;
   }
   const KeyNumbers numbers = key_numbers(folder, contents.kind);
-  summary.live = has_live_page(contents.kind) && !script.empty();
+  const std::string too_many = too_many_for_a_page(folder, contents.kind);
+  summary.live = has_live_page(contents.kind) && !script.empty() && too_many.empty();
   summary.missing = missing_pictures(folder, contents.kind);
   const std::string where = fs::absolute(folder).lexically_normal().filename().string();
   const bool has_input = fs::exists(folder / "run.toml");
@@ -325,7 +328,7 @@ ReportSummary write_report(const fs::path& folder, std::string_view version,
                   html::escaped(where.empty() ? folder.string() : where), name(contents.kind),
                   html::escaped(version));
   body += "</header>\n<main>\n" + html::section("Key numbers", html::facts(numbers.facts));
-  body += explore(contents.kind, summary.live);
+  if (has_live_page(contents.kind)) body += explore(summary.live, too_many);
   if (const std::string pictures = pictures_of(folder, contents); !pictures.empty())
     body += html::section("Pictures", pictures);
   if (const std::string history = over_time(folder); !history.empty())

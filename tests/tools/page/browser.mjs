@@ -18,6 +18,13 @@ export function reported(command, input) {
   report();
   return {
     report,
+    // The page of what other words of the program leave in the folder after "-o".
+    made(words) {
+      sbeh(...words);
+      const other = words[words.indexOf("-o") + 1];
+      sbeh("report", other, "--no-pictures");
+      return join(other, "report.html");
+    },
     folder: results,
     file: join(results, "report.html"),
     read: (name) => readFileSync(join(results, name), "utf8"),

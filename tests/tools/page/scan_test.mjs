@@ -1,5 +1,6 @@
 // The page of a scan as its reader uses it.
 import assert from "node:assert/strict";
+import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { after_the_delay, Browser, colours_in, is_told_to_be_cut_off, numbers_in, picture_of, reported, table_of } from "./browser.mjs";
 
@@ -63,6 +64,19 @@ test("a click shows the shape of the point, as its profile has it", async () => 
   }
   assert.notEqual(pictures[0], pictures[1]);
   for (const picture of pictures) assert.ok((await colours_in(page, picture)) > 100);
+});
+
+test("the command for the modes of a point, as it is told, shows them", async () => {
+  await click(row_of("SBEH", "oblate", "0.7", "0.03"));
+  const [, ...words] = (await page.locator(".modes code").textContent()).split(" ");
+  assert.equal(words.at(-1), "NEW_FOLDER");
+  const other = scan.made([...words.slice(0, -1), join(scan.folder, "..", "modes"), "--no-pictures"]);
+  const shown = await browser.open_live(other);
+  const row = rows[row_of("SBEH", "oblate", "0.7", "0.03")];
+  const of_m2 = await shown.$$eval("tr[data-mode^=m2]", (lines) => lines.map((line) => Number(line.querySelectorAll("td")[4].textContent)));
+  // Computed from the profile, the same state to rounding: 1e-6 is far below what tells modes apart.
+  assert.ok(Math.abs(Math.min(...of_m2) - Number(row.eigenvalue_m2)) < 1e-6);
+  await shown.close();
 });
 
 test("the pointer over a point tells its numbers", async () => {
@@ -196,13 +210,13 @@ test("a browser without WebGL draws the shape too", async () => {
 test("a file that was cut off says so, wherever that was; a whole one does not", async () => {
   const text = scan.read("report.html");
   const body = text.indexOf("<main>"), data = text.indexOf('id="sbeh-data"'), script = text.indexOf("</script>", data);
-  for (const length of [body + 100, data - 2000, data + 5000, script + 30, script + 5000, text.length - 20_000, text.length - 30]) {
-    const cut = await browser.open(scan.written("cut.html", text.slice(0, length)));
-    await cut.waitForTimeout(after_the_delay);
-    assert.equal(await is_told_to_be_cut_off(cut), true, `cut off after ${length} of ${text.length}`);
+  const lengths = [body + 100, data - 2000, data + 5000, script + 30, script + 5000, text.length - 20_000, text.length - 30];
+  const pages = await Promise.all(lengths.map((length) => browser.open(scan.written(`cut${length}.html`, text.slice(0, length)))));
+  await page.waitForTimeout(after_the_delay);
+  for (const [k, cut] of pages.entries()) {
+    assert.equal(await is_told_to_be_cut_off(cut), true, `cut off after ${lengths[k]} of ${text.length}`);
     await cut.close();
   }
-  await page.waitForTimeout(after_the_delay);
   assert.equal(await is_told_to_be_cut_off(page), false);
 });
 

@@ -67,7 +67,16 @@ export class PointPanel {
       (point.profile ? "" : "; its profile is not in the folder");
     this.near.replaceChildren(...this.neighbours(map));
     this.draw_shape();
-    this.numbers.replaceChildren(modes_table(point.row), numbers_table(this.scan.columns, point.row));
+    this.numbers.replaceChildren(this.modes(point), numbers_table(this.scan.columns, point.row));
+  }
+
+  // Their numbers, and how to see their shapes.
+  modes({ row }) {
+    const table = modes_table(row);
+    if (!table || row.status !== "stationary") return table;
+    const command = `sbeh modes --scan ${this.scan.folder} --model ${row.model} --branch ${row.branch} --reduced-volume ${row.reduced_volume} --L ${row.L} -o NEW_FOLDER`;
+    table.append(element("p", { class: "note" }, "To see them on the surface: ", element("code", {}, command), ", and the report of that."));
+    return table;
   }
 
   neighbours(map) {

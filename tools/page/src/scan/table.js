@@ -23,6 +23,7 @@ export function read_scan(parts) {
   for (const point of points) point.profile = profiles.get(point.index) ?? null;
   return {
     points,
+    folder: parts.get("folder"),
     columns: rows.columns,
     V: ascending(points.map((p) => p.V)),
     L: ascending(points.map((p) => p.L)),
