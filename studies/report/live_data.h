@@ -13,7 +13,7 @@ namespace sbeh::studies {
 /// a profile is damaged.
 Bundle live_scan(const std::filesystem::path& folder);
 
-// Of an evolution: series.csv, `states`, how many the folder has, and shown.csv, a row per state that is shown: time, file.
+// Of an evolution: series.csv, charts.csv (history_charts.h), `states`, how many the folder has, and shown.csv, a row per state that is shown: time, file.
 // Where there are more than a page can hold they are as many as it can, evenly spread. Throws OutputError and InputError
 // where a table or a state is damaged.
 

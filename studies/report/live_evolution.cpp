@@ -2,6 +2,7 @@
 #include "studies/evolution/evolution_files.h"
 #include "studies/io/columns.h"
 #include "studies/mesh_files/mesh_file.h"
+#include "studies/report/history_charts.h"
 #include "studies/report/live_data.h"
 #include "studies/report/packed_profiles.h"
 
@@ -80,6 +81,7 @@ std::size_t most_frames(const fs::path& folder, const std::vector<FrameEntry>& f
 Bundle history(const fs::path& folder, std::size_t states) {
   Bundle bundle;
   bundle.add("series.csv", whole_lines(folder / "series.csv"));
+  bundle.add("charts.csv", table_of_charts());
   bundle.add("states", std::to_string(states));
   return bundle;
 }

@@ -1,6 +1,7 @@
 #include "studies/report/report.h"
 
 #include "studies/io/output.h"
+#include "studies/report/history_charts.h"
 #include "studies/report/live_data.h"
 #include "studies/report/svg_chart.h"
 
@@ -8,8 +9,6 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cmath>
-#include <functional>
 #include <iterator>
 
 namespace sbeh::studies {
@@ -115,64 +114,7 @@ std::string pictures_of(const fs::path& folder, const Contents& contents) {
   return text;
 }
 
-// ---- charts of a history ------------------------------------------------------------------------
-
-struct Chart {
-  ChartFrame frame;
-  std::vector<std::pair<const char*, const char*>> columns;  // and what they are called
-  double least_dissipation = 0.0;  // of its largest: below, the values say nothing
-};
-const std::vector<Chart>& charts() {
-  constexpr auto log = AxisScale::logarithmic;
-  static const std::vector<Chart> all{
-      {{"Energy", log, AxisScale::linear, "U"}, {{"energy", "U"}}},
-      {{"Order β", log, AxisScale::linear, "β"},
-       {{"order_min", "least"}, {"order_mean", "mean"}, {"order_max", "largest"}}},
-      {{"Dissipation", log, log, "−dU/dt"},
-       {{"dissipation_friction", "friction"},
-        {"dissipation_order", "order"},
-        {"dissipation_viscous", "viscous"}}},
-      {{"Energy lost over energy dissipated in a step, while 1e-4 of the most is dissipated", log,
-        AxisScale::linear, "ratio"},
-       {{"energy_balance", "ratio"}},
-       1e-4},
-      {{"Largest |H|", log, AxisScale::linear, "|H|"}, {{"H_abs_max", "|H|"}}},
-      {{"Time step and largest speed", log, log, "τ, |V|"},
-       {{"time_step", "time step"}, {"speed_max", "speed"}}},
-      {{"Mesh quality", log, AxisScale::linear, "quality"}, {{"mesh_quality", "quality"}}},
-  };
-  return all;
-}
-
-std::string charts_of(const CsvTable& series) {
-  const auto numbers = [&](const char* column) {
-    std::vector<double> values;
-    for (std::size_t row = 0; row < series.rows.size(); ++row)
-      values.push_back(series.number(row, column));
-    return values;
-  };
-  const std::vector<double> time = numbers("time");
-  std::vector<double> dissipation(time.size());
-  for (const char* column : {"dissipation_friction", "dissipation_order", "dissipation_viscous"})
-    if (series.find(column))
-      std::ranges::transform(dissipation, numbers(column), dissipation.begin(), std::plus{});
-  double most = 0.0;
-  for (const double value : dissipation) most = std::fmax(most, value);
-  const auto shown = [&](std::vector<double> values, double least) {
-    for (std::size_t row = 0; row < values.size(); ++row)
-      if (dissipation[row] < least * most) values[row] = not_known;
-    return values;
-  };
-  std::string text;
-  for (const Chart& chart : charts()) {
-    std::vector<ChartLine> lines;
-    for (const auto& [column, called] : chart.columns)
-      if (series.find(column))
-        lines.push_back({called, time, shown(numbers(column), chart.least_dissipation)});
-    text += svg_chart(chart.frame, lines);
-  }
-  return text;
-}
+// ---- histories ------------------------------------------------------------------------------------
 
 // The energies of a comparison's evolutions; the file has them one after the other.
 std::string energies_of_methods(const CsvTable& histories) {
@@ -191,7 +133,7 @@ std::string energies_of_methods(const CsvTable& histories) {
 std::string over_time(const fs::path& folder) {
   std::string text;
   if (fs::exists(folder / "series.csv"))
-    text = charts_of(read_csv(folder / "series.csv"));
+    text = still_charts(read_csv(folder / "series.csv"));
   else if (fs::exists(folder / "histories.csv"))
     text = energies_of_methods(read_csv(folder / "histories.csv"));
   return text.empty() ? text : "<div class=\"charts\">\n" + text + "</div>\n";

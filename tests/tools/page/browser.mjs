@@ -111,5 +111,11 @@ export function numbers_in(page, selector) {
   );
 }
 
-export const is_told_to_be_cut_off = (page) => page.locator(".cut").isVisible();
-export const after_the_delay = 2500; // milliseconds: the page waits, for it may be loading
+// Whether a page says that it was cut off. It waits two seconds before, for it may be loading.
+export async function comes_to_be_told(page) {
+  await page.bringToFront(); // time stands still in a page that is not seen
+  const told = page.locator(".cut");
+  if ((await told.evaluate((place) => getComputedStyle(place).display)) === "none") return false;
+  await told.waitFor({ state: "visible" });
+  return true;
+}

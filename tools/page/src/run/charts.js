@@ -2,21 +2,10 @@
 import uPlot from "uplot";
 import { colour_of_page, element } from "../dom.js";
 
-const charts = [
-  { title: "Energy U", columns: { energy: "U" } },
-  { title: "Order β", columns: { order_min: "least", order_mean: "mean", order_max: "largest" } },
-  { title: "Largest |H|", columns: { H_abs_max: "|H|" } },
-  {
-    title: "Dissipation −dU/dt",
-    logarithmic: true,
-    columns: { dissipation_friction: "friction", dissipation_order: "order", dissipation_viscous: "viscous" },
-  },
-  { title: "Largest speed", logarithmic: true, columns: { speed_max: "|V|" } },
-  { title: "Reduced volume V_r", columns: { reduced_volume: "V_r" } },
-];
 const height = 200;
 const least_span = 1e-9; // of the values: less is rounding
 const shown_decades = 16;
+const dashes = [[], [8, 3], [2, 3], [8, 3, 2, 3]]; // told apart without colours too
 const logarithmic = 3; // uPlot's number of a logarithmic axis
 
 const is_decade = (value) => value !== null && Math.abs(Math.log10(value) % 1) < 1e-6;
@@ -32,28 +21,47 @@ function linear_range(_, low, high) {
   return [low - margin, high + margin];
 }
 
-// The columns of a chart that have something to show, null where an axis has no place for it. On a logarithmic one
-// that is also what is `shown_decades` below the largest value: it is rounding.
+// From the rows of charts.csv, one per line: { title, y_name, logarithmic, least_dissipation, lines }.
+function charts_of(rows) {
+  const charts = new Map();
+  for (const row of rows) {
+    const chart = { ...row, logarithmic: row.logarithmic === "1", least_dissipation: Number(row.least_dissipation), lines: [] };
+    if (!charts.has(row.title)) charts.set(row.title, chart);
+    charts.get(row.title).lines.push(row);
+  }
+  return [...charts.values()];
+}
+
+const dissipation_of = (row) =>
+  ["friction", "order", "viscous"].map((part) => Number(row[`dissipation_${part}`] ?? 0)).reduce((a, b) => a + b);
+
+// The lines of a chart that have something to show, null where there is nothing or an axis has no place for it. On a
+// logarithmic one that is also what is `shown_decades` below the largest value: it is rounding.
 function lines_of(chart, rows) {
-  const lines = Object.keys(chart.columns).map((name, k) => ({ name, colour: `--c${k}`, values: rows.map((row) => (row[name] ? Number(row[name]) : NaN)) }));
-  const largest = lines.reduce((most, { values }) => values.reduce((a, b) => (b > a ? b : a), most), 0);
+  const most = rows.reduce((top, row) => Math.max(top, dissipation_of(row)), 0);
+  const says = (row) => !(dissipation_of(row) < chart.least_dissipation * most);
+  const lines = chart.lines.map(({ column, called }, k) => ({
+    called,
+    colour: `--c${k}`,
+    dash: dashes[k],
+    values: rows.map((row) => (says(row) && row[column] ? Number(row[column]) : NaN)),
+  }));
+  const largest = lines.reduce((top, { values }) => values.reduce((a, b) => (b > a ? b : a), top), 0);
   const floor = chart.logarithmic ? largest / 10 ** shown_decades : -Infinity;
   for (const line of lines) line.values = line.values.map((value) => (Number.isFinite(value) && value > floor ? value : null));
-  return lines.filter(({ values }) => values.some((value) => value !== null));
+  return lines.filter(({ values }) => values.filter((value) => value !== null).length > 1);
 }
 
 export class Charts {
-  // on_time(time): a time was clicked.
-  constructor(series, on_time) {
+  // `charts`: the rows of charts.csv; on_time(time): a time was clicked.
+  constructor(series, charts, on_time) {
     this.series = series;
     this.on_time = on_time;
     this.times = series.map((row) => Number(row.time));
     this.log_time = this.times.at(-1) > 1000 * (this.times.find((time) => time > 0) ?? Infinity);
     const box = element("input", { type: "checkbox", onchange: () => this.draw(box.checked) });
     box.checked = this.log_time;
-    this.places = charts
-      .filter(({ columns }) => Object.keys(columns).some((name) => series.columns.includes(name)))
-      .map((chart) => ({ chart, place: element("div", { class: "chart" }) }));
+    this.places = charts_of(charts).map((chart) => ({ chart, place: element("div", { class: "chart" }) }));
     this.element = element(
       "div",
       {},
@@ -87,13 +95,14 @@ export class Charts {
       },
       axes: [
         { ...(this.log_time ? log_axis : axis), size: 30 },
-        { ...(chart.logarithmic ? log_axis : { ...axis, values: linear_texts }), size: 66 },
+        { ...(chart.logarithmic ? log_axis : { ...axis, values: linear_texts }), size: 60, label: chart.y_name, labelSize: 20, labelFont: "12px system-ui, sans-serif" },
       ],
       series: [
         { label: "t", value: (_, v) => short(v) },
-        ...lines.map(({ name, colour }) => ({
-          label: chart.columns[name],
+        ...lines.map(({ called, colour, dash }) => ({
+          label: called,
           stroke: colour_of_page(colour),
+          dash,
           width: 1.8,
           points: { show: false },
           value: (_, v) => (v === null ? "" : String(Number(v.toPrecision(9)))),
@@ -110,7 +119,7 @@ export class Charts {
   draw_line(plot) {
     if (!(this.time > 0 || (this.time === 0 && !this.log_time))) return;
     const { ctx, bbox } = plot, x = Math.round(plot.valToPos(this.time, "x", true)) + 0.5;
-    if (!(x >= bbox.left && x <= bbox.left + bbox.width)) return;
+    if (!(x >= bbox.left - 1 && x <= bbox.left + bbox.width + 1)) return;
     ctx.save();
     ctx.strokeStyle = colour_of_page("--ink");
     ctx.lineWidth = 1.5 * window.devicePixelRatio;

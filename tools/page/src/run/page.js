@@ -24,7 +24,7 @@ export class RunPage {
     if (!this.film.frames.length) throw new Error("none of its states is in the folder");
     this.series = parts.table("series.csv");
     this.view = new SurfaceView("the surface");
-    this.charts = new Charts(this.series, (time) => this.show(this.nearest(time)));
+    this.charts = new Charts(this.series, parts.table("charts.csv"), (time) => this.show(this.nearest(time)));
     this.choices = { field: "order", colours: "viridis", range: "all" };
     this.slider = element("input", {
       type: "range",
