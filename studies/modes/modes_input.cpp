@@ -4,6 +4,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace sbeh::studies {
 
 namespace {
@@ -66,6 +68,16 @@ ModesInput read_modes(const std::filesystem::path& path) {
     input.state.material = asked;
   }
   return input;
+}
+
+ModesCost cost_of(const ModesInput& input) {
+  const axisym::StationaryCase& s = input.state;
+  const bool parities = s.branch != axisym::Branch::stomatocyte;  // each over half of the state
+  const int modes = (parities ? 2 : 1) * (input.largest_m + 1) * input.number;
+  return {
+      .modes = modes,
+      .seconds = (0.1 + (parities ? 0.045 : 0.14) * modes) * std::sqrt(s.numerics.elements / 48.),
+      .megabytes = 0.18 * modes};
 }
 
 std::string describe(const ModesInput& input, std::string_view version) {

@@ -36,6 +36,14 @@ void take_from_scan(ModesInput& input);
 /// Throws InputError.
 ModesInput read_modes(const std::filesystem::path& path);
 
+struct ModesCost {
+  int modes;       ///< without more unstable ones than are asked for
+  double seconds;  ///< of one core
+  double megabytes;
+};
+/// About what was measured, within a factor of two; more where a slender state needs many elements.
+ModesCost cost_of(const ModesInput& input);
+
 /// The whole input, defaults included, as TOML under a comment with the program's version: reading the text
 /// gives the same input, bit for bit.
 std::string describe(const ModesInput& input, std::string_view version);

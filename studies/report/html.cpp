@@ -81,7 +81,7 @@ Shown shown_rows(const CsvTable& table, std::size_t most) {
   Shown shown;
   const std::size_t all = table.rows.size();
   const auto column = table.find("reduced_volume");
-  if (all <= most || !column) {
+  if (all <= most || !column || table.find("time")) {
     shown.rows = spread(all, most);
     if (all > most) shown.remark = fmt::format("{} of {} rows, evenly spread", most, all);
     return shown;

@@ -32,7 +32,7 @@ std::string facts(const std::vector<Fact>& facts);
 
 /// The rows of a table, columns of numbers to the right; of more than `most` rows so many, evenly spread
 /// with the first and the last, and a line that says so, with a link to `file`. Rows with the same `reduced_volume` are
-/// shown together or not at all; none where those of one are more than `most`.
+/// shown together or not at all, but in histories (`time`); none where those of one are more than `most`.
 std::string table(const CsvTable& table, std::size_t most, std::string_view file);
 
 /// A figure with the picture inside the page. Throws OutputError when the file cannot be read.

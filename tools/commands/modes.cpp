@@ -112,10 +112,9 @@ Command add_modes(CLI::App& program) {
 
 void check_modes(const std::string& file) {
   const ModesInput input = studies::read_modes(file);
-  constexpr double megabytes_of_a_mode = 0.4;
-  const int least = 2 * (input.largest_m + 1) * input.number;
-  fmt::print("{}: about {} modes of one state, a few seconds of one core and {:.0f} MB\n\n{}", file,
-             least, std::max(1., least * megabytes_of_a_mode),
+  const studies::ModesCost cost = studies::cost_of(input);
+  fmt::print("{}: about {} modes of one state, {} of one core and {:.0f} MB\n\n{}", file,
+             cost.modes, duration(cost.seconds), std::max(1., cost.megabytes),
              studies::describe(input, SBEH_VERSION));
 }
 

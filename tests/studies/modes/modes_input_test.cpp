@@ -4,6 +4,8 @@
 #include "studies/parameters/input_kind.h"
 #include "tests/studies/parameters/input_file.h"
 
+#include <cmath>
+
 namespace sbeh::studies {
 namespace {
 
@@ -79,6 +81,37 @@ TEST(ModesInput, that_is_wrong_is_refused_with_line_key_and_value) {
         "reduced_volume, L, largest_m, number, fluctuations"},
        {"[material]\nL = 0.02",
         ":5: [material] L = 0.02: must not be given in modes, where L comes from [modes]"}});
+}
+
+TEST(ModesCost, is_within_a_factor_of_two_of_what_was_measured) {
+  using enum axisym::Branch;
+  struct Measured {
+    axisym::Branch branch;
+    double reduced_volume;
+    int largest_m, number, elements, modes;
+    double seconds, megabytes;
+  };
+  for (const Measured& run : {Measured{oblate, 0.7, 5, 1, 48, 12, 0.38, 2},
+                              Measured{oblate, 0.7, 15, 4, 48, 128, 3.46, 21},
+                              Measured{oblate, 0.7, 20, 8, 96, 336, 14.5, 64},
+                              Measured{oblate, 0.7, 5, 1, 192, 12, 1.12, 3},
+                              Measured{prolate, 0.4, 5, 4, 48, 48, 4.32, 9},
+                              Measured{prolate, 0.4, 15, 1, 48, 32, 3.02, 7},
+                              Measured{prolate, 0.4, 20, 8, 96, 336, 30.1, 63},
+                              Measured{prolate, 0.7, 8, 4, 48, 72, 6.07, 12},
+                              Measured{stomatocyte, 0.62, 5, 1, 48, 6, 1.07, 2},
+                              Measured{stomatocyte, 0.62, 8, 4, 48, 36, 5.13, 7}}) {
+    ModesInput input;
+    input.state.branch = run.branch;
+    input.state.reduced_volume = run.reduced_volume;
+    input.largest_m = run.largest_m;
+    input.number = run.number;
+    input.state.numerics.elements = run.elements;
+    const ModesCost cost = cost_of(input);
+    EXPECT_EQ(cost.modes, run.modes);
+    EXPECT_LT(std::abs(std::log2(cost.seconds / run.seconds)), 1) << cost.seconds;
+    EXPECT_LT(std::abs(std::log2(cost.megabytes / run.megabytes)), 1) << cost.megabytes;
+  }
 }
 
 }  // namespace

@@ -88,6 +88,14 @@ TEST(Html, shows_the_rows_of_a_reduced_volume_together_or_not_at_all) {
   }
 }
 
+TEST(Html, shows_rows_of_a_history_evenly_spread) {
+  CsvTable series{.columns = {"time", "reduced_volume"}, .rows = {}};
+  for (int row = 0; row < 500; ++row)  // kept to rounding
+    series.rows.push_back({std::to_string(row), fmt::format("{}", 0.8 + 1e-13 * (row % 7))});
+  EXPECT_NE(html::table(series, 100, "series.csv").find("100 of 500 rows, evenly spread"),
+            std::string::npos);
+}
+
 TEST(Html, links_to_files_of_any_name) {
   EXPECT_EQ(html::link("points/a.csv"), "<a href=\"points/a.csv\">points/a.csv</a>");
   EXPECT_EQ(html::link("a b\"<%.csv"), "<a href=\"a%20b%22%3C%25.csv\">a b&quot;&lt;%.csv</a>");
