@@ -3,6 +3,7 @@
 #include "meshing/near_points.h"
 #include "meshing/polygon_cutting.h"
 
+#include <Eigen/Geometry>
 #include <boost/pending/disjoint_sets.hpp>
 #include <fmt/format.h>
 
@@ -161,6 +162,38 @@ void remove_strays(FaceSoup& soup, RepairLog& log) {
   if (few * removed.size() > all) return;
   soup.triangles = std::move(kept);
   log.add(removed.size(), "stray triangles removed", numbers_of(removed));
+}
+
+void remove_specks(FaceSoup& soup, RepairLog& log) {
+  constexpr double small = 0.01;  // part of the area of the largest body
+  const std::size_t all = soup.triangles.size();
+  boost::disjoint_sets_with_storage<> bodies(all);
+  std::vector<bool> at_odd_edge(all, false);
+  for (const auto& [edge, triangles] : triangles_at_edges(soup))
+    for (const int t : triangles) {
+      bodies.union_set(std::size_t(triangles[0]), std::size_t(t));
+      if (triangles.size() != 2) at_odd_edge[std::size_t(t)] = true;
+    }
+  std::vector<double> area(all, 0);
+  std::vector<bool> open(all, false);  // by body, as the areas
+  for (std::size_t t = 0; t < all; ++t) {
+    const Eigen::Matrix3d x = soup.points(Eigen::all, soup.triangles[t].corner);
+    const std::size_t body = bodies.find_set(t);
+    area[body] += (x.col(1) - x.col(0)).cross(x.col(2) - x.col(0)).norm() / 2;
+    if (at_odd_edge[t]) open[body] = true;
+  }
+  const double largest = all == 0 ? 0 : *std::ranges::max_element(area);
+  std::vector<Triangle> kept, removed;
+  std::size_t specks = 0;
+  for (std::size_t t = 0; t < all; ++t) {
+    const std::size_t body = bodies.find_set(t);
+    const bool is_speck = !open[body] && area[body] < small * largest;
+    specks += is_speck && body == t;
+    (is_speck ? removed : kept).push_back(soup.triangles[t]);
+  }
+  soup.triangles = std::move(kept);
+  log.add(specks, "small closed bodies beside the surface removed",
+          fmt::format("of less than {} % of its area, {}", 100 * small, numbers_of(removed)));
 }
 
 void remove_unused_points(FaceSoup& soup, RepairLog& log) {

@@ -37,6 +37,8 @@ Names names_of(const FaceSoup& soup);
 void clean(FaceSoup& soup, RepairLog& log);
 /// Removes the few triangles that hang on a surface by an edge or a point, or lie beside it.
 void remove_strays(FaceSoup& soup, RepairLog& log);
+/// Removes closed bodies beside the largest one that have less than a hundredth of its area.
+void remove_specks(FaceSoup& soup, RepairLog& log);
 /// Points without triangles.
 void remove_unused_points(FaceSoup& soup, RepairLog& log);
 

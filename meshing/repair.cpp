@@ -182,6 +182,7 @@ Repair repaired(const PolygonMesh& mesh) {
   FaceSoup soup = soup_of(mesh, log);
   clean(soup, log);
   remove_strays(soup, log);
+  remove_specks(soup, log);
   remove_unused_points(soup, log);
   orient(soup, log);
   Mesh surface = surface_of(soup);

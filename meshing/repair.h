@@ -16,7 +16,7 @@ struct Repair {
 
 /// Cuts polygons into triangles, joins points of equal coordinates and those that are near
 /// (`near_points`), removes repeated triangles, unused points and the few triangles that hang on the
-/// surface or lie beside it, gives all triangles one orientation, outward, closes holes of at most 8
+/// surface or lie beside it, and small closed bodies beside it, gives all triangles one orientation, outward, closes holes of at most 8
 /// edges (CGAL) and turns the longest edge of flat triangles. Larger holes, handles and
 /// self-intersections remain: see `find_defect`. Numbers must be finite and corners in range; throws
 /// std::invalid_argument otherwise.

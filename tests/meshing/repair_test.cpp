@@ -140,6 +140,42 @@ TEST(Repair, removes_strays_and_says_which) {
   }
 }
 
+void add_body(PolygonMesh& mesh, const PolygonMesh& body) {
+  const int first = mesh.point_count();
+  for (const auto x : body.points.colwise()) add_point(mesh, x);
+  for (std::vector<int> face : body.faces) {
+    for (int& corner : face) corner += first;
+    add_face(mesh, face);
+  }
+}
+
+TEST(Repair, removes_small_closed_bodies_beside_the_surface_and_says_which) {
+  for (const double size : {1e-6, 1e-3, 0.05, 0.09})  // of less than 0.81 % of the area
+    for (const Vector3d& place : {Vector3d(1.5, 0, 0), Vector3d(0.2, 0.1, -0.3)}) {
+      PolygonMesh mesh = sphere(7, Vector3d(3, 0, 0));
+      add_body(mesh, sphere(7 * size, 7 * place));
+      const Repair repair = repaired(mesh);
+      expect_the_sphere(repair, sphere(7));
+      EXPECT_TRUE(mentions(repair,
+                           "small closed bodies beside the surface removed: 1, of less "
+                           "than 1 % of its area, triangles 180, 181, 182, 183, 184, ..."))
+          << all(repair.done);
+    }
+  PolygonMesh mesh = sphere(0.01);  // comes first in the file
+  add_body(mesh, sphere());
+  add_body(mesh, sphere(0.02, Vector3d(0, 0, 2)));
+  expect_the_sphere(repaired(mesh), sphere());
+  EXPECT_TRUE(mentions(repaired(mesh), "bodies beside the surface removed: 2, "));
+}
+
+TEST(Repair, keeps_bodies_that_are_not_small) {
+  for (const double size : {0.11, 0.5, 1.}) {
+    PolygonMesh mesh = sphere();
+    add_body(mesh, sphere(size, Vector3d(3, 0, 0)));
+    EXPECT_EQ(repaired(mesh).mesh.triangle_count(), 360);
+  }
+}
+
 TEST(Repair, keeps_a_surface_that_is_not_joined_rather_than_taking_it_for_strays) {
   PolygonMesh two = sphere();  // open halves, nothing of which is stray
   std::erase_if(two.faces, [&](const auto& f) { return std::abs(two.points(2, f[0])) < 0.3; });

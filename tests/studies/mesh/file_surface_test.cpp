@@ -101,6 +101,15 @@ const std::vector<Wrong> cases{
        for (auto f : other.faces) s.faces.push_back({f[0] + n, f[1] + n, f[2] + n});
      },
      false},
+    {": triangle 320 (points ",
+     [](Shape& s) {
+       const Shape other = sphere();
+       const int n = int(s.points.size());
+       for (const auto& x : other.points)
+         s.points.emplace_back(0.05 * x + Eigen::Vector3d(3, 0, 0));
+       for (auto f : other.faces) s.faces.push_back({f[0] + n, f[1] + n, f[2] + n});
+     },
+     true},
     {": triangle ", [](Shape& s) { s.points[0] = Eigen::Vector3d(0, 0, -1.5); }, false},
     {": edge ", [](Shape& s) { s.points[0] = Eigen::Vector3d(0, 0, 1.6); }, false},
     {": point 5 (inf, ", [](Shape& s) { s.points[5][0] = INFINITY; }, false},
