@@ -53,7 +53,7 @@ class Report : public Workplace {
     const Ended ended = sbeh({"report", folder, "--no-pictures"});
     EXPECT_EQ(ended.exit_code, 0) << ended.err;
     EXPECT_TRUE(ended.out.starts_with("wrote " + folder + "/report.html")) << ended.out;
-    const std::string page = without_scripts(read(folder + "/report.html"));
+    std::string page = without_scripts(read(folder + "/report.html"));
     EXPECT_EQ(fault_of(page), "");
     expect_links(page, folder);
     for (const char* outside : {"http", "url(", "@import", "<script", "src=\"/", "//"})
@@ -69,8 +69,7 @@ class Report : public Workplace {
       const std::size_t from = at + begin.size();
       links.insert(page.substr(from, page.find('"', from) - from));
     }
-    for (const std::string& file : links)
-      EXPECT_TRUE(fs::exists(path(folder + "/" + file))) << file;
+    for (const std::string& file : links) EXPECT_TRUE(fs::exists(path(folder) / file)) << file;
     for (const fs::directory_entry& entry : fs::directory_iterator(path(folder))) {
       const std::string name = entry.path().filename().string();
       if (name.starts_with(".") || name == "report.html") continue;

@@ -78,6 +78,7 @@ const unknown = 65535;
 
 // Numbers in 16 bits as they were.
 export function dequantised(numbers, low, high) {
-  const step = (high - low) / (unknown - 1);
-  return Float32Array.from(numbers, (number) => (number === unknown ? NaN : low + step * number));
+  const step = (high - low) / (unknown - 1), values = new Float32Array(numbers.length);
+  for (let i = 0; i < numbers.length; ++i) values[i] = numbers[i] === unknown ? NaN : low + step * numbers[i];
+  return values;
 }

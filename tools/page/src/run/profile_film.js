@@ -1,10 +1,10 @@
 // The profiles of an axisymmetric evolution as surfaces: what film.js is for a 3D run.
-import { read_profiles } from "../profiles.js";
+import { Profiles } from "../profiles.js";
 import { revolved } from "../surface/revolved.js";
 
 export class ProfileFilm {
   constructor(parts) {
-    const profiles = read_profiles(parts);
+    const profiles = new Profiles(parts);
     this.states = Number(parts.get("states"));
     this.frames = parts.table("shown.csv").map(({ time, file }, k) => ({ time, file, profile: profiles.get(k) }));
     this.about = "profiles, turned about their axis";

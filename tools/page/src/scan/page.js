@@ -113,7 +113,7 @@ export class ScanPage {
 
   first_point() {
     const { points } = this.map;
-    return points.find((p) => p.rests && p.profile) ?? points[0];
+    return points.find((p) => p.rests && p.profile()) ?? points[0];
   }
   step(direction) {
     const next = this.chosen && neighbour(this.scan, this.map, this.chosen, direction);

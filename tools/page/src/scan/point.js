@@ -60,11 +60,12 @@ export class PointPanel {
 
   show(point, map) {
     this.point = point;
+    this.profile_of_point = point.profile();
     this.heading.textContent = name_of(point);
     const { status, stop_reason: reason } = point.row;
     this.remark.textContent =
       (status === "stationary" ? status : `${status}: ${reason || "no reason is given"}`) +
-      (point.profile ? "" : "; its profile is not in the folder");
+      (this.profile_of_point ? "" : "; its profile is not in the folder");
     this.near.replaceChildren(...this.neighbours(map));
     this.draw_shape();
     this.numbers.replaceChildren(this.modes(point), numbers_table(this.scan.columns, point.row));
@@ -95,7 +96,7 @@ export class PointPanel {
 
   draw_shape() {
     if (!this.point) return;
-    const { profile } = this.point;
+    const profile = this.profile_of_point;
     this.shape.hidden = this.bar.hidden = !profile;
     if (!profile) return;
     const uniform = range_of([...profile.order]);

@@ -1,5 +1,5 @@
 // The points of a scan, its grid, and what a point has.
-import { read_profiles } from "../profiles.js";
+import { Profiles } from "../profiles.js";
 
 const resting = new Set(["stationary", "limit"]);
 const keys = new Set(["model", "reduced_volume", "L", "branch", "stop_reason"]);
@@ -10,6 +10,7 @@ const ascending = (values) => [...new Set(values)].sort((a, b) => a - b);
 
 export function read_scan(parts) {
   const rows = parts.table("scan.csv");
+  const profiles = new Profiles(parts);
   const points = rows.map((row, index) => ({
     row,
     index,
@@ -18,9 +19,8 @@ export function read_scan(parts) {
     model: row.model,
     branch: row.branch,
     rests: resting.has(row.status),
+    profile: () => profiles.get(index),
   }));
-  const profiles = read_profiles(parts);
-  for (const point of points) point.profile = profiles.get(point.index) ?? null;
   return {
     points,
     folder: parts.get("folder"),
