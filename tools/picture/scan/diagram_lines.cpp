@@ -142,26 +142,42 @@ struct PlacedLabel {
   Rect rect;
 };
 
-// To the right of a line through `at` in the direction (dx, dy), on white; within `inside`, and not beside one that says
-// the same.
-void draw_label(Canvas& canvas, const Rect& inside, const std::array<double, 2>& at, double dx,
-                double dy, const DiagramLine& line, double text_size,
-                std::vector<PlacedLabel>& placed) {
+bool overlap(const Rect& a, const Rect& b) {
+  return a.x < b.right() && b.x < a.right() && a.y < b.top() && b.y < a.top();
+}
+
+// A place on a line, and its direction there.
+struct Place {
+  std::array<double, 2> at;
+  double dx, dy;
+};
+
+// Beside the place, on white, to the right if there is room; false where there is none for it. Beside one that says the
+// same it is not needed.
+bool draw_label(Canvas& canvas, const Rect& inside, const Place& place, const DiagramLine& line,
+                double text_size, std::vector<PlacedLabel>& placed) {
   const double size = 0.75 * text_size, width = canvas.text_width(line.label, size) + 0.4 * size,
-               height = 1.1 * size, length = std::hypot(dx, dy);
-  const double side = dy < 0.0 ? -1.0 : 1.0, nx = side * dy / length, ny = -side * dx / length;
-  const double away = 0.5 * (width * nx + height * std::abs(ny)) + 0.3 * size;
-  const double right = at[0] + away * nx + 0.5 * width <= inside.right() ? 1.0 : -1.0;
-  const double x = at[0] + right * away * nx, y = at[1] + right * away * ny;
-  const Rect rect{x - 0.5 * width, y - 0.5 * height, width, height};
-  if (std::ranges::any_of(placed, [&](const PlacedLabel& label) {
-        return label.text == line.label && std::abs(label.rect.x - rect.x) < 2.0 * width
-            && std::abs(label.rect.y - rect.y) < 2.0 * height;
-      }))
-    return;
-  placed.push_back({line.label, rect});
-  canvas.fill(rect, white);
-  canvas.text(x, y, line.label, {.size = size, .colour = line.style.colour});
+               height = 1.1 * size, length = std::hypot(place.dx, place.dy);
+  const double side = place.dy < 0.0 ? -1.0 : 1.0, nx = side * place.dy / length,
+               ny = -side * place.dx / length;
+  const double away = 0.5 * (width * std::abs(nx) + height * std::abs(ny)) + 0.3 * size;
+  for (const double sign : {1.0, -1.0}) {
+    const double x = place.at[0] + sign * away * nx, y = place.at[1] + sign * away * ny;
+    const Rect rect{x - 0.5 * width, y - 0.5 * height, width, height};
+    if (std::ranges::any_of(placed, [&](const PlacedLabel& label) {
+          return label.text == line.label && std::abs(label.rect.x - rect.x) < 2.0 * width
+              && std::abs(label.rect.y - rect.y) < 2.0 * height;
+        }))
+      return true;
+    if (rect.x < inside.x || rect.right() > inside.right()
+        || std::ranges::any_of(placed, [&](const auto& l) { return overlap(l.rect, rect); }))
+      continue;
+    placed.push_back({line.label, rect});
+    canvas.fill(rect, white);
+    canvas.text(x, y, line.label, {.size = size, .colour = line.style.colour});
+    return true;
+  }
+  return false;
 }
 
 bool within(const Rect& inside, const std::array<double, 2>& at) {
@@ -178,13 +194,17 @@ void draw_labels(Canvas& canvas, const Rect& inside,
   for (const auto& [line, piece] : pieces) {
     share = std::fmod(share + 0.3, 0.9);
     if (line->label.empty() || piece.size() < 2) continue;
-    const auto k = std::size_t(share * double(piece.size() - 1));
-    draw_label(canvas, inside, piece[k], piece[k + 1][0] - piece[k][0],
-               piece[k + 1][1] - piece[k][1], *line, text_size, placed);
+    for (const double further : {0.0, 0.3, 0.6}) {
+      const auto k = std::size_t(std::fmod(share + further, 0.9) * double(piece.size() - 1));
+      const Place place{piece[k], piece[k + 1][0] - piece[k][0], piece[k + 1][1] - piece[k][1]};
+      if (draw_label(canvas, inside, place, *line, text_size, placed)) break;
+    }
   }
-  for (const auto& [line, piece] : pieces)
-    if (!line->label.empty() && piece.size() == 1)
-      draw_label(canvas, inside, piece.front(), 0.0, 1.0, *line, text_size, placed);
+  for (const auto& [line, piece] : pieces) {
+    if (line->label.empty() || piece.size() != 1) continue;
+    for (const Place& place : {Place{piece[0], 0.0, 1.0}, Place{piece[0], 1.0, 0.0}})
+      if (draw_label(canvas, inside, place, *line, text_size, placed)) break;
+  }
 }
 
 }  // namespace
