@@ -2,7 +2,6 @@
 
 #include "meshing/curving.h"
 #include "meshing/measures.h"
-#include "meshing/revolution.h"
 #include "meshing/shapes.h"
 #include "studies/evolution/event_log.h"
 #include "studies/io/errors.h"
@@ -10,7 +9,6 @@
 #include "studies/mesh/file_surface.h"
 #include "studies/mesh/make_mesh.h"
 #include "studies/mesh_files/mesh_file.h"
-#include "studies/modes/mode_file.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/profile_file.h"
 
@@ -119,23 +117,13 @@ Start make(const FrameStart& start, const RunInput&) {
   return {sound(curved_mesh(frame), start.file), frame.state.beta};
 }
 
-// Throws std::invalid_argument where the order would leave its range, or the surface not be one.
 Start make(const ModeStart& start, const RunInput& input) {
-  RevolvedMode mode = revolved(read_mode(start.file), {.triangles = input.triangles});
-  Eigen::VectorXd beta = mode.beta + start.amplitude * mode.order_change;
-  if (!(orders.contains(beta.minCoeff()) && orders.contains(beta.maxCoeff())))
-    throw std::invalid_argument(
-        fmt::format("amplitude = {}: is too large: the order would reach from {:.3g} to {:.3g}, "
-                    "which must be {}",
-                    start.amplitude, beta.minCoeff(), beta.maxCoeff(), orders.text()));
-  mode.mesh.nodes += start.amplitude * mode.displacement;
   try {
-    require_sound(mode.mesh);
+    meshing::RevolvedMesh made = displaced(read_mode(start.file), start.amplitude, input.triangles);
+    return {std::move(made.mesh), std::move(made.beta)};
   } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(
-        fmt::format("amplitude = {}: is too large: {}", start.amplitude, error.what()));
+    throw std::invalid_argument(fmt::format("amplitude = {}: {}", start.amplitude, error.what()));
   }
-  return {std::move(mode.mesh), std::move(beta)};
 }
 
 // Not a number where the surface is degenerate.
@@ -168,6 +156,22 @@ void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("is too large: {}", error.what()));
   }
+}
+
+meshing::RevolvedMesh displaced(const StateMode& mode, double amplitude, int triangles) {
+  RevolvedMode made = revolved(mode, {.triangles = triangles});
+  const Eigen::VectorXd beta = made.beta + amplitude * made.order_change;
+  if (!(orders.contains(beta.minCoeff()) && orders.contains(beta.maxCoeff())))
+    throw std::invalid_argument(
+        fmt::format("is too large: the order would reach from {:.3g} to {:.3g}, which must be {}",
+                    beta.minCoeff(), beta.maxCoeff(), orders.text()));
+  made.mesh.nodes += amplitude * made.displacement;
+  try {
+    require_sound(made.mesh);
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("is too large: {}", error.what()));
+  }
+  return {std::move(made.mesh), beta};
 }
 
 RunStart start_of(const RunInput& input) {

@@ -1,8 +1,10 @@
 // The first state of a 3D run, and what the run costs.
 #pragma once
 
+#include "meshing/revolution.h"
 #include "studies/evolution/frame_file.h"
 #include "studies/evolution/run_input.h"
+#include "studies/modes/mode_file.h"
 
 #include <string>
 #include <vector>
@@ -22,6 +24,10 @@ RunStart start_of(const RunInput& input);
 /// Displaces the nodes along the normals by Σ a_lm Y_lm of their directions from the centre. Throws
 /// std::invalid_argument where that is too large for the surface.
 void perturb(meshing::CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes);
+
+/// The state revolved and displaced by `amplitude` times a mode, its order with it. Throws std::invalid_argument where
+/// that takes the order out of its range, or folds the surface.
+meshing::RevolvedMesh displaced(const StateMode& mode, double amplitude, int triangles);
 
 /// Seconds and MB as measured with the defaults on one core of 2026; good to a factor of two.
 struct RunCost {

@@ -2,6 +2,7 @@
 
 #include "axisym/modes/eigenmodes.h"
 #include "axisym/modes/growth_rates.h"
+#include "studies/modes/mode_file.h"
 #include "studies/scan/branch_points.h"
 
 #include <algorithm>
@@ -31,7 +32,9 @@ std::optional<LinearMode> linear_mode(const axisym::StationaryCase& of, const ax
   const auto lowest = std::ranges::find_if(spectrum->modes, is_ours, &axisym::Eigenmode::parity);
   const auto fastest = std::ranges::find_if(*rates, is_ours, &axisym::GrowthMode::parity);
   if (lowest == spectrum->modes.end() || fastest == rates->end()) return {};
-  LinearMode mode{lowest->eigenvalue, fastest->rate, {}, false};
+  LinearMode mode{lowest->eigenvalue, fastest->rate, {},        false,
+                  fastest->parity,    fastest->u,    fastest->b};
+  normalise(mode.u, mode.b);
   const auto next = std::find_if(fastest + 1, rates->end(), [&](const axisym::GrowthMode& one) {
     return is_ours(one.parity);
   });

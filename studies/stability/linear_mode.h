@@ -15,6 +15,9 @@ struct LinearMode {
   std::optional<double> next_rate;  ///< of the mode that decays next
   bool
       is_resolved;  ///< the signs of both agree, and λ is farther from 0 than those of rigid motions
+  axisym::Parity parity;
+  axisym::Field u,
+      b;  ///< of the flow's mode, over the nodes of the state, as `normalise` has them (modes/mode_file.h)
 
   /// From when on the next mode of a perturbation is less than a hundredth of what it was beside this one; 0 where
   /// there is none.

@@ -1,7 +1,6 @@
 #include "studies/stability/stability_cost.h"
 
 #include "studies/evolution/run_start.h"
-#include "studies/stability/linear_mode.h"
 #include "studies/stability/stability_run.h"
 #include "studies/witnesses/state.h"
 
@@ -22,8 +21,8 @@ constexpr double to_rest = 3;       // in units of 1/κ: other modes are slow
 double seconds_of_states(model::Model model) { return model == model::Model::SSH ? 1.5 : 0.6; }
 
 // How long a run follows the perturbation, if it ends by itself.
-double time_of(const LinearMode& mode, double amplitude, double kappa, double step) {
-  const double settling = settling_share / kappa;
+double time_of(const LinearMode& mode, double amplitude, double kappa, double step,
+               double settling) {
   if (mode.rate > 0)
     return settling
          + std::max(std::log(std::max(large / amplitude, grown)) / mode.rate, to_rest / kappa);
@@ -37,10 +36,13 @@ double steps_of(const StabilityInput& input, const StabilityKey& key) {
   const axisym::StationaryCase of = case_of(input, key);
   const WitnessState state = newton_state(of);
   if (!state.profile) return 0;
-  const double kappa = of.material.kappa(model::full_order), step = input.numerics_3d.largest_step;
+  const double kappa = of.material.kappa(model::full_order);
+  const auto mode = linear_mode(of, *state.profile, key.l, key.m);
+  const double step = largest_step(input, mode);
   double time = input.end_time / kappa;
-  if (const auto mode = linear_mode(of, *state.profile, key.l, key.m))
-    time = std::min(time, time_of(*mode, perturbation_of(input, key).amplitude, kappa, step));
+  if (mode)
+    time = std::min(time, time_of(*mode, perturbation_of(input, key).amplitude, kappa, step,
+                                  settling_time(input, kappa)));
   return first_steps + time / step;
 }
 
@@ -66,9 +68,9 @@ StabilityCost cost_of(const StabilityInput& input) {
     run.numerics = input.numerics_3d;
     const double steps = steps_of(input, key);
     cost.steps += share * steps;
-    cost.seconds +=
-        share
-        * (seconds_of_states(key.model) + steps * cost_of(run, input.triangles).seconds_per_step);
+    double seconds_per_step = cost_of(run, input.triangles).seconds_per_step;
+    if (input.coarser > 0) seconds_per_step += cost_of(run, input.coarser).seconds_per_step;
+    cost.seconds += share * (seconds_of_states(key.model) + steps * seconds_per_step);
   }
   return cost;
 }

@@ -44,12 +44,15 @@ void read_states(const TomlTable& table, StabilityInput& input) {
   if (input.reduced_volume.back() == 1)
     table.fail("reduced_volume", "must be < 1: there is only the sphere, which cannot move");
   input.perturbations = read_perturbations(table, input.perturbations);
+  input.start = table.choice("start", values_of(input.start), std::optional(input.start));
   table.reject_unknown_keys();
 }
 
 void read_surface(const TomlTable& table, StabilityInput& input) {
   input.triangles = table.integer("triangles", meshing::fewest_triangles, meshing::most_triangles,
                                   input.triangles);
+  if (table.has("coarser"))
+    input.coarser = table.integer("coarser", meshing::fewest_triangles, input.triangles - 1);
   input.end_time = table.number("end", above(0), input.end_time);
   read_some(table, input.numerics_3d, run_keys);
   check(table, input.numerics_3d);
@@ -103,8 +106,10 @@ std::string describe(const StabilityInput& input, std::string_view version) {
   toml.table("stability");
   write_grid(toml, input);
   toml.value("perturbations", input.perturbations);
+  toml.value("start", name(input.start));
   toml.table("surface3d");
   toml.value("triangles", input.triangles);
+  if (input.coarser > 0) toml.value("coarser", input.coarser);
   toml.value("end", input.end_time);
   write_some(toml, input.numerics_3d, run_keys);
   write_material_without_L(toml, input.material);

@@ -13,13 +13,24 @@
 
 namespace sbeh::studies {
 
-/// Table [stability]: the grid, V_r < 1, of oblates or prolates, and perturbations; optional [surface3d]
-/// (triangles, end, largest_step, tolerance), [material] (without L) and [numerics] (of the axisymmetric states).
+/// How a state is displaced.
+enum class StabilityStart {
+  harmonic,  ///< along the normal by a Y_lm
+  mode  ///< by a times the fastest mode of the flow with this m and the parity of l − m, the order with it
+};
+constexpr auto names(StabilityStart) { return std::array{"harmonic", "mode"}; }
+
+/// Table [stability]: the grid, V_r < 1, of oblates or prolates, perturbations and start; optional [surface3d]
+/// (triangles, coarser, end, largest_step, tolerance), [material] (without L) and [numerics] (of the axisymmetric
+/// states).
 struct StabilityInput : StateGrid {
-  /// Displacements along the normal by a Y_lm, 1 <= m <= l, one run for each; with m = 1 of odd l >= 3, since
-  /// the others mostly shift or turn the surface.
+  /// a Y_lm, 1 <= m <= l, one run for each; with m = 1 of odd l >= 3, since the others mostly shift or turn the
+  /// surface.
   std::vector<meshing::Harmonic> perturbations{{2, 2, 0.01}, {3, 3, 0.01}};
-  int triangles = 320;   ///< about so many
+  StabilityStart start = StabilityStart::harmonic;
+  int triangles = 320;  ///< about so many
+  int coarser =
+      0;  ///< about so many for a second run, which tells the error that the mesh makes; 0: none
   double end_time = 20;  ///< key `end`, > 0: a run ends here; in units of 1/κ(2/3), which is 1/(2L)
   surface3d::Numerics
       numerics_3d;  ///< keys `largest_step` (0.1) and `tolerance` (1e-3), in plain units

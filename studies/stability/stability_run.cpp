@@ -5,7 +5,6 @@
 #include "studies/evolution/run_start.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/stopwatch.h"
-#include "studies/stability/linear_mode.h"
 #include "studies/witnesses/state.h"
 #include "surface3d/flow.h"
 
@@ -112,24 +111,42 @@ void take_mode(const LinearMode& mode, StabilityResult& result) {
   if (mode.is_resolved) result.verdict = mode.rate > 0 ? Verdict::leaves : Verdict::stays;
 }
 
-// What the run says beside it.
-void take_run(const Observer& seen, const std::optional<LinearMode>& mode, double kappa,
-              StabilityResult& result) {
-  if (!seen.has_gone_early())
-    result.growth =
-        fit_growth(seen.amplitudes, mode ? std::optional(mode->settled_at()) : std::nullopt);
-  result.witness = verdict_of(seen, result.growth);
-  if (!mode || !mode->is_resolved) result.verdict = result.witness;
-  if (!result.growth) return;
-  result.reduced_rate = result.growth->rate / kappa;
-  if (mode) result.rate_difference = result.growth->rate - mode->rate;
+std::optional<GrowthRate> growth_of(const Observer& seen, std::optional<double> settled) {
+  return seen.has_gone_early() ? std::nullopt : fit_growth(seen.amplitudes, settled);
 }
 
+// What the run says beside it.
+void take_run(const Observer& seen, const std::optional<GrowthRate>& growth,
+              const std::optional<LinearMode>& mode, double kappa, StabilityResult& result) {
+  result.growth = growth;
+  result.witness = verdict_of(seen, growth);
+  if (!mode || !mode->is_resolved) result.verdict = result.witness;
+  if (!growth) return;
+  result.reduced_rate = growth->rate / kappa;
+  if (mode) result.rate_difference = growth->rate - mode->rate;
+}
+
+// Throws std::invalid_argument where the perturbation is too large.
 meshing::RevolvedMesh perturbed(const axisym::State& profile, const StabilityInput& input,
-                                const StabilityKey& key) {
-  meshing::RevolvedMesh revolved = meshing::revolved(profile, {.triangles = input.triangles});
+                                const StabilityKey& key, const std::optional<LinearMode>& mode,
+                                int triangles) {
+  const meshing::Harmonic displacement = perturbation_of(input, key);
+  meshing::RevolvedMesh revolved;
   try {
-    perturb(revolved.mesh, {perturbation_of(input, key)});
+    if (input.start == StabilityStart::mode) {
+      if (!mode) throw std::invalid_argument("has no mode that is found");
+      revolved = displaced({{key.model, input.material.with_L(key.L)},
+                            profile,
+                            {key.m, mode->parity},
+                            mode->eigenvalue,
+                            mode->rate,
+                            mode->u,
+                            mode->b},
+                           displacement.amplitude, triangles);
+    } else {
+      revolved = meshing::revolved(profile, {.triangles = triangles});
+      perturb(revolved.mesh, {displacement});
+    }
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("the perturbation {}", error.what()));
   }
@@ -137,14 +154,67 @@ meshing::RevolvedMesh perturbed(const axisym::State& profile, const StabilityInp
   return revolved;
 }
 
-}  // namespace
+// A run, and what was seen of it.
+struct Followed {
+  std::shared_ptr<const Triangulation> mesh;
+  Observer seen;
+  surface3d::FlowResult run;
+};
 
-std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
-                                              const StabilityKey& key) {
-  const Stopwatch watch;
-  StabilityOutcome outcome;
-  StabilityResult& result = outcome.result;
-  result.key = key;
+// Throws std::invalid_argument where the perturbation is too large.
+Followed follow(const axisym::State& profile, const StabilityInput& input, const StabilityKey& key,
+                const std::optional<LinearMode>& mode, int triangles) {
+  const model::Material material = input.material.with_L(key.L);
+  const double kappa = material.kappa(model::full_order);
+  const meshing::RevolvedMesh start = perturbed(profile, input, key, mode, triangles);
+  const auto mesh = std::make_shared<const Triangulation>(start.mesh);
+  surface3d::Numerics numerics = input.numerics_3d;
+  numerics.largest_step = largest_step(input, mode);
+  Observer seen(key, settling_time(input, kappa),
+                mode ? mode->gone_at() : std::numeric_limits<double>::infinity());
+  const surface3d::FlowResult run = surface3d::run_flow(
+      material, key.model,
+      {.mesh = mesh,
+       .state = {start.mesh.nodes, start.beta},
+       .target = {area, key.reduced_volume * area / 3}},
+      numerics, {.end_time = input.end_time / kappa, .output_times = {}, .stop_at_rest = false},
+      [&](const auto& record, const auto& state, const auto& view, bool) {
+        return seen(record, state, view);
+      });
+  return {mesh, std::move(seen), run};
+}
+
+// From when on a run's amplitude is that of the mode alone.
+std::optional<double> settled_at(const StabilityInput& input,
+                                 const std::optional<LinearMode>& mode) {
+  if (!mode) return {};
+  return input.start == StabilityStart::mode ? 0 : mode->settled_at();
+}
+
+// The run, and where it is asked for one on a coarser mesh. Empty when interrupted.
+std::optional<Followed> run_on_meshes(const axisym::State& profile, const StabilityInput& input,
+                                      const StabilityKey& key,
+                                      const std::optional<LinearMode>& mode,
+                                      StabilityResult& result) {
+  const double kappa = input.material.with_L(key.L).kappa(model::full_order);
+  const auto followed = [&](int triangles) { return follow(profile, input, key, mode, triangles); };
+  std::optional<Followed> fine = followed(input.triangles);
+  const std::optional<double> settled = settled_at(input, mode);
+  std::optional<GrowthRate> growth = growth_of(fine->seen, settled);
+  if (growth && input.coarser > 0 && interrupt_signal() == 0)
+    if (const auto coarse = growth_of(followed(input.coarser).seen, settled)) {
+      result.coarser_rate = coarse->rate;
+      growth->error = std::max(growth->error, std::abs(coarse->rate - growth->rate));
+    }
+  if (interrupt_signal() != 0) return {};
+  take_run(fine->seen, growth, mode, kappa, result);
+  return fine;
+}
+
+// The energies of the axisymmetric shapes, and what is known of the perturbation without a run. Empty where there is no
+// state, which the result's stop_reason says.
+std::optional<axisym::State> take_states(const StabilityInput& input, const StabilityKey& key,
+                                         StabilityResult& result) {
   const auto state_of = [&](axisym::Branch branch) {
     return newton_state(case_of(input, {key.reduced_volume, key.L, key.model, branch}));
   };
@@ -155,41 +225,48 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   const WitnessState& axisymmetric = key.branch == axisym::Branch::oblate ? oblate : prolate;
   if (!axisymmetric.profile) {
     result.stop_reason = axisymmetric.failure;
-    return outcome;
+    return {};
   }
   result.energy_axisymmetric = axisymmetric.measures.energy;
-  const auto mode = linear_mode(case_of(input, key), *axisymmetric.profile, key.l, key.m);
-  if (mode) take_mode(*mode, result);
   if (const auto saddle = classical_saddle(case_of(input, key))) {
     result.negative_directions = saddle->negative_directions;
     result.stiffness = saddle->stiffness;
   }
+  return axisymmetric.profile;
+}
 
-  const model::Material material = input.material.with_L(key.L);
-  const double kappa = material.kappa(model::full_order);
-  meshing::RevolvedMesh start;
+}  // namespace
+
+double settling_time(const StabilityInput& input, double kappa) {
+  return input.start == StabilityStart::mode ? 0 : settling_share / kappa;
+}
+
+double largest_step(const StabilityInput& input, const std::optional<LinearMode>& mode) {
+  const double step = input.numerics_3d.largest_step;
+  if (input.start != StabilityStart::mode || !mode || mode->rate == 0) return step;
+  return std::min(step, step_share / std::abs(mode->rate));
+}
+
+std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
+                                              const StabilityKey& key) {
+  const Stopwatch watch;
+  StabilityOutcome outcome;
+  StabilityResult& result = outcome.result;
+  result.key = key;
+  const auto profile = take_states(input, key, result);
+  if (!profile) return outcome;
+  const auto mode = linear_mode(case_of(input, key), *profile, key.l, key.m);
+  if (mode) take_mode(*mode, result);
+  std::optional<Followed> followed;
   try {
-    start = perturbed(*axisymmetric.profile, input, key);
+    followed = run_on_meshes(*profile, input, key, mode, result);
   } catch (const std::invalid_argument& error) {
     result.stop_reason = error.what();
     return outcome;
   }
-  const auto mesh = std::make_shared<const Triangulation>(start.mesh);
-  Observer seen(key, settling_share / kappa,
-                mode ? mode->gone_at() : std::numeric_limits<double>::infinity());
-  const surface3d::FlowResult run = surface3d::run_flow(
-      material, key.model,
-      {.mesh = mesh,
-       .state = {start.mesh.nodes, start.beta},
-       .target = {area, key.reduced_volume * area / 3}},
-      input.numerics_3d,
-      {.end_time = input.end_time / kappa, .output_times = {}, .stop_at_rest = false},
-      [&](const auto& record, const auto& state, const auto& view, bool) {
-        return seen(record, state, view);
-      });
-  if (interrupt_signal() != 0) return {};
+  if (!followed) return {};
 
-  take_run(seen, mode, kappa, result);
+  auto& [mesh, seen, run] = *followed;
   result.amplitude_start = seen.history.front().amplitude;
   result.amplitude_end = seen.history.back().amplitude;
   result.energy_end = run.last.energy.total();
@@ -198,7 +275,9 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   result.steps = run.steps;
   result.unresolved_from = seen.unresolved_from;
   result.stop_reason = reason_of(seen, run);
-  if (seen.has_gone || seen.settled) result.end_state = class_of(*mesh, run.state.X, result, kappa);
+  if (seen.has_gone || seen.settled)
+    result.end_state =
+        class_of(*mesh, run.state.X, result, input.material.with_L(key.L).kappa(model::full_order));
   outcome.history = std::move(seen.history);
   result.wall_seconds = watch.seconds();
   return outcome;
@@ -221,6 +300,7 @@ const Columns<StabilityResult>& stability_columns() {
       column("end_state", &Row::end_state),
       part_column("rate", &Row::growth, &GrowthRate::rate, ""),
       part_column("rate_error", &Row::growth, &GrowthRate::error, "", "{:.3g}"),
+      known_column("coarser_rate", &Row::coarser_rate),
       part_column("fit_from", &Row::growth, &GrowthRate::from, ""),
       part_column("fit_to", &Row::growth, &GrowthRate::to, ""),
       known_column("rate_difference", &Row::rate_difference, "{:.3g}"),

@@ -3,6 +3,7 @@
 
 #include "model/names.h"
 #include "studies/io/growing_table.h"
+#include "studies/stability/linear_mode.h"
 #include "studies/stability/mode_amplitude.h"
 #include "studies/stability/stability_input.h"
 
@@ -19,8 +20,15 @@ constexpr auto names(Verdict) { return std::array{"stays", "leaves", "undecided"
 /// In units of 1/κ: a displacement is no pure mode, and its fastest parts are gone by then. What grows and
 /// decays is told by the amplitude from here on.
 inline constexpr double settling_share = 0.1;
+/// Of a run that starts from a mode the longest step, times its rate.
+inline constexpr double step_share = 0.02;
 /// A perturbation has grown when it is so many times as large.
 inline constexpr double grown = 10;
+
+/// How long a run waits before it measures; a mode alone has no fastest parts.
+double settling_time(const StabilityInput& input, double kappa);
+/// No longer than the input's.
+double largest_step(const StabilityInput& input, const std::optional<LinearMode>& mode);
 
 /// One time of a run.
 struct PerturbedAt {
@@ -42,7 +50,9 @@ struct StabilityResult {
   /// Where it went: the class of the surface; "triaxial" also for the moments of an oblate or prolate with
   /// an energy that is not that of the axisymmetric one. Empty unless it is at rest again.
   std::string end_state{};
+  /// Its error is no less than the difference from a coarser mesh, where there is one.
   std::optional<GrowthRate> growth{};
+  double coarser_rate = not_known;  ///< the rate on that mesh
   double reduced_rate = not_known;  ///< rate/κ(2/3)
   double amplitude_start = not_known, amplitude_end = not_known;
   double energy_axisymmetric = not_known;  ///< of the unperturbed state, by the axisymmetric solver

@@ -19,7 +19,9 @@ TEST(StabilityInput, has_the_documented_defaults) {
   EXPECT_EQ(input.models, (std::vector{Model::SBEH, Model::SSH}));
   EXPECT_EQ(input.branches, std::vector{axisym::Branch::oblate});
   EXPECT_EQ(input.perturbations, (std::vector<meshing::Harmonic>{{2, 2, 0.01}, {3, 3, 0.01}}));
+  EXPECT_EQ(input.start, StabilityStart::harmonic);
   EXPECT_EQ(input.triangles, 320);
+  EXPECT_EQ(input.coarser, 0);
   EXPECT_EQ(input.end_time, 20);
   EXPECT_EQ(input.numerics_3d.largest_step, 0.1);
   EXPECT_EQ(input.numerics_3d.tolerance, 1e-3);
@@ -41,7 +43,8 @@ TEST(StabilityInput, that_is_wrong_is_refused_with_line_key_and_value) {
       {"modes = 2",
        ":4: [stability] modes: unknown key; did you mean 'models'? Known: reduced_volume, L, "
        "models, branches, "
-       "perturbations"},
+       "perturbations, start"},
+      {"start = 'modes'", ":4: [stability] start = 'modes': must be one of 'harmonic', 'mode'"},
       {"branches = ['stomatocyte']",
        ":4: [stability] branches = 'stomatocyte': must be one of 'oblate', 'prolate'"},
       {"perturbations = [[3, -3, 0.01]]",
@@ -56,6 +59,8 @@ TEST(StabilityInput, that_is_wrong_is_refused_with_line_key_and_value) {
        "-0.01"},
       {"[surface3d]\nend = 0", ":5: [surface3d] end = 0: must be > 0"},
       {"[surface3d]\ntriangles = 3", ":5: [surface3d] triangles = 3: must be >= 20 and <= 200000"},
+      {"[surface3d]\ntriangles = 80\ncoarser = 80",
+       ":6: [surface3d] coarser = 80: must be >= 20 and <= 79"},
       {"[surface3d]\nlargest_step = -1",
        ":5: [surface3d] largest_step = -1: must be in 1e-14 ... 1000"},
       {"[material]\nL = 0.1",
@@ -78,7 +83,8 @@ TEST(Description, of_a_study_of_stability_reads_back_as_the_same_study) {
       small,
       "[stability]\nreduced_volume = [0.61, 0.7]\nL = { from = 0.01, to = 0.03, count = 3 }\n"
       "models = ['SSH']\nbranches = ['prolate', 'oblate']\nperturbations = [[4, 3, 0.123]]\n"
-      "[surface3d]\ntriangles = 80\nend = 0.1\nlargest_step = 0.3\ntolerance = 1e-5\n"
+      "start = 'mode'\n[surface3d]\ntriangles = 80\ncoarser = 20\nend = 0.1\nlargest_step = "
+      "0.3\ntolerance = 1e-5\n"
       "[material]\nfriction = 0.7\n[numerics]\nelements = 32\n"};
   for (const std::string& text : texts) {
     const StabilityInput input = input_of(text);

@@ -211,6 +211,30 @@ TEST(Perturbation, that_has_gone_before_a_rate_can_be_told_has_none) {
   }
 }
 
+// It is gone before a displacement along a harmonic has settled.
+TEST(Perturbation, that_is_the_mode_itself_has_its_rate_within_what_a_coarser_mesh_says) {
+  StabilityInput input;
+  input.reduced_volume = {0.8};
+  input.L = {0.05};
+  input.models = {Model::SBEH};
+  input.perturbations = {{3, 1, 0.002}, {3, 3, 0.002}};
+  input.start = StabilityStart::mode;
+  input.triangles = 180;
+  input.coarser = 80;
+  input.end_time = 0.5;
+  for (const StabilityKey& key : keys_of(input)) {
+    const auto run = run_perturbed(input, key);
+    ASSERT_TRUE(run && run->result.growth);
+    const StabilityResult& result = run->result;
+    std::printf("m = %d: rate %.5f +- %.5f, by the modes %.5f, %d steps\n", key.m,
+                result.growth->rate, result.growth->error, result.mode_rate, result.steps);
+    EXPECT_EQ(result.witness, Verdict::stays);
+    EXPECT_GE(result.growth->error, std::abs(result.growth->rate - result.coarser_rate));
+    EXPECT_LT(std::abs(result.rate_difference), result.growth->error);
+    EXPECT_LT(result.growth->error, 0.02 * std::abs(result.mode_rate));
+  }
+}
+
 StabilityResult row_of(Model model, double volume, double eigenvalue, int m = 2) {
   StabilityResult row;
   row.key = {{volume, 0.05, model, axisym::Branch::oblate}, m, m};
