@@ -60,7 +60,7 @@ std::optional<SoftMode> antisymmetric_mode(const model::Material& material, mode
   const Eigen::Index nodes = state.beta.size();
   NewtonSystem system(material, model, int(nodes));
   if (!system.linearise(state)) return {};
-  const Field& areas = system.areas();
+  const Field areas = node_areas(state.X);
   Increment x = antisymmetric_seed(nodes);
   double eigenvalue = 0;
   for (int iteration = 0; iteration < 40; ++iteration) {

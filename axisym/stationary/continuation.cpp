@@ -29,12 +29,13 @@ std::optional<BranchState> solve_at(const model::Material& material, model::Mode
 
 namespace {
 
+constexpr double near = 1e-4;  // enough where nodes are placed anew, and Newton's method goes on
 constexpr int direct_iterations = 6;  // more than these: the prediction was not on the branch
 
 std::optional<BranchState> solve_near(const Line& line, double mu, const StationaryState& guess,
-                                      double far = NewtonOptions{}.far) {
-  const NewtonOptions options{
-      .most_iterations = direct_iterations, .far = far, .symmetric = line.symmetric};
+                                      NewtonOptions options = {}) {
+  options.most_iterations = direct_iterations;
+  options.symmetric = line.symmetric;
   auto solved = solve_at(line.material_at(mu), line.model, line.at(mu), guess, options);
   if (solved && line.symmetric) static_cast<StationaryState&>(*solved) = symmetric_part(*solved);
   return solved;
@@ -58,7 +59,8 @@ bool is_closing(const LineState& before, const LineState& here) {
 
 // With the nodes where the curvature is, if that succeeds.
 FollowResult arrived(const Line& line, BranchState state, const Numerics& numerics) {
-  const auto placed = solve_near(line, 1, fitted(state, numerics));
+  auto placed = solve_near(line, 1, fitted(state, numerics));
+  if (!placed) placed = solve_near(line, 1, state);
   if (placed) static_cast<StationaryState&>(state) = *placed;
   return {Arrival::reached, state, line, 1};
 }
@@ -81,7 +83,8 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
   if (const double change = whole * largest_change(here->tangent); change < 0.3) {
     StationaryState guess = from;
     displace(here->tangent, whole, guess);
-    const auto solved = solve_near(line, 1, guess, largest_correction(change));
+    const auto solved =
+        solve_near(line, 1, guess, {.tolerance = near, .far = largest_correction(change)});
     if (solved && (sign == 0 || solved->determinant_sign == sign))
       return arrived(line, *solved, numerics);
   }
@@ -106,7 +109,7 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
       const double share = (1 - here->mu) / (next->mu - here->mu);
       const auto close = arc_step(line, *here, ds * share);
       // A different sign here is a branch crossing this one, not another branch.
-      const auto solved = solve_near(line, 1, close ? *close : *next);
+      const auto solved = solve_near(line, 1, close ? *close : *next, {.tolerance = near});
       if (solved) return arrived(line, *solved, numerics);
       ds /= 2;
       continue;

@@ -134,6 +134,13 @@ void assemble(const model::Material& material, const StationaryState& state, con
   }
 }
 
+LagrangianDerivatives lagrangian_at(const model::Material& material, model::Model model,
+                                    const StationaryState& state) {
+  LagrangianDerivatives lagrangian(int(state.beta.size()));
+  assemble(felt_material(material, model), state, node_normals(state.X), lagrangian);
+  return lagrangian;
+}
+
 Eigen::VectorXd gradient_difference(const model::Material& a, const model::Material& b,
                                     const StationaryState& state, const Nodes& normals) {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(node_unknowns * state.beta.size());

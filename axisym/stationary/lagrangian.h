@@ -86,6 +86,10 @@ struct LagrangianDerivatives {
 void assemble(const model::Material& material, const StationaryState& state, const Nodes& normals,
               LagrangianDerivatives& out);
 
+/// Of the model, along the node normals.
+LagrangianDerivatives lagrangian_at(const model::Material& material, model::Model model,
+                                    const StationaryState& state);
+
 /// The gradient with one material less that with another; 4 nodes.
 Eigen::VectorXd gradient_difference(const model::Material& a, const model::Material& b,
                                     const StationaryState& state, const Nodes& normals);

@@ -2,19 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sbeh::axisym {
 
 namespace {
-
-// Area that every node stands for: ∫ |φ_i| dS, since ∫ φ_i dS may vanish in P3.
-Field node_areas(const Nodes& X) {
-  Field areas = Field::Zero(X.cols());
-  for_each_point(X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
-    for (int a = 0; a < 4; ++a) areas[3 * e + a] += p.dS * std::abs(s.phi[a]);
-  });
-  return areas;
-}
 
 Eigen::VectorXd scattered(const Increment& row) {
   Eigen::VectorXd v = Eigen::VectorXd::Zero(node_unknowns * row.d.size());
@@ -37,16 +29,7 @@ bool NewtonSystem::linearise(const StationaryState& state) {
     derivatives_.gradient[i] = 0;
     derivatives_.constraints.row(i).setZero();
   });
-  areas_ = node_areas(state.X);
   return derivatives_.gradient.allFinite() && derivatives_.hessian.factor();
-}
-
-double NewtonSystem::residual() const {
-  double largest = 0;
-  for (Eigen::Index i = 0; i < areas_.size(); ++i)
-    for (const NodeUnknown c : {node_d, node_beta})
-      largest = std::max(largest, std::abs(derivatives_.gradient[index(i, c)]) / areas_[i]);
-  return largest;
 }
 
 bool NewtonSystem::newton_step(const Target& target, Increment& step) {
@@ -105,6 +88,27 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
   out.pressure = solution.y[1];
   out.mu = path ? solution.y[2] : 0;
   return true;
+}
+
+// Not ∫ φ_i dS, which may vanish in P3.
+Field node_areas(const Nodes& X) {
+  Field areas = Field::Zero(X.cols());
+  for_each_point(X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
+    for (int a = 0; a < 4; ++a) areas[3 * e + a] += p.dS * std::abs(s.phi[a]);
+  });
+  return areas;
+}
+
+double residual_of(const LagrangianDerivatives& lagrangian, model::Model model, const Nodes& X) {
+  Eigen::VectorXd gradient = lagrangian.gradient;
+  if (!gradient.allFinite()) return std::numeric_limits<double>::infinity();
+  for_each_pinned(model, X.cols(), [&](int i) { gradient[i] = 0; });
+  const Field areas = node_areas(X);
+  double largest = 0;
+  for (Eigen::Index i = 0; i < areas.size(); ++i)
+    for (const NodeUnknown c : {node_d, node_beta})
+      largest = std::max(largest, std::abs(gradient[index(i, c)]) / areas[i]);
+  return largest;
 }
 
 void displace(const Increment& step, double scale, StationaryState& state) {

@@ -30,6 +30,12 @@ struct PathEquation {
   Increment row;                  ///< only d, β and μ are used
 };
 
+/// Area that every node stands for, ∫ |φ_i| dS.
+Field node_areas(const Nodes& X);
+
+/// Largest force (normal) or order residual per area of its node, of a state over X.
+double residual_of(const LagrangianDerivatives& lagrangian, model::Model model, const Nodes& X);
+
 /// The state moves by scale · step along its node normals.
 void displace(const Increment& step, double scale, StationaryState& state);
 
@@ -49,10 +55,6 @@ class NewtonSystem {
   /// The direction along the branch with row·(d, β, μ) = 1; regular at folds as well.
   bool tangent(const PathEquation& path, Increment& direction);
 
-  /// Area that every node stands for, ∫ |φ_i| dS, at the last linearisation.
-  const Field& areas() const { return areas_; }
-  /// Largest force and order residual per area of its node, at the last linearisation.
-  double residual() const;
   /// Sign of the determinant of the bordered matrix: flips at a fold. After a step or a tangent.
   int determinant_sign() const { return determinant_sign_; }
 
@@ -63,7 +65,6 @@ class NewtonSystem {
   model::Material material_;
   model::Model model_;
   LagrangianDerivatives derivatives_;
-  Field areas_;
   int determinant_sign_ = 0;
 };
 

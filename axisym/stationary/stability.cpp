@@ -45,9 +45,11 @@ class InertiaCounter {
 
 int negative_directions(const model::Material& material, model::Model model,
                         const StationaryState& state) {
-  const int nodes = int(state.beta.size()), size = node_unknowns * nodes;
-  LagrangianDerivatives lagrangian(nodes);
-  assemble(felt_material(material, model), state, node_normals(state.X), lagrangian);
+  return negative_directions(lagrangian_at(material, model, state), model);
+}
+
+int negative_directions(const LagrangianDerivatives& lagrangian, model::Model model) {
+  const int size = int(lagrangian.gradient.size()), nodes = size / node_unknowns;
   // Pinned unknowns leave the matrix symmetrically; a 1 on the diagonal counts as no negative.
   std::vector<bool> pinned(std::size_t(size), false);
   for_each_pinned(model, nodes, [&](int i) { pinned[std::size_t(i)] = true; });

@@ -1,7 +1,7 @@
 // Stability of a stationary state within axisymmetric shapes.
 #pragma once
 
-#include "axisym/stationary/stationary.h"
+#include "axisym/stationary/lagrangian.h"
 
 namespace sbeh::axisym {
 
@@ -9,6 +9,7 @@ namespace sbeh::axisym {
 /// in which the energy falls to second order: 0 for a local minimum. It is the number of negative
 /// eigenvalues of the matrix of the Lagrangian with all its multipliers, less the number of
 /// multipliers, counted by a block LDLᵀ factorisation (Sylvester's law of inertia); O(elements).
+int negative_directions(const LagrangianDerivatives& lagrangian, model::Model model);
 int negative_directions(const model::Material& material, model::Model model,
                         const StationaryState& state);
 

@@ -40,8 +40,7 @@ StationaryState guess_from(const model::Material& whole, model::Model model, con
 
 double residual_of(const model::Material& material, model::Model model,
                    const StationaryState& state) {
-  NewtonSystem system(material, model, int(state.beta.size()));
-  return system.linearise(state) ? system.residual() : std::numeric_limits<double>::infinity();
+  return residual_of(lagrangian_at(material, model, state), model, state.X);
 }
 
 NewtonResult solve_stationary(const model::Material& material, model::Model model,

@@ -4,6 +4,7 @@
 #include "axisym/start_shapes.h"
 #include "axisym/stationary/fold_kind.h"
 #include "axisym/stationary/limit_shape.h"
+#include "axisym/stationary/newton_system.h"
 #include "axisym/stationary/stability.h"
 #include "axisym/stationary/stationary.h"
 #include "axisym/stationary/symmetry.h"
@@ -94,8 +95,9 @@ PointOutcome resolved_point(const StationaryCase& of, const BranchState& state) 
   const axisym::ResolvedState found = axisym::resolved(of.material, of.model, state, of.numerics);
   PointOutcome point = outcome_of(of, found.state, found.diagnostics);
   PointResult& row = point.row;
-  row.residual = axisym::residual_of(of.material, of.model, found.state);
-  row.negative_directions = axisym::negative_directions(of.material, of.model, found.state);
+  const auto lagrangian = axisym::lagrangian_at(of.material, of.model, found.state);
+  row.residual = axisym::residual_of(lagrangian, of.model, found.state.X);
+  row.negative_directions = axisym::negative_directions(lagrangian, of.model);
   row.fold_side = "before";
   row.error = found.error;
   if (!found.is_resolved && row.status == PointStatus::stationary) {
@@ -212,10 +214,11 @@ PointOutcome failed_point(std::string reason) {
   return {{.status = PointStatus::failed, .stop_reason = std::move(reason)}, {}};
 }
 
-std::optional<BranchState> settled(const StationaryCase& of, const State& state) {
-  return axisym::solve_at(of.material, of.model, of.at(),
-                          axisym::guess_from(of.material, of.model, state),
-                          {.symmetric = axisym::is_symmetric(state.X)});
+std::optional<BranchState> settled(const StationaryCase& of, const State& state,
+                                   double tolerance) {
+  return axisym::solve_at(
+      of.material, of.model, of.at(), axisym::guess_from(of.material, of.model, state),
+      {.tolerance = tolerance, .symmetric = axisym::is_symmetric(state.X)});
 }
 
 bool has_state_here(const PointOutcome& point) {
@@ -277,7 +280,8 @@ PointOutcome ssh_point(const StationaryCase& of, axisym::SshBranch& branch) {
 
 PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
   const Stopwatch watch;
-  const auto start = settled(moved_to(from.at, of), from.state);
+  constexpr double near = 1e-4;  // the branch is not left from there
+  const auto start = settled(moved_to(from.at, of), from.state, near);
   if (!start) return failed_point("Newton's method failed at the neighbouring point");
   PointOutcome point = outcome_of(of, follow_up(of, *start, of.L()));
   point.row.wall_seconds = watch.seconds();

@@ -32,7 +32,8 @@ PointOutcome failed_point(std::string reason);
 
 /// Newton's method from positions and order alone; empty when it fails.
 std::optional<axisym::BranchState> settled(const axisym::StationaryCase& of,
-                                           const axisym::State& state);
+                                           const axisym::State& state,
+                                           double tolerance = axisym::NewtonOptions{}.tolerance);
 
 /// Whether the point has a state of its own, to go on from: one that passes through itself has.
 bool has_state_here(const PointOutcome& point);
