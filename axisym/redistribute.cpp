@@ -66,8 +66,13 @@ std::vector<Place> places(const Nodes& X, const Field& H, double grading, int el
   if (elements == 0) elements = element_count(X);
   const int intervals = samples * element_count(X);
   Eigen::VectorXd length(intervals), bend(intervals);
+  static const auto middles = [] {
+    std::array<ShapeValues, samples> of;
+    for (int k = 0; k < samples; ++k) of[std::size_t(k)] = shape_values((k + 0.5) / samples);
+    return of;
+  }();
   for (int k = 0; k < intervals; ++k) {
-    const ShapeValues s = shape_values((k % samples + 0.5) / samples);
+    const ShapeValues& s = middles[std::size_t(k % samples)];
     const CurvePoint p = curve_point(X, k / samples, s);
     length[k] = p.stretch / samples;
     bend[k] = length[k] * std::abs(value_at(H, k / samples, s) - p.B_phi);

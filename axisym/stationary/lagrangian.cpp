@@ -69,16 +69,16 @@ PointDerivatives differentiate(const model::Material& material, const Stationary
   d.hessian.setZero();
   auto gradient = d.gradient.head<nonlinear_data>();
   auto hessian = d.hessian.topLeftCorner<nonlinear_data, nonlinear_data>();
-  gradient = density.energy.g;
-  hessian = density.energy.h;
+  gradient = density.energy.gradient();
+  hessian = density.energy.hessian();
   for (int k = 0; k < 4; ++k) {
     const Second& c = density.curvature[k];
     const int i = nonlinear_data + k;
-    gradient += q[i] * c.g;
-    hessian += q[i] * c.h;
+    gradient += q[i] * c.gradient();
+    hessian += q[i] * c.hessian();
     d.gradient[i] = c.a;
-    d.hessian.col(i).head<nonlinear_data>() = c.g;
-    d.hessian.row(i).head<nonlinear_data>() = c.g.transpose();
+    d.hessian.col(i).head<nonlinear_data>() = c.gradient();
+    d.hessian.row(i).head<nonlinear_data>() = c.gradient().transpose();
   }
   return d;
 }

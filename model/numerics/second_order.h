@@ -9,11 +9,13 @@
 
 namespace sbeh::model {
 
-/// Value, gradient and Hessian by N independent variables.
+/// Value, gradient and Hessian by N independent variables. Columns of more than four numbers are filled up by zeros to
+/// whole vector registers.
 template <int N>
 struct SecondOrder {
-  using Gradient = Eigen::Matrix<double, N, 1>;
-  using Hessian = Eigen::Matrix<double, N, N>;
+  static constexpr int padded = N > 4 ? (N + 7) / 8 * 8 : N;
+  using Gradient = Eigen::Matrix<double, padded, 1>;
+  using Hessian = Eigen::Matrix<double, padded, N>;
 
   double a = 0;
   Gradient g = Gradient::Zero();
@@ -26,6 +28,9 @@ struct SecondOrder {
   SecondOrder(double value, Gradient gradient, Hessian hessian)
       : a(value), g(std::move(gradient)), h(std::move(hessian)) {}
 
+  auto gradient() const { return g.template head<N>(); }
+  auto hessian() const { return h.template topRows<N>(); }
+
   friend SecondOrder operator+(const SecondOrder& x, const SecondOrder& y) {
     return {x.a + y.a, x.g + y.g, x.h + y.h};
   }
@@ -34,8 +39,8 @@ struct SecondOrder {
   }
   friend SecondOrder operator*(const SecondOrder& x, const SecondOrder& y) {
     SecondOrder p{x.a * y.a, x.a * y.g + y.a * x.g, x.a * y.h + y.a * x.h};
-    p.h.noalias() += x.g * y.g.transpose();
-    p.h.noalias() += y.g * x.g.transpose();
+    p.h.noalias() += x.g * y.gradient().transpose();
+    p.h.noalias() += y.g * x.gradient().transpose();
     return p;
   }
   friend SecondOrder operator/(const SecondOrder& x, const SecondOrder& y) {
@@ -62,7 +67,7 @@ struct SecondOrder {
   // f(x) from f, f' and f'' at x.
   SecondOrder apply(double f, double f1, double f2) const {
     SecondOrder y{f, f1 * g, f1 * h};
-    y.h.noalias() += (f2 * g) * g.transpose();
+    y.h.noalias() += (f2 * g) * gradient().transpose();
     return y;
   }
 };

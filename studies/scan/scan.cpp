@@ -164,15 +164,16 @@ void walk_volumes(Scan& scan, Branch branch, BranchOff&& branch_off) {
   }
 }
 
-// SSH's shapes one after the other; columns along L branch off them and run in parallel.
-void scan_by_newton(Scan& scan, Branch branch) {
+// Of each branch SSH's shapes one after the other; columns along L branch off them and run in parallel.
+void scan_by_newton(Scan& scan) {
   tbb::task_group columns;
-  columns.run([&] {
-    walk_volumes(scan, branch, [&](const Neighbour& ssh) {
-      columns.run([&scan, branch, ssh] { scan_column(scan, branch, ssh); });
+  for (const Branch branch : scan.input.branches)
+    columns.run([&scan, &columns, branch] {
+      walk_volumes(scan, branch, [&](const Neighbour& ssh) {
+        columns.run([&scan, branch, ssh] { scan_column(scan, branch, ssh); });
+      });
+      if (scan.input.reduced_volume.back() == 1) scan_all_of(scan, 1, branch, sphere_point);
     });
-    if (scan.input.reduced_volume.back() == 1) scan_all_of(scan, 1, branch, sphere_point);
-  });
   columns.wait();
 }
 
@@ -247,7 +248,7 @@ ScanSummary run_scan(const ScanInput& input, const fs::path& path, std::string_v
   if (input.method == Method::flow)
     scan_by_flow(scan);
   else
-    for (const Branch branch : input.branches) scan_by_newton(scan, branch);
+    scan_by_newton(scan);
   scan.progress.finish();
   if (input.method == Method::newton) summary.lowest_not_found = write_lines(scan);
   scan.table.sort();

@@ -128,7 +128,7 @@ MatrixXd HarmonicEnergy::hessian(const VectorXd& a, double tension, double press
     const auto& [D, T] = frames_[std::size_t(p)];
     const Geometry<Second> g = geometry(D, T, variables<Second>(q, p));
     const Second density = 0.5 * g.H * g.H * g.J + tension * g.J - pressure * g.dV;
-    h.row(p) = weights_[p] * density.h.reshaped().transpose();
+    h.row(p) = weights_[p] * density.hessian().reshaped().transpose();
   }
   MatrixXd K = MatrixXd::Zero(unknowns(), unknowns()), hY(points(), unknowns());
   for (Index i = 0; i < jet_size; ++i) {

@@ -110,15 +110,15 @@ TEST(SecondOrder, of_the_energy_has_the_gradient_of_a_jet_and_the_differences_of
   const Second f = energy(Second(at[0], 0), Second(at[1], 1), Second(at[2], 2), Second(at[3], 3),
                           Second(at[4], 4));
   EXPECT_NEAR(f.a, jet(at).a, rounding);
-  EXPECT_LT((f.g - jet(at).v).norm(), rounding);
-  EXPECT_LT((f.h - f.h.transpose()).norm(), rounding);
+  EXPECT_LT((f.gradient() - jet(at).v).norm(), rounding);
+  EXPECT_LT((f.hessian() - f.hessian().transpose()).norm(), rounding);
   // Central differences with h = 1e-5: truncation h² = 1e-10 and rounding 2⁻⁵²/h = 2e-11 times
   // derivatives of order 10.
   const double h = 1e-5;
   for (int k = 0; k < N; ++k) {
     const Point shift = h * Point::Unit(k);
     const Point column = (jet(at + shift).v - jet(at - shift).v) / (2 * h);
-    EXPECT_LT((f.h.col(k) - column).norm(), 2e-9) << "column " << k;
+    EXPECT_LT((f.hessian().col(k) - column).norm(), 2e-9) << "column " << k;
   }
 }
 
