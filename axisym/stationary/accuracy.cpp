@@ -88,8 +88,9 @@ ResolvedState resolved(const model::Material& material, model::Model model,
   return refined(material, state, [&](const BranchState& from, int elements) {
     // Of fewer no more is asked than their error.
     const bool fewer = elements < element_count(from.X);
-    return on_elements(material, model, from, elements, numerics.grading,
-                       fewer ? NewtonOptions{.tolerance = 1e-4} : NewtonOptions{});
+    return on_elements(
+        material, model, from, elements, numerics.grading,
+        fewer ? NewtonOptions{.tolerance = 1e-4, .corrects = false} : NewtonOptions{});
   });
 }
 

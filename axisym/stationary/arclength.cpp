@@ -32,10 +32,6 @@ Increment scaled(Increment t, double factor) {
   return t;
 }
 
-double largest_change(const Increment& step) {
-  return std::max(step.d.cwiseAbs().maxCoeff(), step.beta.cwiseAbs().maxCoeff());
-}
-
 PlanePoint Line::at(double mu) const {
   if (mu == 1) return to;  // exactly
   return {from.reduced_volume + mu * (to.reduced_volume - from.reduced_volume),

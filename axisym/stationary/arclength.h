@@ -28,9 +28,6 @@ struct PathState : LineState {
 
 Increment scaled(Increment t, double factor);
 
-/// Largest displacement or change of order in a step.
-double largest_change(const Increment& step);
-
 /// The state with its tangent, pointing the way of `forward`, or of growing μ without it. Empty where
 /// the matrix is singular.
 std::optional<PathState> with_tangent(const Line& line, const LineState& state,

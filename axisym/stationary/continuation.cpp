@@ -83,8 +83,8 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
   if (const double change = whole * largest_change(here->tangent); change < 0.3) {
     StationaryState guess = from;
     displace(here->tangent, whole, guess);
-    const auto solved =
-        solve_near(line, 1, guess, {.tolerance = near, .far = largest_correction(change)});
+    const auto solved = solve_near(
+        line, 1, guess, {.tolerance = near, .far = largest_correction(change), .corrects = false});
     if (solved && (sign == 0 || solved->determinant_sign == sign))
       return arrived(line, *solved, numerics);
   }
@@ -109,7 +109,8 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
       const double share = (1 - here->mu) / (next->mu - here->mu);
       const auto close = arc_step(line, *here, ds * share);
       // A different sign here is a branch crossing this one, not another branch.
-      const auto solved = solve_near(line, 1, close ? *close : *next, {.tolerance = near});
+      const auto solved =
+          solve_near(line, 1, close ? *close : *next, {.tolerance = near, .corrects = false});
       if (solved) return arrived(line, *solved, numerics);
       ds /= 2;
       continue;

@@ -134,6 +134,44 @@ void assemble(const model::Material& material, const StationaryState& state, con
   }
 }
 
+LagrangianGradient gradient_at(const model::Material& material, const StationaryState& state,
+                               const Nodes& normals) {
+  const Eigen::Index unknowns = node_unknowns * state.beta.size();
+  LagrangianGradient out{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, 2)};
+  Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV;
+  for (int e = 0; e < element_count(state.X); ++e) {
+    vector.setZero();
+    dA.setZero();
+    dV.setZero();
+    for (const ShapeValues& s : assembly_points()) {
+      const NormalShapes shapes(normals, e, s);
+      const auto rows = data_rows(shapes, s);
+      const auto q = point_data(state, shapes, e, s);
+      const auto x = independent<First>(q);
+      const auto density = lagrangian_density(material, state.tension, state.pressure, x);
+      Eigen::Matrix<double, data, 1> gradient = padded(density.energy);
+      for (int k = 0; k < 4; ++k) {
+        const First& c = density.curvature[k];
+        gradient += padded(q[nonlinear_data + k] * c);
+        gradient[nonlinear_data + k] = c.a;
+      }
+      const First A = area_density(x), V = volume_density(x);
+      model::add_vector(rows, gradient, s.weight, vector);
+      model::add_vector(rows, padded(A), s.weight, dA);
+      model::add_vector(rows, padded(V), s.weight, dV);
+      out.area += s.weight * A.a;
+      out.volume += s.weight * V.a;
+    }
+    for (int k = 0; k < element_unknowns; ++k) {
+      const int i = node_unknowns * (3 * e + k % 4) + k / 4;
+      out.gradient[i] += vector[k];
+      out.constraints(i, 0) += dA[k];
+      out.constraints(i, 1) -= dV[k];
+    }
+  }
+  return out;
+}
+
 LagrangianDerivatives lagrangian_at(const model::Material& material, model::Model model,
                                     const StationaryState& state) {
   LagrangianDerivatives lagrangian(int(state.beta.size()));

@@ -86,6 +86,15 @@ struct LagrangianDerivatives {
 void assemble(const model::Material& material, const StationaryState& state, const Nodes& normals,
               LagrangianDerivatives& out);
 
+/// Without the Hessian, at a third of the cost.
+struct LagrangianGradient {
+  Eigen::VectorXd gradient;     // 4 nodes
+  Eigen::MatrixXd constraints;  // 4 nodes x 2: ∂A, −∂V
+  double area = 0, volume = 0;
+};
+LagrangianGradient gradient_at(const model::Material& material, const StationaryState& state,
+                               const Nodes& normals);
+
 /// Of the model, along the node normals.
 LagrangianDerivatives lagrangian_at(const model::Material& material, model::Model model,
                                     const StationaryState& state);

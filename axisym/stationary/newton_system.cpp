@@ -37,6 +37,13 @@ bool NewtonSystem::newton_step(const Target& target, Increment& step) {
   return solve(-derivatives_.gradient, miss, nullptr, step);
 }
 
+bool NewtonSystem::newton_step_from(const StationaryState& state, const Target& target,
+                                    Increment& step) {
+  const LagrangianGradient there = gradient_at(material_, state, node_normals(state.X));
+  const Eigen::Vector2d miss(target.area - there.area, there.volume - target.volume);
+  return solve(-there.gradient, miss, nullptr, step);
+}
+
 bool NewtonSystem::newton_step(const Target& target, const PathEquation& path, double arc,
                                Increment& step) {
   const Eigen::Vector3d miss(target.area - derivatives_.area, derivatives_.volume - target.volume,
@@ -109,6 +116,10 @@ double residual_of(const LagrangianDerivatives& lagrangian, model::Model model, 
     for (const NodeUnknown c : {node_d, node_beta})
       largest = std::max(largest, std::abs(gradient[index(i, c)]) / areas[i]);
   return largest;
+}
+
+double largest_change(const Increment& step) {
+  return std::max(step.d.cwiseAbs().maxCoeff(), step.beta.cwiseAbs().maxCoeff());
 }
 
 void displace(const Increment& step, double scale, StationaryState& state) {

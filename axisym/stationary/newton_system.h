@@ -23,6 +23,9 @@ struct Increment {
   double mu = 0;  ///< parameter of a path; 0 where there is none
 };
 
+/// Largest displacement or change of order in a step.
+double largest_change(const Increment& step);
+
 /// The equation row·(d, β) + row_μ δμ = right-hand side of a further unknown μ, the parameter of a path.
 struct PathEquation {
   Eigen::VectorXd gradient_rate;  // 4 nodes: ∂(gradient of 𝓛)/∂μ
@@ -49,6 +52,8 @@ class NewtonSystem {
   /// The Newton step towards `target`; on a path, μ changes too so that its equation holds
   /// with right-hand side `arc`. False when singular.
   bool newton_step(const Target& target, Increment& step);
+  /// The step from another state nearby, whose own matrix is not needed.
+  bool newton_step_from(const StationaryState& state, const Target& target, Increment& step);
   bool newton_step(const Target& target, const PathEquation& path, double arc, Increment& step);
   /// The change of the solution per change of μ (mu = 1).
   bool tangent(const Eigen::VectorXd& gradient_rate, double volume_rate, Increment& direction);

@@ -26,8 +26,7 @@ StationaryState guess_from(const model::Material& whole, model::Model model, con
     guess.Lambda[i] = -(material.kappa(beta) * (guess.H[i] - material.spontaneous_curvature)
                         + material.kappa_gauss(beta) * B_phi);
   }
-  LagrangianDerivatives lagrangian{int(nodes)};
-  assemble(material, guess, n, lagrangian);
+  const LagrangianGradient lagrangian = gradient_at(material, guess, n);
   // Least squares over the displacements alone: the other rows do not feel tension and pressure.
   const auto displacements = Eigen::seqN(Eigen::Index(node_d), nodes, Eigen::Index(node_unknowns));
   const Eigen::MatrixXd forces = lagrangian.constraints(displacements, Eigen::all);
@@ -58,11 +57,16 @@ NewtonResult solve_stationary(const model::Material& material, model::Model mode
     if (options.symmetric) step = symmetric_part(step, node_normals(state.X));
     ++result.iterations;
     result.determinant_sign = system.determinant_sign();
-    const double change = std::max(step.d.cwiseAbs().maxCoeff(), step.beta.cwiseAbs().maxCoeff());
+    const double change = largest_change(step);
     if (change > options.far) return result;
     displace(step, std::min(1., options.longest_step / change), state);
     if (change < options.tolerance) {
       result.status = NewtonStatus::converged;
+      // The matrix lacks how normals turn: the error left is a small share of the change, not its square.
+      if (options.corrects && system.newton_step_from(state, target, step)) {
+        if (options.symmetric) step = symmetric_part(step, node_normals(state.X));
+        if (largest_change(step) < options.tolerance) displace(step, 1, state);
+      }
       return result;
     }
     if (state.X.row(0).minCoeff() < 0) return result;

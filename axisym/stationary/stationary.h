@@ -27,11 +27,12 @@ struct NewtonResult {
 
 struct NewtonOptions {
   int most_iterations = 12;
-  double tolerance = 1e-8;     ///< on the largest change of position and order; as Newton converges
-                               ///< quadratically, the error left is about its square
+  double tolerance =
+      1e-8;  ///< on the largest change of position and order; the next would be a small share of it
   double longest_step = 0.15;  ///< larger displacements are shortened to it
   double far =
       std::numeric_limits<double>::infinity();  ///< a larger change leaves the neighbourhood
+  bool corrects = true;  ///< the last step by another one with the same matrix
   bool symmetric =
       false;  ///< the guess is symmetric top to bottom, and only such states are looked for
 };

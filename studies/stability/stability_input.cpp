@@ -20,7 +20,7 @@ constexpr double largest_amplitude = 0.3;
 std::vector<meshing::Harmonic> read_perturbations(const TomlTable& table,
                                                   std::vector<meshing::Harmonic> absent) {
   if (!table.has("perturbations")) return absent;
-  const auto modes = table.harmonics("perturbations", largest_perturbation_degree);
+  auto modes = table.harmonics("perturbations", largest_perturbation_degree);
   for (const meshing::Harmonic& mode : modes) {
     if (mode.m < 1)
       table.fail("perturbations",
@@ -106,7 +106,7 @@ std::string describe(const StabilityInput& input, std::string_view version) {
   toml.table("stability");
   write_grid(toml, input);
   toml.value("perturbations", input.perturbations);
-  toml.value("start", name(input.start));
+  toml.value("start", input.start);
   toml.table("surface3d");
   toml.value("triangles", input.triangles);
   if (input.coarser > 0) toml.value("coarser", input.coarser);

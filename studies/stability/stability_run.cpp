@@ -163,13 +163,14 @@ struct Followed {
 
 // Throws std::invalid_argument where the perturbation is too large.
 Followed follow(const axisym::State& profile, const StabilityInput& input, const StabilityKey& key,
-                const std::optional<LinearMode>& mode, int triangles) {
+                const std::optional<LinearMode>& mode, bool is_coarser = false) {
+  const int triangles = is_coarser ? input.coarser : input.triangles;
   const model::Material material = input.material.with_L(key.L);
   const double kappa = material.kappa(model::full_order);
   const meshing::RevolvedMesh start = perturbed(profile, input, key, mode, triangles);
   const auto mesh = std::make_shared<const Triangulation>(start.mesh);
   surface3d::Numerics numerics = input.numerics_3d;
-  numerics.largest_step = largest_step(input, mode);
+  numerics.largest_step = largest_step(input, mode, is_coarser);
   Observer seen(key, settling_time(input, kappa),
                 mode ? mode->gone_at() : std::numeric_limits<double>::infinity());
   const surface3d::FlowResult run = surface3d::run_flow(
@@ -197,12 +198,11 @@ std::optional<Followed> run_on_meshes(const axisym::State& profile, const Stabil
                                       const std::optional<LinearMode>& mode,
                                       StabilityResult& result) {
   const double kappa = input.material.with_L(key.L).kappa(model::full_order);
-  const auto followed = [&](int triangles) { return follow(profile, input, key, mode, triangles); };
-  std::optional<Followed> fine = followed(input.triangles);
+  std::optional<Followed> fine = follow(profile, input, key, mode);
   const std::optional<double> settled = settled_at(input, mode);
   std::optional<GrowthRate> growth = growth_of(fine->seen, settled);
   if (growth && input.coarser > 0 && interrupt_signal() == 0)
-    if (const auto coarse = growth_of(followed(input.coarser).seen, settled)) {
+    if (const auto coarse = growth_of(follow(profile, input, key, mode, true).seen, settled)) {
       result.coarser_rate = coarse->rate;
       growth->error = std::max(growth->error, std::abs(coarse->rate - growth->rate));
     }
@@ -241,10 +241,11 @@ double settling_time(const StabilityInput& input, double kappa) {
   return input.start == StabilityStart::mode ? 0 : settling_share / kappa;
 }
 
-double largest_step(const StabilityInput& input, const std::optional<LinearMode>& mode) {
+double largest_step(const StabilityInput& input, const std::optional<LinearMode>& mode,
+                    bool is_coarser) {
   const double step = input.numerics_3d.largest_step;
   if (input.start != StabilityStart::mode || !mode || mode->rate == 0) return step;
-  return std::min(step, step_share / std::abs(mode->rate));
+  return std::min(step, (is_coarser ? 2 : 1) * step_share / std::abs(mode->rate));
 }
 
 std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,

@@ -27,8 +27,9 @@ inline constexpr double grown = 10;
 
 /// How long a run waits before it measures; a mode alone has no fastest parts.
 double settling_time(const StabilityInput& input, double kappa);
-/// No longer than the input's.
-double largest_step(const StabilityInput& input, const std::optional<LinearMode>& mode);
+/// No longer than the input's; of a mode alone on the coarser mesh twice what it is on the other.
+double largest_step(const StabilityInput& input, const std::optional<LinearMode>& mode,
+                    bool is_coarser = false);
 
 /// One time of a run.
 struct PerturbedAt {
@@ -50,9 +51,9 @@ struct StabilityResult {
   /// Where it went: the class of the surface; "triaxial" also for the moments of an oblate or prolate with
   /// an energy that is not that of the axisymmetric one. Empty unless it is at rest again.
   std::string end_state{};
-  /// Its error is no less than the difference from a coarser mesh, where there is one.
+  /// Its error is no less than the difference from a coarser run, where there is one.
   std::optional<GrowthRate> growth{};
-  double coarser_rate = not_known;  ///< the rate on that mesh
+  double coarser_rate = not_known;  ///< the rate of that
   double reduced_rate = not_known;  ///< rate/κ(2/3)
   double amplitude_start = not_known, amplitude_end = not_known;
   double energy_axisymmetric = not_known;  ///< of the unperturbed state, by the axisymmetric solver

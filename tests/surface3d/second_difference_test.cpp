@@ -31,8 +31,9 @@ struct Direction {
   Field order;
 };
 
-Direction direction_of(const StationaryState& state, const Eigenmode& mode, int triangles) {
-  meshing::RevolvedMesh revolved = meshing::revolved(state, {.triangles = triangles});
+Direction direction_of(const StationaryState& state, const Eigenmode& mode,
+                       const meshing::Resolution& resolution) {
+  meshing::RevolvedMesh revolved = meshing::revolved(state, resolution);
   const Nodes& X = revolved.mesh.nodes;
   const axisym::Nodes n = axisym::node_normals(state.X);
   const Field r = on_surface(state, n.row(0).transpose().cwiseProduct(mode.u), X),
@@ -72,14 +73,15 @@ double lagrangian(const Material& material, const StationaryState& of, const Dir
 }
 
 // By differences of fourth order.
-double second_difference(const Material& material, const StationaryState& of, const Direction& d) {
-  constexpr double epsilon = 4e-3;
+double second_difference(const Material& material, const StationaryState& of, const Direction& d,
+                         double epsilon) {
   const auto at = [&](int k) { return lagrangian(material, of, d, k * epsilon); };
   return (16 * (at(-1) + at(1)) - at(-2) - at(2) - 30 * at(0)) / (12 * epsilon * epsilon);
 }
 
 // The area of the surface, its normals, curvature and order are interpolated: fourth order, as the energy.
-void expect_eigenvalues(Model model, axisym::PlanePoint at) {
+void expect_eigenvalues(Model model, axisym::PlanePoint at, double epsilon = 4e-3,
+                        double grading = 0) {
   const Material material = paper_material(at.L);
   const StationaryState state = axisym::test::oblate(model, at, 96);
   const auto second = axisym::second_variation(material, model, state);
@@ -89,8 +91,8 @@ void expect_eigenvalues(Model model, axisym::PlanePoint at) {
     const Eigenmode& mode = spectrum->modes.front();
     OrderTable table(std::string(sbeh::name(model)) + ", m = " + std::to_string(m), "h");
     for (const int triangles : {320, 1280, 5120}) {
-      const Direction d = direction_of(state, mode, triangles);
-      const double eigenvalue = second_difference(material, state, d) / square_of(d);
+      const Direction d = direction_of(state, mode, {.triangles = triangles, .grading = grading});
+      const double eigenvalue = second_difference(material, state, d, epsilon) / square_of(d);
       table.add(std::sqrt(20. / triangles), eigenvalue - mode.eigenvalue);
     }
     EXPECT_GT(table.print(), 3.5);
@@ -102,6 +104,14 @@ TEST(SecondDifference, of_the_SSH_oblate_is_its_eigenvalue) {
 }
 TEST(SecondDifference, of_the_ordered_oblate_is_its_eigenvalue) {
   expect_eigenvalues(Model::SBEH, {0.8, 0.05});
+}
+
+// Where m = 1 and m = 2 are negative, next to the fold, and where m = 2 is positive again.
+TEST(SecondDifference, next_to_a_fold_is_the_eigenvalue) {
+  for (double g : {0., 0.5, 1., 2.,4.}) expect_eigenvalues(Model::SBEH, {0.6, 0.07}, 1e-3, g);
+}
+TEST(SecondDifference, of_the_oblate_that_is_a_minimum_again_is_its_eigenvalue) {
+  expect_eigenvalues(Model::SBEH, {0.8, 0.122}, 1e-3);
 }
 
 }  // namespace

@@ -212,7 +212,7 @@ TEST(Perturbation, that_has_gone_before_a_rate_can_be_told_has_none) {
 }
 
 // It is gone before a displacement along a harmonic has settled.
-TEST(Perturbation, that_is_the_mode_itself_has_its_rate_within_what_a_coarser_mesh_says) {
+TEST(Perturbation, that_is_the_mode_itself_has_its_rate_within_what_a_coarser_run_says) {
   StabilityInput input;
   input.reduced_volume = {0.8};
   input.L = {0.05};
@@ -231,7 +231,8 @@ TEST(Perturbation, that_is_the_mode_itself_has_its_rate_within_what_a_coarser_me
     EXPECT_EQ(result.witness, Verdict::stays);
     EXPECT_GE(result.growth->error, std::abs(result.growth->rate - result.coarser_rate));
     EXPECT_LT(std::abs(result.rate_difference), result.growth->error);
-    EXPECT_LT(result.growth->error, 0.02 * std::abs(result.mode_rate));
+    EXPECT_LT(result.growth->error, 0.1 * std::abs(result.mode_rate));
+    EXPECT_LT(std::abs(result.rate_difference), 0.005 * std::abs(result.mode_rate));
   }
 }
 
