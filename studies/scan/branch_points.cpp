@@ -214,11 +214,10 @@ PointOutcome failed_point(std::string reason) {
   return {{.status = PointStatus::failed, .stop_reason = std::move(reason)}, {}};
 }
 
-std::optional<BranchState> settled(const StationaryCase& of, const State& state,
-                                   double tolerance) {
-  return axisym::solve_at(
-      of.material, of.model, of.at(), axisym::guess_from(of.material, of.model, state),
-      {.tolerance = tolerance, .symmetric = axisym::is_symmetric(state.X)});
+std::optional<BranchState> settled(const StationaryCase& of, const State& state, double tolerance) {
+  return axisym::solve_at(of.material, of.model, of.at(),
+                          axisym::guess_from(of.material, of.model, state),
+                          {.tolerance = tolerance, .symmetric = axisym::is_symmetric(state.X)});
 }
 
 bool has_state_here(const PointOutcome& point) {

@@ -106,9 +106,9 @@ TEST(SecondDifference, of_the_ordered_oblate_is_its_eigenvalue) {
   expect_eigenvalues(Model::SBEH, {0.8, 0.05});
 }
 
-// Where m = 1 and m = 2 are negative, next to the fold, and where m = 2 is positive again.
+// Where m = 1 and m = 2 are negative, next to the fold, triangles being smaller at the rim; and where m = 2 is positive again.
 TEST(SecondDifference, next_to_a_fold_is_the_eigenvalue) {
-  for (double g : {0., 0.5, 1., 2.,4.}) expect_eigenvalues(Model::SBEH, {0.6, 0.07}, 1e-3, g);
+  expect_eigenvalues(Model::SBEH, {0.6, 0.07}, 1e-3, 1);
 }
 TEST(SecondDifference, of_the_oblate_that_is_a_minimum_again_is_its_eigenvalue) {
   expect_eigenvalues(Model::SBEH, {0.8, 0.122}, 1e-3);

@@ -89,19 +89,21 @@ TEST_F(Picture, for_a_column_of_a_journal_has_its_panels_below_each_other) {
 
 // SSH's oblates give way to m = 2 above V_r = 0.7497.
 TEST_F(Picture, of_one_parameter_marks_what_is_no_minimum_in_3D) {
-  const auto dots = [&](const std::string& volumes) {
+  const auto dots = [&](const std::string& folder, const std::string& volumes) {
     write("in.toml", "[scan]\nreduced_volume = " + volumes
                          + "\nL = 0.05\nmodels = ['SSH']\n[numerics]\nelements = 16\n");
-    must(into(volumes, "scan"));
-    const std::string svg = read(volumes + "/diagram.svg"), white = "fill=\"rgb(255,255,255)\"";
+    must(into(folder, "scan"));
+    must({"picture", "scan", folder, "--only", "diagram", "--format", "svg"});
+    const std::string svg = read(folder + "/diagram.svg"), white = "fill=\"rgb(255,255,255)\"";
     int count = 0;
     for (std::size_t at = svg.find(white); at != std::string::npos; at = svg.find(white, at + 1))
       ++count;
+    EXPECT_NE(svg.find("energy"), std::string::npos);
     EXPECT_EQ(svg.find("no minimum in 3D") != std::string::npos, count > 0);
     return count;
   };
-  EXPECT_EQ(dots("[0.65, 0.7, 0.74]"), 0);
-  EXPECT_EQ(dots("[0.65, 0.7, 0.74, 0.76, 0.8, 0.85]"),
+  EXPECT_EQ(dots("minima", "[0.65, 0.7, 0.74]"), 0);
+  EXPECT_EQ(dots("both", "[0.65, 0.7, 0.74, 0.76, 0.8, 0.85]"),
             2 * 3 + 1);  // of two panels, and the legend
 }
 

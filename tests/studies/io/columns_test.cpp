@@ -169,7 +169,8 @@ TEST(Tables, have_these_columns) {
   expect(disagreement_columns(), "first,second,branch,energy_reduced,H_pole,pressure,tension");
   expect(stability_columns(),
          "model,reduced_volume,L,branch,l,m,verdict,witness,eigenvalue,mode_rate,end_state,rate,"
-         "rate_error,coarser_rate,fit_from,fit_to,rate_difference,reduced_rate,amplitude_start,amplitude_end,"
+         "rate_error,coarser_rate,fit_from,fit_to,rate_difference,reduced_rate,amplitude_start,"
+         "amplitude_end,"
          "energy_axisymmetric,energy_end,energy_oblate,"
          "energy_prolate,end_time,steps,triangles,unresolved_from,negative_directions,stiffness,"
          "wall_seconds,stop_reason");

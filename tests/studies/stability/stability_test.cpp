@@ -217,23 +217,21 @@ TEST(Perturbation, that_is_the_mode_itself_has_its_rate_within_what_a_coarser_ru
   input.reduced_volume = {0.8};
   input.L = {0.05};
   input.models = {Model::SBEH};
-  input.perturbations = {{3, 1, 0.002}, {3, 3, 0.002}};
+  input.perturbations = {{3, 1, 0.002}};
   input.start = StabilityStart::mode;
   input.triangles = 180;
   input.coarser = 80;
   input.end_time = 0.5;
-  for (const StabilityKey& key : keys_of(input)) {
-    const auto run = run_perturbed(input, key);
-    ASSERT_TRUE(run && run->result.growth);
-    const StabilityResult& result = run->result;
-    std::printf("m = %d: rate %.5f +- %.5f, by the modes %.5f, %d steps\n", key.m,
-                result.growth->rate, result.growth->error, result.mode_rate, result.steps);
-    EXPECT_EQ(result.witness, Verdict::stays);
-    EXPECT_GE(result.growth->error, std::abs(result.growth->rate - result.coarser_rate));
-    EXPECT_LT(std::abs(result.rate_difference), result.growth->error);
-    EXPECT_LT(result.growth->error, 0.1 * std::abs(result.mode_rate));
-    EXPECT_LT(std::abs(result.rate_difference), 0.005 * std::abs(result.mode_rate));
-  }
+  const auto run = run_perturbed(input, keys_of(input).front());
+  ASSERT_TRUE(run && run->result.growth);
+  const StabilityResult& result = run->result;
+  std::printf("m = 1: rate %.5f +- %.5f, by the modes %.5f, %d steps\n", result.growth->rate,
+              result.growth->error, result.mode_rate, result.steps);
+  EXPECT_EQ(result.witness, Verdict::stays);
+  EXPECT_GE(result.growth->error, std::abs(result.growth->rate - result.coarser_rate));
+  EXPECT_LT(std::abs(result.rate_difference), result.growth->error);
+  EXPECT_LT(std::abs(result.rate_difference), 0.005 * std::abs(result.mode_rate));
+  EXPECT_LT(result.growth->error, 0.1 * std::abs(result.mode_rate));
 }
 
 StabilityResult row_of(Model model, double volume, double eigenvalue, int m = 2) {
