@@ -81,7 +81,7 @@ TEST(Html, shows_the_rows_of_a_reduced_volume_together_or_not_at_all) {
       all += rows;
       groups += rows > 0;
     }
-    const bool fits = std::size_t(volumes * of_each) <= most;
+    const bool fits = std::size_t(volumes) * std::size_t(of_each) <= most;
     EXPECT_EQ(groups, fits ? std::size_t(volumes) : most / std::size_t(of_each));
     EXPECT_LE(all, most);
     EXPECT_EQ(count("<a href=\"scan.csv\">"), fits ? 0u : 1u);  // where the others are
