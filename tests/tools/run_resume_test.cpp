@@ -78,7 +78,10 @@ TEST_F(ResumeRun, after_kills_at_many_moments_ends_with_the_same_bits) {
     program.send(SIGKILL);
     const Ended ended = program.wait();
     EXPECT_TRUE(ended.signal == SIGKILL || ended.exit_code == 0) << ended.err;
-    EXPECT_EQ(ended.err, "");
+    // Early ones leave no state yet.
+    if (ended.err != "sbeh: out: no state is there yet: the run begins\n") {
+      EXPECT_EQ(ended.err, "");
+    }
     killed += ended.signal == SIGKILL;
   }
   EXPECT_GT(killed, 4);
