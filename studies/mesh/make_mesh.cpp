@@ -68,13 +68,17 @@ void make(const HarmonicShape& shape, const MeshRequest& request, MadeMesh& made
                 : meshing::harmonic_sphere(shape.modes, resolution);
 }
 
+void make(const StateShape& shape, const MeshRequest& request, MadeMesh& made) {
+  const meshing::RevolvedMesh revolved = meshing::revolved(shape.state, resolution_of(request));
+  made.mesh = revolved.mesh;
+  made.fields["order"] = revolved.beta.transpose();
+}
+
 void make(const ProfileShape& shape, const MeshRequest& request, MadeMesh& made) {
   const axisym::State state =
       read_profile(shape.file, "must be a table of nodes as a scan leaves them in points/");
   try {
-    const meshing::RevolvedMesh revolved = meshing::revolved(state, resolution_of(request));
-    made.mesh = revolved.mesh;
-    made.fields["order"] = revolved.beta.transpose();
+    make(StateShape{state}, request, made);
   } catch (const std::invalid_argument& error) {
     throw InputError(fmt::format("{}: {}", shape.file.string(), error.what()));
   }

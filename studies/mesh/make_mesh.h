@@ -1,6 +1,7 @@
 // A mesh as a user asks for it: a shape, how fine, how large; made, checked and reported.
 #pragma once
 
+#include "axisym/curve.h"
 #include "meshing/names.h"
 #include "meshing/quality.h"
 #include "meshing/resolution.h"
@@ -29,6 +30,11 @@ struct HarmonicShape {
 struct ProfileShape {
   std::filesystem::path file;
 };
+/// An axisymmetric state, revolved; its order becomes the field "order".
+struct StateShape {
+  axisym::State state;
+};
+
 /// A user's mesh. Plain triangles are curved; without `triangles` they stay as they are.
 struct FileShape {
   std::filesystem::path file;
@@ -36,7 +42,8 @@ struct FileShape {
 };
 
 struct MeshRequest {
-  std::variant<SphereShape, EllipsoidShape, HarmonicShape, ProfileShape, FileShape> shape;
+  std::variant<SphereShape, EllipsoidShape, HarmonicShape, ProfileShape, StateShape, FileShape>
+      shape;
   std::optional<int> triangles = {};  ///< about so many
   std::optional<int> order = {};      ///< 3
   double grading = 0;                 ///< meshing::Resolution

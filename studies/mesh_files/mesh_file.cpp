@@ -10,6 +10,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <functional>
 
 namespace sbeh::studies {
 
@@ -39,22 +40,37 @@ std::string text_of(const fs::path& path) {
   }
 }
 
+// How a kind of file is read, and written: the plain triangles, or curved ones with what lives on them.
 struct Format {
   std::string_view suffix;
   MeshFile (*parse)(std::string_view text, const std::string& file);
-  std::string (*text)(const meshing::TriangleMesh& mesh) =
-      nullptr;  // plain faces, where they are written
+  std::string (*plain)(const meshing::TriangleMesh& mesh) = nullptr;
+  std::string (*curved)(const meshing::CurvedMesh& mesh, const NodeFields& fields) = nullptr;
 };
+std::string vtu_without_globals(const meshing::CurvedMesh& mesh, const NodeFields& fields) {
+  return vtu_text(mesh, fields);
+}
+constexpr Format formats[] = {{".obj", parse_obj, obj_text},
+                              {".off", parse_off, off_text},
+                              {".ply", parse_ply, ply_text},
+                              {".stl", parse_stl, stl_text},
+                              {".tsi", parse_tsi, tsi_text},
+                              {".msh", parse_gmsh, nullptr, gmsh_text},
+                              {".vtk", parse_vtk},
+                              {".vtp", parse_vtk},
+                              {".vtu", parse_vtk, nullptr, vtu_without_globals}};
+
 const Format* format_of(std::string_view suffix) {
-  static constexpr Format formats[] = {{".obj", parse_obj, obj_text},
-                                       {".off", parse_off, off_text},
-                                       {".ply", parse_ply, ply_text},
-                                       {".stl", parse_stl, stl_text},
-                                       {".vtk", parse_vtk},
-                                       {".vtp", parse_vtk},
-                                       {".vtu", parse_vtk}};
   const auto* found = std::ranges::find(formats, suffix, &Format::suffix);
   return found == std::end(formats) ? nullptr : found;
+}
+
+// The suffixes of the formats of which that holds.
+std::string suffixes(const std::function<bool(const Format&)>& holds) {
+  std::string list;
+  for (const Format& format : formats)
+    if (holds(format)) list.append(list.empty() ? "" : ", ").append(format.suffix);
+  return list;
 }
 
 // What another file is for, where that can be told.
@@ -99,10 +115,9 @@ MeshFile read_mesh(const fs::path& path) {
   if (!format && fs::is_directory(path, ignored))
     throw InputError(fmt::format("{}: is a directory, not a file", file));
   if (!format)
-    throw InputError(
-        fmt::format("{}: unknown suffix \"{}\"; meshes can be read from .obj, .off, .ply, .stl, "
-                    ".vtk, .vtp, .vtu{}",
-                    file, suffix, advice_for(suffix)));
+    throw InputError(fmt::format("{}: unknown suffix \"{}\"; meshes can be read from {}{}", file,
+                                 suffix, suffixes([](const Format&) { return true; }),
+                                 advice_for(suffix)));
   const std::string text = text_of(path);
   if (text.empty()) throw InputError(fmt::format("{}: is empty", file));
   refuse_other_content(text, file);
@@ -151,18 +166,22 @@ std::optional<CurvedFile> read_curved_mesh(const fs::path& path) {
 void require_mesh_suffix(const fs::path& path) {
   const std::string suffix = suffix_of(path);
   const Format* format = format_of(suffix);
-  if (keeps_curved(path) || (format && format->text)) return;
-  throw InputError(fmt::format(
-      "{}: unknown suffix \"{}\"; meshes can be written to .vtu (curved), .obj, .off, .ply, .stl",
-      path.string(), suffix));
+  if (format && (format->plain || format->curved)) return;
+  throw InputError(
+      fmt::format("{}: unknown suffix \"{}\"; meshes can be written to {} (curved), {}",
+                  path.string(), suffix, suffixes([](const Format& f) { return f.curved; }),
+                  suffixes([](const Format& f) { return f.plain; })));
 }
 
-bool keeps_curved(const fs::path& path) { return suffix_of(path) == ".vtu"; }
+bool keeps_curved(const fs::path& path) {
+  const Format* format = format_of(suffix_of(path));
+  return format && format->curved;
+}
 
 void write_mesh(const fs::path& path, const meshing::CurvedMesh& mesh, const NodeFields& fields) {
   require_mesh_suffix(path);
-  if (keeps_curved(path)) return write_file(path, vtu_text(mesh, fields));
-  write_file(path, format_of(suffix_of(path))->text(meshing::corners(mesh)));
+  const Format& format = *format_of(suffix_of(path));
+  write_file(path, format.curved ? format.curved(mesh, fields) : format.plain(corners(mesh)));
 }
 
 }  // namespace sbeh::studies

@@ -1,8 +1,9 @@
-// Meshes in files: OBJ, OFF, PLY, STL and VTK's XML (VTU, VTP) and legacy ones, by the suffix of the name.
+// Meshes in files: OBJ, OFF, PLY, STL, Gmsh's, those of FreeDTS (TSI) and VTK's XML (VTU, VTP) and legacy ones, by the suffix
+// of the name.
 //
-// Digits. Texts (OBJ, OFF) are written with as many as a double needs, PLY and VTU in binary
+// Digits. Texts (OBJ, OFF, MSH, TSI) are written with as many as a double needs, PLY and VTU in binary
 // doubles: numbers read back are the same bits. STL is single precision by its nature, 7 digits.
-// OBJ, OFF, PLY and STL hold the plain triangles between the corners; VTU holds curved ones.
+// OBJ, OFF, PLY, STL and TSI hold the plain triangles between the corners; VTU and MSH hold curved ones.
 #pragma once
 
 #include "meshing/curved_cells.h"
@@ -69,7 +70,7 @@ void require_mesh_suffix(const std::filesystem::path& path);
 /// Whether the suffix is that of a format which keeps curved triangles.
 bool keeps_curved(const std::filesystem::path& path);
 
-/// In the format of the suffix; `fields` only in VTU. Throws InputError for an unknown suffix and
+/// In the format of the suffix; `fields` only in VTU and MSH. Throws InputError for an unknown suffix and
 /// OutputError.
 void write_mesh(const std::filesystem::path& path, const meshing::CurvedMesh& mesh,
                 const NodeFields& fields = {});

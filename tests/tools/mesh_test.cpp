@@ -63,6 +63,19 @@ TEST_F(MeshTest, meets_the_reduced_volume_asked_for_with_every_shape) {
   }
 }
 
+TEST_F(MeshTest, of_a_vesicle_at_rest_has_the_area_and_volume_asked_for) {
+  const Ended made =
+      sbeh({"shape", "--reduced-volume", "0.64", "--radius", "3.9", "-o", "rbc.msh"});
+  EXPECT_EQ(made.out,
+            "rbc.msh: 1280 triangles of order 3, area 191.1345, volume 159.0239, reduced volume "
+            "0.64\n");
+  must({"mesh", "file", "rbc.msh", "--report"});
+  must_refuse({"shape", "--reduced-volume", "0.64", "-o", "rbc.msh"}, "rbc.msh: is there already");
+  must_refuse({"shape", "--reduced-volume", "0.3", "-o", "a.stl"},
+              "shape: SSH oblate with a reduced volume of 0.3: there is none: the surface passes");
+  must_refuse({"shape", "--reduced-volume", "0.64"}, "shape: nothing to do: give a file with -o");
+}
+
 TEST_F(MeshTest, revolves_the_profile_of_a_scan_with_its_order) {
   write("in.toml", "[scan]\nreduced_volume = 0.7\nL = 0.05\n[numerics]\nelements = 24\n");
   must(into("out", "scan"));

@@ -5,6 +5,7 @@
 #include "studies/report/path_kind.h"
 #include "studies/scan/scan_row.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/mesh_output.h"
 
 #include <array>
 #include <cmath>
@@ -22,12 +23,13 @@ namespace {
 struct MeshWords {
   CLI::App *sphere = nullptr, *ellipsoid = nullptr, *harmonic = nullptr, *revolve = nullptr,
            *file = nullptr;
-  std::string axes, input, output, area;
+  std::string axes, input, area;
+  MeshOutput output;
   std::vector<std::string> modes;
   std::optional<double> reduced_volume;
   std::optional<int> triangles, order;
   double grading = 0;
-  bool prolate = false, repair = false, report = false, overwrite = false;
+  bool prolate = false, repair = false;
 };
 
 // Three numbers between commas.
@@ -57,12 +59,6 @@ double area_of(const std::string& text) {
   if (text != "4pi" && !studies::parse_number(text, area))
     throw InputError(fmt::format("--area {}: must be a number > 0, or 4pi", text));
   return area;
-}
-
-void refuse_to_overwrite(const fs::path& path) {
-  std::error_code ignored;
-  if (fs::exists(path, ignored))
-    throw InputError(fmt::format("{}: is there already; --overwrite replaces it", path.string()));
 }
 
 studies::MeshRequest request_of(const MeshWords& w) {
@@ -101,31 +97,11 @@ studies::MadeMesh make(const MeshWords& w) {
 }
 
 int make_and_write(const MeshWords& w) {
-  if (w.output.empty() && !w.report)
-    throw InputError("mesh: nothing to do: give a file with -o, or --report, or both");
-  if (!w.output.empty()) {
-    studies::require_mesh_suffix(w.output);
-    if (!w.overwrite) refuse_to_overwrite(w.output);
-  }
+  require_place(w.output, "mesh");
   const studies::MadeMesh made = make(w);
-  for (const std::string& note : made.notes) complain(note);
   if (*w.revolve)
     if (const auto remark = studies::remark_on_profile(w.input)) complain(*remark);
-  if (!w.output.empty()) {
-    if (!w.overwrite) refuse_to_overwrite(w.output);
-    studies::write_mesh(w.output, made.mesh, made.fields);
-    if (made.mesh.order > 1 && !studies::keeps_curved(w.output))
-      complain(
-          fmt::format("{} holds the plain triangles between the corners; .vtu would hold the "
-                      "curved ones",
-                      w.output));
-  }
-  if (w.report)
-    fmt::print("{}", studies::report(made.quality));
-  else
-    fmt::print("{}: {} triangles of order {}, area {:.8g}, reduced volume {:.8g}\n", w.output,
-               made.quality.triangles, made.mesh.order, made.quality.area,
-               made.quality.reduced_volume);
+  put(made, w.output);
   return 0;
 }
 
@@ -139,10 +115,7 @@ Command add_mesh(CLI::App& program) {
   mesh->require_subcommand(1);
   const auto add = [&](const char* name, const char* text) {
     CLI::App* shape = mesh->add_subcommand(name, text);
-    shape->add_option("-o,--output", w.output,
-                      "file to write: .vtu (curved), or .obj, .off, .ply, .stl (plain)");
-    shape->add_flag("--report", w.report, "print quality and measures");
-    shape->add_flag("--overwrite", w.overwrite, "replace the file if it is there");
+    add_mesh_output(*shape, w.output);
     shape->add_option("--triangles", w.triangles, "about so many (1280)");
     shape->add_option("--order", w.order, "of the curved triangles, 1 ... 3 (3)");
     shape->add_option("--grading", w.grading, "smaller triangles where |H| is large, 0 ... 10 (0)");
@@ -163,7 +136,8 @@ Command add_mesh(CLI::App& program) {
   w.revolve = add("revolve", "a profile from a scan, revolved, with its order");
   w.revolve->add_option("PROFILE", w.input, "table of nodes (points/*.csv)")->required();
   w.file = add("file", "triangles of a file, curved; without --triangles they stay as they are");
-  w.file->add_option("FILE", w.input, ".obj, .off, .ply, .stl, .vtk, .vtp or .vtu")->required();
+  w.file->add_option("FILE", w.input, ".obj, .off, .ply, .stl, .msh, .tsi, .vtk, .vtp or .vtu")
+      ->required();
   w.file->add_flag("--repair", w.repair, "mend what can be mended safely, and say what was done");
   return {mesh, [words] { return make_and_write(*words); }};
 }
