@@ -3,6 +3,7 @@
 #include "studies/io/errors.h"
 #include "studies/io/interrupt.h"
 #include "tools/commands/commands.h"
+#include "tools/commands/self_test.h"
 #include "tools/refusals.h"
 
 #include <malloc.h>
@@ -25,6 +26,9 @@ int run(int argc, char** argv) {
   CLI::App program{"Shapes and dynamics of fluid lipid membranes with liquid-crystalline order.",
                    "sbeh"};
   program.set_version_flag("--version", SBEH_VERSION);
+  program.add_flag_callback(
+      "--self-test", [] { throw CLI::RuntimeError(tools::self_test()); },
+      "Hold what is installed against known numbers, and exit");
   program.require_subcommand(1);
   std::vector<tools::Command> commands;
   for (const auto add : tools::all_commands) commands.push_back(add(program));
@@ -33,6 +37,8 @@ int run(int argc, char** argv) {
         "a word of the command line is empty: is there a variable of the shell that is not set?");
   try {
     program.parse(argc, argv);
+  } catch (const CLI::RuntimeError& tested) {
+    return tested.get_exit_code();
   } catch (const CLI::ParseError& error) {
     return tools::refuse_words(program, error, {"command", "shape"});
   }

@@ -6,15 +6,42 @@
 #include <algorithm>
 #include <cstdio>
 #include <limits>
+#include <mutex>
 
 namespace sbeh::studies {
 
+namespace {
+struct Listener {
+  std::mutex mutex;
+  std::function<void(std::string_view)> hear;
+  bool terminal = false;
+};
+Listener& listener() {
+  static Listener one;
+  return one;
+}
+bool tells_a_terminal() {
+  return listener().hear ? listener().terminal : isatty(STDERR_FILENO) != 0;
+}
+}  // namespace
+
+void tell_to(std::function<void(std::string_view)> hear, bool terminal) {
+  const std::lock_guard lock(listener().mutex);
+  listener().hear = std::move(hear);
+  listener().terminal = terminal;
+}
+
 void tell(std::string_view text) {
+  if (listener().hear) {
+    const std::lock_guard lock(listener().mutex);
+    listener().hear(text);
+    return;
+  }
   std::fwrite(text.data(), 1, text.size(), stderr);
   std::fflush(stderr);
 }
 
-ProgressLine::ProgressLine() : terminal_(isatty(STDERR_FILENO) != 0) {}
+ProgressLine::ProgressLine() : terminal_(tells_a_terminal()) {}
 
 ProgressLine::~ProgressLine() { end(); }
 

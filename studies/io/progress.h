@@ -3,6 +3,7 @@
 
 #include "studies/io/stopwatch.h"
 
+#include <functional>
 #include <optional>
 #include <string_view>
 
@@ -10,6 +11,10 @@ namespace sbeh::studies {
 
 /// Writes to standard error. A log that cannot take it, such as on a full disk, ends no work.
 void tell(std::string_view text);
+
+/// From now on gives what is told to `listener` instead, from any thread, one at a time; it is a terminal or a log. Without
+/// one, to standard error again.
+void tell_to(std::function<void(std::string_view)> listener, bool terminal);
 
 /// How far something is: on a terminal one line that is rewritten, in a log one line after the other. Writes
 /// to standard error.

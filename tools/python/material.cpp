@@ -1,0 +1,85 @@
+// sbeh.Material
+#include "model/material.h"
+
+#include "tools/python/bindings.h"
+
+namespace sbeh::python {
+
+namespace {
+
+using model::Material;
+
+template <class Visit>
+void for_each_number(Material& material, Visit&& visit) {
+  model::for_each_parameter(material, [&](const model::Parameter& p, auto& value) {
+    if constexpr (std::is_same_v<std::remove_cvref_t<decltype(value)>, double>) visit(p, value);
+  });
+}
+
+// As `material` but for the parameters given by name, L for the one-constant approximation.
+Material changed(Material material, const py::kwargs& values) {
+  for (const auto& [key, value] : values) {
+    const auto name = py::cast<std::string>(key);
+    bool known = name == "L" || name == "potential";
+    if (name == "L") material = material.with_L(py::cast<double>(value));
+    if (name == "potential")
+      material.potential = model::Potential(py::cast<std::vector<double>>(value));
+    for_each_number(material, [&](const model::Parameter& p, double& number) {
+      if (name != p.name) return;
+      number = py::cast<double>(value);
+      known = true;
+    });
+    if (!known) throw py::type_error("Material has no parameter '" + name + "'");
+  }
+  material.validate();
+  return material;
+}
+
+py::dict dict_of(Material material) {
+  py::dict values;
+  for_each_number(material,
+                  [&](const model::Parameter& p, double& number) { values[p.name] = number; });
+  values["potential"] = material.potential.coefficients();
+  return values;
+}
+
+}  // namespace
+
+void add_material(py::module_& m) {
+  py::class_<Material> material(
+      m, "Material",
+      R"(The physics of a membrane; dimensionless, lengths in radii of the sphere of equal area.
+
+Parameters are given by name, the others are those of the paper: L (one-constant approximation, instead of
+L1, L2, L3), L1, L2, L3, potential (coefficients of the powers of the order), viscosity, immobility,
+friction_tangential, friction_normal, order_viscosity, residual_stiffness, spontaneous_curvature (of the
+sign of the trace H, -2 on the unit sphere). Raises ValueError for values that are not allowed.)");
+  material.def(py::init([](const py::kwargs& values) { return changed({}, values); }))
+      .def("replace", &changed, "The same with other values of the parameters that are named.")
+      .def("to_dict", &dict_of, "All parameters by name.")
+      .def("kappa", &Material::kappa<double>, py::arg("order") = model::full_order,
+           "Bending stiffness kappa(order) = (9/4) order^2 (2 L1 + L2 + L3) + k0.")
+      .def("kappa_gauss", &Material::kappa_gauss<double>, py::arg("order") = model::full_order,
+           "Saddle-splay stiffness kappa_G(order) = -(9/4) order^2 (2 L1 + L3).")
+      .def(
+          "u", [](const Material& self, double order) { return self.potential.value(order); },
+          py::arg("order"), "Thermotropic potential u(order), energy per area.")
+      .def("__eq__", [](const Material& a, const Material& b) { return a == b; })
+      .def("__repr__", [](const Material& self) {
+        return "Material(" + py::str(dict_of(self)).cast<std::string>() + ")";
+      });
+  Material any;
+  for_each_number(any, [&](const model::Parameter& p, double&) {
+    material.def_property_readonly(
+        p.name,
+        [name = std::string(p.name)](const Material& self) {
+          return py::object(dict_of(self)[name.c_str()]);
+        },
+        p.meaning);
+  });
+  material.def_property_readonly(
+      "potential", [](const Material& self) { return self.potential.coefficients(); },
+      "u(order), coefficients of its powers");
+}
+
+}  // namespace sbeh::python
