@@ -30,4 +30,7 @@ __all__ = [
 ]
 
 if "ipykernel" in _sys.modules:  # a notebook shows what Python writes, and nothing else
-    tell_to(lambda text: _sys.stderr.write(text) and None)
+    def _show(text: str) -> None:
+        _sys.stderr.write(text)
+
+    tell_to(_show)

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import functools
 import warnings
 from collections.abc import Callable, Mapping
 from functools import cached_property
@@ -139,7 +140,8 @@ class Run:
         said so. The time steps are chosen by the tolerance of `numerics`; gone on with later, the
         numbers are the same to the bit.
         """
-        return self._run.advance(until, steps, stop_at_rest, after_step and (lambda: after_step(self)))
+        see = None if after_step is None else functools.partial(after_step, self)
+        return self._run.advance(until, steps, stop_at_rest, see)
 
     @property
     def time(self) -> float:

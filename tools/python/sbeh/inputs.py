@@ -74,5 +74,8 @@ class ResultsFolder:
     """A folder of results: the user's, or one that goes with the last reference to it."""
 
     def __init__(self, path: str | Path | None) -> None:
-        self._temporary = None if path is not None else tempfile.TemporaryDirectory(prefix="sbeh-")
-        self.path = Path(path) if self._temporary is None else Path(self._temporary.name) / "results"
+        if path is not None:
+            self.path = Path(path)
+        else:
+            self._temporary = tempfile.TemporaryDirectory(prefix="sbeh-")
+            self.path = Path(self._temporary.name) / "results"
