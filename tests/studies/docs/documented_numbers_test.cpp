@@ -47,6 +47,25 @@ TEST(ReadmeTable, of_special_points_is_that_of_shooting_and_of_minimisation) {
   }
 }
 
+// ---- studies/docs/units.md ---------------------------------------------------------------------------
+
+TEST(UnitsTable, follows_from_the_rigidity_and_the_surface_viscosity) {
+  constexpr double thermal = 1.380649e-23 * 300, rigidity = 20 * thermal, surface_viscosity = 5e-10;
+  const model::Material material = model::Material{}.with_L(0.05);
+  const double unit = rigidity / material.kappa(model::full_order);
+  const double decay = std::sqrt(material.l1() / material.potential.curvature(model::full_order));
+  const auto rows = table_below("studies/docs/units.md", "| R (µm) | E₀ (k_BT) |");
+  ASSERT_EQ(rows.size(), 3u);
+  for (const auto& row : rows) {
+    const double R = 1e-6 * std::stod(row[0]);
+    const double expected[] = {unit / thermal, surface_viscosity * R * R / unit, unit / (R * R),
+                               unit / (R * R * R), 1e9 * decay * R};
+    for (std::size_t k = 0; k < 5; ++k)
+      EXPECT_NEAR(std::stod(row[k + 1]) / expected[k], 1, 1.2e-3)
+          << row[0] << " " << k;  // three digits
+  }
+}
+
 // ---- studies/docs/stability.md -----------------------------------------------------------------------
 
 // In other steps of L than those of the scan that was printed, with finer elements.
