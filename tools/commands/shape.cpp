@@ -50,6 +50,7 @@ int shape(const ShapeWords& w) {
 
 std::vector<std::string> words_of(const auto& values) {
   std::vector<std::string> words;
+  words.reserve(std::size(values));
   for (const auto value : values) words.emplace_back(sbeh::name(value));
   return words;
 }

@@ -18,8 +18,9 @@ void for_each_number(Material& material, Visit&& visit) {
 
 // As `material` but for the parameters given by name, L for the one-constant approximation.
 Material changed(Material material, const py::kwargs& values) {
-  for (const auto& [key, value] : values) {
-    const auto name = py::cast<std::string>(key);
+  for (const auto& item : values) {
+    const auto name = py::cast<std::string>(item.first);
+    const py::handle value = item.second;
     bool known = name == "L" || name == "potential";
     if (name == "L") material = material.with_L(py::cast<double>(value));
     if (name == "potential")
