@@ -20,8 +20,9 @@ set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 list(TRANSFORM libraries PREPEND ${PROJECT_BINARY_DIR}/ OUTPUT_VARIABLE CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS)
 
 set(CPACK_COMPONENT_SBEH_DESCRIPTION
-"Programs: stationary shapes of membranes over reduced volume and elastic constant,
-their stability, their evolution in time with an axis and in 3D, pictures of all that.")
+"Programs: stationary shapes of membranes over reduced volume and
+elastic constant, their stability, their evolution in time with an
+axis and in 3D, pictures of all that.")
 set(CPACK_DEBIAN_SBEH_PACKAGE_NAME sbeh)
 set(CPACK_DEBIAN_SBEH_PACKAGE_RECOMMENDS "xvfb, xauth, fonts-dejavu-core")  # for pictures
 
