@@ -146,8 +146,10 @@ CompareInput read_compare(const std::filesystem::path& path) {
                   numerics = file.table("numerics");
   const TomlTable surface = file.table("surface3d"), harmonics = file.table("harmonics"),
                   tolerance_3d = file.table("tolerance_3d"), tolerance = file.table("tolerance");
+  file.has("units");
   file.reject_unknown_keys();
   CompareInput input;
+  input.units = read_units(file);
   read_case(cases, input);
   const bool in_3d = input.has(Witness::surface3d), by_harmonics = input.has(Witness::harmonics);
   if (!in_3d) file.refuse("surface3d", "has no place without \"surface3d\" among the methods");
@@ -156,6 +158,7 @@ CompareInput read_compare(const std::filesystem::path& path) {
   if (!in_3d && !by_harmonics)
     file.refuse("tolerance_3d",
                 "has no place without \"surface3d\" or \"harmonics\" among the methods");
+  material.measured_by(lengths_of(input.units));
   input.state.material =
       read_material_without_L(material, "a comparison, where L comes from [compare]")
           .with_L(input.state.L());
@@ -187,6 +190,7 @@ std::string describe(const CompareInput& input, std::string_view version) {
   }
   write_tolerances(toml, "tolerance", input.tolerance);
   write_tolerances(toml, "tolerance_3d", input.tolerance_3d);
+  write_units(toml, input.units);
   return toml.text();
 }
 

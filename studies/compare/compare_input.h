@@ -2,10 +2,12 @@
 #pragma once
 
 #include "axisym/stationary/stationary_case.h"
+#include "studies/parameters/units.h"
 #include "studies/witnesses/witness.h"
 
 #include <filesystem>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,6 +32,7 @@ struct CompareInput {
   Tolerances tolerance, tolerance_3d;
 
   bool has(Witness witness) const;
+  std::optional<Units> units{};  ///< for people: no number depends on them
 
   bool operator==(const CompareInput&) const = default;
 };

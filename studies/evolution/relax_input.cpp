@@ -74,14 +74,18 @@ RelaxInput read_relax(const std::filesystem::path& path) {
   const TomlTable time = file.table("time");
   const TomlTable material = file.table("material");
   const TomlTable numerics = file.table("numerics");
+  file.has("units");
   file.reject_unknown_keys();
   const auto model = named_model(file, start, relax_shapes());
   RelaxInput input;
+  input.units = read_units(file);
   input.model = model.value_or(input.model);
+  material.measured_by(lengths_of(input.units));
   read_start(start, input);
   static_cast<Physics&>(input) =
       read_physics(file, model, material, [&] { return origin_of_any(input.start); });
   input.numerics = read_numerics<axisym::Numerics>(numerics);
+  time.measured_by(read_scales(file, input.units, input.material, input.model));
   input.times = read_times(time, "profiles");
   time.reject_unknown_keys();
   return input;
@@ -94,6 +98,7 @@ std::string describe(const RelaxInput& input, std::string_view version) {
   write_material(toml, input.material, input.model);
   write_numerics(toml, input.numerics);
   write_times(toml, input.times, "profiles");
+  write_units(toml, input.units);
   return toml.text();
 }
 

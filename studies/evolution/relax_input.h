@@ -6,6 +6,7 @@
 #include "model/material.h"
 #include "studies/evolution/start_shape.h"
 #include "studies/evolution/times.h"
+#include "studies/parameters/units.h"
 #include "studies/scan/scan_row.h"
 
 #include <filesystem>
@@ -34,7 +35,8 @@ struct RelaxInput : Physics {
   double initial_order = model::full_order;  ///< β of the ellipsoid, 0 … 1
   std::vector<axisym::Mode> perturbation;    ///< displaces along the normal by Σ a_l Y_l
   axisym::Numerics numerics;
-  Times times;  ///< states: profiles
+  Times times;                   ///< states: profiles
+  std::optional<Units> units{};  ///< for people: no number depends on them
 
   bool operator==(const RelaxInput&) const = default;
 };

@@ -114,14 +114,18 @@ RunInput read_with(const fs::path& path, const FindOrigin& find_origin) {
   file.has("model");  // a known key, wherever it may be left out
   const TomlTable surface = file.table("surface"), time = file.table("time"),
                   material = file.table("material"), numerics = file.table("numerics");
+  file.has("units");
   file.reject_unknown_keys();
   const auto model = named_model(file, surface, run_shapes());
   RunInput input;
+  input.units = read_units(file);
   input.model = model.value_or(input.model);
+  for (const TomlTable& table : {surface, material}) table.measured_by(lengths_of(input.units));
   read_surface(surface, input);
   static_cast<Physics&>(input) =
       read_physics(file, model, material, [&] { return find_origin(input); });
   input.numerics = read_numerics<surface3d::Numerics>(numerics);
+  time.measured_by(read_scales(file, input.units, input.material, input.model));
   read_time(time, input);
   return input;
 }
@@ -161,6 +165,7 @@ std::string describe(const RunInput& input, std::string_view version) {
   write_numerics(toml, input.numerics);
   write_times(toml, input.times, "frames");
   toml.value("checkpoint_minutes", input.checkpoint_minutes);
+  write_units(toml, input.units);
   return toml.text();
 }
 

@@ -5,6 +5,7 @@
 #include "model/material.h"
 #include "studies/evolution/start_shape.h"
 #include "studies/evolution/times.h"
+#include "studies/parameters/units.h"
 #include "studies/scan/scan_row.h"
 #include "surface3d/options.h"
 
@@ -63,6 +64,7 @@ struct RunInput : Physics {
   surface3d::Numerics numerics;
   Times times;                     ///< states: frames
   double checkpoint_minutes = 10;  ///< of wall time between checkpoints, > 0
+  std::optional<Units> units{};    ///< for people: no number depends on them
 
   bool operator==(const RunInput&) const = default;
 };

@@ -7,6 +7,7 @@
 
 #include "model/names.h"
 #include "studies/io/csv.h"
+#include "studies/io/dimension.h"
 #include "studies/io/output.h"
 
 #include <fmt/format.h>
@@ -14,6 +15,7 @@
 #include <cmath>
 #include <functional>
 #include <optional>
+#include <stdexcept>
 #include <string>
 #include <type_traits>
 #include <vector>
@@ -138,10 +140,15 @@ Column<Row> derived_column(std::string name, Text text) {
 
 // ---- tables -------------------------------------------------------------------------------------
 
+/// Throws std::logic_error for a column whose dimension (dimension.h) is not known.
 template <class Row>
 std::string header_of(const Columns<Row>& columns) {
   std::string line;
-  for (const Column<Row>& column : columns) line.append(line.empty() ? 0 : 1, ',') += column.name;
+  for (const Column<Row>& column : columns) {
+    if (!dimension_of(column.name))
+      throw std::logic_error("dimension.cpp does not know the column " + column.name);
+    line.append(line.empty() ? 0 : 1, ',') += column.name;
+  }
   return line;
 }
 

@@ -57,6 +57,18 @@ double CsvTable::number(std::size_t row, std::string_view column) const {
   return parse_number(text(row, column), value) ? value : not_known;
 }
 
+std::string text_of(const CsvTable& table) {
+  std::string text;
+  const auto add = [&](const std::vector<std::string>& fields) {
+    for (std::size_t k = 0; k < fields.size(); ++k)
+      text.append(k == 0 ? 0 : 1, ',') += csv_field(fields[k]);
+    text += '\n';
+  };
+  add(table.columns);
+  for (const auto& row : table.rows) add(row);
+  return text;
+}
+
 CsvTable read_csv(const std::filesystem::path& path) {
   std::istringstream text(read_file(path));
   CsvTable table;

@@ -34,6 +34,9 @@ struct CsvTable {
   double number(std::size_t row, std::string_view column) const;
 };
 
+/// The table as it stands in a file.
+std::string text_of(const CsvTable& table);
+
 /// A last line that was cut off while it was written is left out. Throws OutputError when the file
 /// cannot be read, or naming the line that has another number of fields than the first.
 CsvTable read_csv(const std::filesystem::path& path);

@@ -81,7 +81,7 @@ std::vector<Difference> differences(const std::string& before, const std::string
   const auto add = [&](const std::string& key) {
     const std::string *first = value_of(there, key), *second = value_of(here, key);
     const bool same = first && second && *first == *second;
-    if (!same && std::ranges::find(without, key) == without.end())
+    if (!same && !key.starts_with("units.") && std::ranges::find(without, key) == without.end())
       found.push_back({key, shown(first), shown(second)});
   };
   for (const auto& [key, value] : here) add(key);

@@ -20,7 +20,7 @@ std::string with_remarks(const std::string& description, const std::vector<std::
 /// Its remarks.
 std::vector<std::string> remarks_in(const std::string& description);
 
-/// The values that are not the same, named as in "time.end", but for some names.
+/// The values that are not the same, named as in "time.end", but for some names and for [units], on which no number depends.
 std::vector<Difference> differences(const std::string& before, const std::string& after,
                                     const std::vector<std::string_view>& without = {});
 

@@ -126,6 +126,10 @@ void begin_or_continue(const OutputFolder& folder, const std::string& descriptio
     write_file(run, description);
   } else if (const auto other = mismatch(read_file(run), description, what); !other.empty()) {
     refuse(folder, other);
+  } else {  // with other [units], it may be
+    const std::string before = read_file(run);
+    const std::string now = with_remarks(description, remarks_in(before));
+    if (now != before) write_file(run, now);
   }
 }
 

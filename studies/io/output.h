@@ -61,7 +61,8 @@ class AppendFile {
 /// Refuses a folder in which one of these files tells of earlier results.
 void refuse_results(const OutputFolder& folder, std::initializer_list<const char*> files);
 
-/// For a study that is completed row by row: writes its description to run.toml, or finds the same there.
+/// For a study that is completed row by row: writes its description to run.toml, or finds the same there, but for [units], which
+/// are then those of the description.
 /// Refuses a folder that holds `what` with other parameters, which it names, or of another version, or the table
 /// without run.toml.
 void begin_or_continue(const OutputFolder& folder, const std::string& description,

@@ -1,5 +1,7 @@
 #include "studies/io/toml_messages.h"
 
+#include "axisym/options.h"
+#include "model/material.h"
 #include "studies/io/spelling.h"
 
 #include <fmt/format.h>
@@ -78,6 +80,55 @@ void fail_at(const TableState& table, std::string_view key, const toml::node& va
 
 bool asked_for(const TableState& table, std::string_view key) {
   return std::find(table.asked.begin(), table.asked.end(), key) != table.asked.end();
+}
+
+namespace {
+
+// Keys that stand in one table, and might be looked for in another; the first of the tables that a kind of input has.
+struct KeyPlace {
+  std::vector<std::string_view> keys, tables;
+};
+const std::vector<KeyPlace>& key_places() {
+  static const std::vector<KeyPlace> all = [] {
+    const model::Material any_material;
+    const axisym::Numerics any_numerics;
+    std::vector<std::string_view> material{"friction", "landau_de_gennes"};
+    for_each_parameter(any_material, [&](const model::Parameter& parameter, const auto&) {
+      material.emplace_back(parameter.name);
+    });
+    std::vector<std::string_view> numerics;
+    for_each_parameter(any_numerics, [&](const model::Parameter& parameter, const auto&) {
+      numerics.emplace_back(parameter.name);
+    });
+    return std::vector<KeyPlace>{
+        {material, {"material"}},
+        {{"triangles"}, {"surface", "surface3d"}},
+        {{"coarser"}, {"surface3d"}},
+        {{"end"}, {"time", "surface3d"}},
+        {{"output", "frames", "profiles", "every_step", "stop_at_rest", "checkpoint_minutes"},
+         {"time"}},
+        {{"remesh", "most_triangles", "integrator", "scheme", "factorisation"}, {"numerics"}},
+        {numerics, {"numerics"}},
+        {{"L"}, {"scan", "stability", "compare", "modes", "material"}},
+        {{"reduced_volume", "branch", "branches"},
+         {"scan", "stability", "compare", "modes", "start", "surface"}},
+        {{"radius_um", "bending_rigidity_kT", "bending_rigidity_J", "temperature",
+          "surface_viscosity"},
+         {"units"}}};
+  }();
+  return all;
+}
+
+}  // namespace
+
+std::optional<std::string> place_of_key(const TableState& table, std::string_view key) {
+  const TableState& file = table.file_table ? *table.file_table : table;
+  for (const KeyPlace& place : key_places()) {
+    if (std::ranges::find(place.keys, key) == place.keys.end()) continue;
+    for (const std::string_view other : place.tables)
+      if (other != table.section && asked_for(file, other)) return std::string(other);
+  }
+  return {};
 }
 
 std::string unknown(const TableState& table, const toml::key& key,

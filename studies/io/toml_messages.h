@@ -1,6 +1,7 @@
 // The words with which a table of a TOML file is refused.
 #pragma once
 
+#include "studies/io/scales.h"
 #include "studies/io/toml_reader.h"
 
 #include <toml++/toml.h>
@@ -16,12 +17,14 @@ namespace sbeh::studies {
 /// What the copies of one TomlTable share.
 struct TableState {
   std::string file;
-  std::shared_ptr<const toml::table> document;  ///< keeps `table` alive
-  const toml::table* table = nullptr;           ///< null: absent, no keys
-  std::string section = {};                     ///< "scan" of [scan]; empty at the top
-  std::string prefix = {};                      ///< "L." in the inline table L = { … }
-  int line = 0;                                 ///< 0: absent
-  std::vector<std::string> asked = {};          ///< in the order of asking
+  std::shared_ptr<const toml::table> document;        ///< keeps `table` alive
+  const toml::table* table = nullptr;                 ///< null: absent, no keys
+  std::string section = {};                           ///< "scan" of [scan]; empty at the top
+  std::string prefix = {};                            ///< "L." in the inline table L = { … }
+  int line = 0;                                       ///< 0: absent
+  std::vector<std::string> asked = {};                ///< in the order of asking
+  std::shared_ptr<const TableState> file_table = {};  ///< of the whole file; null: this one
+  std::optional<Scales> scales = {};                  ///< of values with a unit
 };
 
 /// The line at which a value stands, and "file:line" of it; the file alone for line 0.
@@ -39,6 +42,10 @@ bool asked_for(const TableState& table, std::string_view key);
 /// "file:line: key: unknown key" (or table) with what was probably meant.
 std::string unknown(const TableState& table, const toml::key& key,
                     const std::optional<std::string>& meant);
+
+/// The table of this kind of input, asked for already, in which the key has its place; empty where that is none, or
+/// the one in which it stands.
+std::optional<std::string> place_of_key(const TableState& table, std::string_view key);
 
 /// Throws InputError at a value, or at an element of a list that is the value.
 [[noreturn]] void fail_at(const TableState& table, std::string_view key, const toml::node& value,

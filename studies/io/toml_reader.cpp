@@ -1,5 +1,6 @@
 #include "studies/io/toml_reader.h"
 
+#include "studies/io/csv.h"
 #include "studies/io/input_path.h"
 #include "studies/io/spelling.h"
 #include "studies/io/toml_messages.h"
@@ -45,10 +46,31 @@ const toml::array& as_list(const TableState& table, std::string_view key, const 
 
 // ---- single values ------------------------------------------------------------------------------
 
+/// Of a text with a unit.
+double measured(const TableState& table, std::string_view key, const toml::node& value,
+                const Dimension& dimension) {
+  double number = 0;
+  if (!table.scales && parse_number(value.as_string()->get(), number))
+    fail_at(table, key, value, "must be a number");
+  if (!table.scales)
+    fail_at(table, key, value,
+            table.document->contains("units")
+                ? "must be a number here, without a unit"
+                : "must be a number; a unit needs a table [units], which tells of what vesicle");
+  try {
+    return number_in(*table.scales, value.as_string()->get(), dimension);
+  } catch (const std::invalid_argument& error) {
+    fail_at(table, key, value, error.what());
+  }
+}
+
 double as_number(const TableState& table, std::string_view key, const toml::node& value,
                  const Interval& allowed, std::string_view kind) {
-  if (!value.is_number()) fail_at(table, key, value, kind);
-  const double number = *value.value<double>();
+  const Dimension dimension = dimension_of_key(key);
+  const bool is_measured = value.is_string() && dimension != dimension::none;
+  if (!is_measured && !value.is_number()) fail_at(table, key, value, kind);
+  const double number =
+      is_measured ? measured(table, key, value, dimension) : *value.value<double>();
   if (!std::isfinite(number)) fail_at(table, key, value, "must be a finite number");
   if (!allowed.contains(number)) fail_at(table, key, value, "must be " + allowed.text());
   return number;
@@ -105,6 +127,8 @@ std::vector<double> evenly_spaced(double low, double high, int count, Spacing sp
   if (count > 1) values.push_back(high);
   return values;
 }
+
+void TomlTable::measured_by(const std::optional<Scales>& scales) const { state_->scales = scales; }
 
 bool TomlTable::has(std::string_view key) const { return find(*state_, key) != nullptr; }
 
@@ -231,6 +255,7 @@ std::vector<meshing::Harmonic> TomlTable::harmonics(std::string_view key, int hi
 
 TomlTable TomlTable::table(std::string_view key) const {
   TableState child{.file = state_->file, .document = state_->document, .section = state_->section};
+  child.file_table = state_->file_table ? state_->file_table : state_;
   const toml::node* value = find(*state_, key);
   if (value && !value->is_table()) fail_at(*state_, key, *value, "must be a table");
   if (value) {
@@ -265,6 +290,9 @@ void TomlTable::reject_unknown_keys() const {
       first = &key;
   if (!first) return;
   const std::vector<std::string>& known = state_->asked;
+  if (const auto place = place_of_key(*state_, first->str()))
+    throw InputError(fmt::format("{} It has its place in [{}]. Known here: {}",
+                                 unknown(*state_, *first, {}), *place, fmt::join(known, ", ")));
   throw InputError(fmt::format("{} Known: {}",
                                unknown(*state_, *first, nearest(first->str(), known)),
                                fmt::join(known, ", ")));

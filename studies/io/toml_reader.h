@@ -6,6 +6,7 @@
 #include "model/names.h"
 #include "model/parameter.h"
 #include "studies/io/errors.h"
+#include "studies/io/scales.h"
 
 #include <filesystem>
 #include <memory>
@@ -36,6 +37,9 @@ struct TableState;
 class TomlTable {
  public:
   explicit TomlTable(std::shared_ptr<TableState> state) : state_(std::move(state)) {}
+
+  /// From now on numbers whose keys have a dimension (dimension_of_key) may be texts with a unit, as in "2 s".
+  void measured_by(const std::optional<Scales>& scales) const;
 
   /// Whether the key is there, whatever its value; counts as asking for it.
   bool has(std::string_view key) const;

@@ -1,5 +1,6 @@
 #include "studies/io/toml_text.h"
 
+#include "studies/io/conventions.h"
 #include "studies/io/spelling.h"
 
 #include <fmt/format.h>
@@ -38,7 +39,9 @@ std::string list_as_toml(const std::vector<std::string>& values) {
 }
 
 TomlText::TomlText(std::string_view version)
-    : text_(fmt::format("# sbeh {}: every parameter of this run; can be run again\n", version)) {}
+    : text_(fmt::format("# sbeh {}: every parameter of this run; can be run again\n", version)) {
+  for (const char* line : conventions) text_ += fmt::format("## {}\n", line);
+}
 
 void TomlText::table(std::string_view name) { text_ += fmt::format("\n[{}]\n", name); }
 

@@ -43,7 +43,7 @@ std::string as_toml(const std::vector<T>& list) {
 /// The text of a file, which grows table by table and line by line.
 class TomlText {
  public:
-  /// Begins with a comment that names the program's version.
+  /// Begins with a comment that names the program's version, and comments with the conventions (conventions.h).
   explicit TomlText(std::string_view version);
 
   void table(std::string_view name);

@@ -30,6 +30,11 @@ void require_material_of_scan(const TomlTable& table, const ModesInput& input,
                            input.scan, changes.front().first));
 }
 
+void read_thermal_energy(const TomlTable& file, const TomlTable& modes, ModesInput& input) {
+  modes.measured_by(read_scales(file, input.units, input.state.material, input.state.model));
+  input.thermal_energy = modes.number("fluctuations", at_least(0), input.thermal_energy);
+}
+
 }  // namespace
 
 ScanRow row_of(const ModesInput& input) {
@@ -45,19 +50,23 @@ ModesInput read_modes(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const TomlTable modes = file.table("modes"), material = file.table("material"),
                   numerics = file.table("numerics");
+  file.has("units");
   file.reject_unknown_keys();
   ModesInput input;
+  input.units = read_units(file);
   read_state(modes, input);
   input.largest_m = modes.integer("largest_m", 0, largest_mode_m, input.largest_m);
   input.number = modes.integer("number", 1, most_mode_number, input.number);
-  input.thermal_energy = modes.number("fluctuations", at_least(0), input.thermal_energy);
+  modes.has("fluctuations");
   modes.reject_unknown_keys();
+  material.measured_by(lengths_of(input.units));
   const model::Material asked =
       read_material_without_L(material, "modes, where L comes from [modes]")
           .with_L(input.state.L());
   if (input.scan.empty()) {
     input.state.material = asked;
     input.state.numerics = read_numerics<axisym::Numerics>(numerics);
+    read_thermal_energy(file, modes, input);
     return input;
   }
   if (file.has("numerics"))
@@ -67,6 +76,7 @@ ModesInput read_modes(const std::filesystem::path& path) {
     require_material_of_scan(material, input, asked);
     input.state.material = asked;
   }
+  read_thermal_energy(file, modes, input);
   return input;
 }
 
@@ -94,6 +104,7 @@ std::string describe(const ModesInput& input, std::string_view version) {
   toml.value("fluctuations", input.thermal_energy);
   write_material_without_L(toml, s.material);
   if (input.scan.empty()) write_numerics(toml, s.numerics);
+  write_units(toml, input.units);
   return toml.text();
 }
 

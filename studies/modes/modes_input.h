@@ -2,9 +2,11 @@
 #pragma once
 
 #include "axisym/stationary/stationary_case.h"
+#include "studies/parameters/units.h"
 #include "studies/scan/scan_row.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -22,7 +24,8 @@ struct ModesInput {
   axisym::StationaryCase state;  ///< V_r < 1: the tension of the sphere may be any
   int largest_m = 5;             ///< 0 … 50
   int number = 1;  ///< modes of each m and parity, 1 … 20; all unstable ones are there besides
-  double thermal_energy = 0;  ///< k_BT, key `fluctuations`; 0: no fluctuations
+  double thermal_energy = 0;     ///< k_BT, key `fluctuations`; 0: no fluctuations
+  std::optional<Units> units{};  ///< for people: no number depends on them
 
   bool operator==(const ModesInput&) const = default;
 };

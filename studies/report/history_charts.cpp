@@ -8,7 +8,9 @@
 
 namespace sbeh::studies {
 
-const std::vector<HistoryChart>& history_charts() {
+namespace {
+
+const std::vector<HistoryChart>& dimensionless_charts() {
   constexpr auto log = AxisScale::logarithmic;
   static const std::vector<HistoryChart> all{
       {{"Energy", log, AxisScale::linear, "U"}, {{"energy", "U"}}},
@@ -30,7 +32,30 @@ const std::vector<HistoryChart>& history_charts() {
   return all;
 }
 
-std::string still_charts(const CsvTable& series) {
+// Of a chart of several quantities each has its own.
+std::string y_name_of(const HistoryChart& chart, const ResultUnits& units) {
+  std::string names;
+  for (const auto& [column, called] : chart.columns) {
+    const std::string unit = units.unit(*dimension_of(column));
+    if (!unit.empty() && names.find(unit) == std::string::npos)
+      names += (names.empty() ? "" : ", ") + unit;
+  }
+  return names.empty() ? chart.frame.y_name : fmt::format("{} ({})", chart.frame.y_name, names);
+}
+
+}  // namespace
+
+std::vector<HistoryChart> history_charts(const std::optional<ResultUnits>& units) {
+  std::vector<HistoryChart> charts = dimensionless_charts();
+  if (units)
+    for (HistoryChart& chart : charts) {
+      chart.frame.x_name = units->titled("t", dimension::time);
+      chart.frame.y_name = y_name_of(chart, *units);
+    }
+  return charts;
+}
+
+std::string still_charts(const CsvTable& series, const std::optional<ResultUnits>& units) {
   const auto numbers = [&](const char* column) {
     std::vector<double> values;
     for (std::size_t row = 0; row < series.rows.size(); ++row)
@@ -50,7 +75,7 @@ std::string still_charts(const CsvTable& series) {
     return values;
   };
   std::string text;
-  for (const HistoryChart& chart : history_charts()) {
+  for (const HistoryChart& chart : history_charts(units)) {
     std::vector<ChartLine> lines;
     for (const auto& [column, called] : chart.columns)
       if (series.find(column))
@@ -60,9 +85,9 @@ std::string still_charts(const CsvTable& series) {
   return text;
 }
 
-std::string table_of_charts() {
+std::string table_of_charts(const std::optional<ResultUnits>& units) {
   std::string table = "title,y_name,logarithmic,least_dissipation,column,called\n";
-  for (const HistoryChart& chart : history_charts())
+  for (const HistoryChart& chart : history_charts(units))
     for (const auto& [column, called] : chart.columns)
       table += fmt::format("{},{},{:d},{},{},{}\n", csv_field(chart.frame.title),
                            csv_field(chart.frame.y_name), chart.frame.y == AxisScale::logarithmic,

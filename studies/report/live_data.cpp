@@ -18,16 +18,39 @@ std::string whole_lines(const std::filesystem::path& file) {
   return text.substr(0, text.rfind('\n') + 1);
 }
 
-Bundle live_data(const std::filesystem::path& folder, ResultsKind kind) {
+void add_table(Bundle& bundle, const std::filesystem::path& folder, const std::string& name,
+               const std::optional<ResultUnits>& units) {
+  bundle.add(name, units ? text_of(units->values(read_csv(folder / name), name))
+                         : whole_lines(folder / name));
+}
+
+void add_units(Bundle& bundle, const std::optional<ResultUnits>& units,
+               const std::vector<std::string>& columns) {
+  if (!units) return;
+  std::string table = "name,unit,factor\n";
+  const auto add = [&](std::string_view name, const Dimension& d) {
+    const bool by_row = units->by_L() && (d.energy != 0 || d.time != 0);
+    if (d != dimension::none)
+      table += fmt::format("{},{},{}\n", name, units->unit(d),
+                           by_row ? "" : fmt::format("{}", units->scales().factor(d)));
+  };
+  for (const std::string& column : columns) add(column, *dimension_of(column));
+  add("H", dimension::curvature);
+  add("speed", dimension::speed);
+  bundle.add("units.csv", table);
+}
+
+Bundle live_data(const std::filesystem::path& folder, ResultsKind kind,
+                 const std::optional<ResultUnits>& units) {
   switch (kind) {
     case ResultsKind::scan:
-      return live_scan(folder);
+      return live_scan(folder, units);
     case ResultsKind::run:
-      return live_run(folder);
+      return live_run(folder, units);
     case ResultsKind::relax:
-      return live_relax(folder);
+      return live_relax(folder, units);
     case ResultsKind::modes:
-      return live_modes(folder);
+      return live_modes(folder, units);
     default:
       return {};
   }

@@ -5,13 +5,18 @@
 #include "studies/report/report.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
+#include <vector>
 
 namespace sbeh::studies {
 
+// With units the numbers of the tables are physical, and units.csv has name, unit and factor: of each column that has a unit, the factor where
+// it is the same in all rows; and of H and speed, which shapes have as in the files.
+
 /// Of a scan: its tables, `folder`, where it is, and its profiles by the rows of scan.csv (packed_profiles.h). Throws OutputError where a table or
 /// a profile is damaged.
-Bundle live_scan(const std::filesystem::path& folder);
+Bundle live_scan(const std::filesystem::path& folder, const std::optional<ResultUnits>& units = {});
 
 // Of an evolution: series.csv, charts.csv (history_charts.h), `states`, how many the folder has, and shown.csv, a row per state that is shown: time, file.
 // Where there are more than a page can hold they are as many as it can, evenly spread. Throws OutputError and InputError
@@ -22,12 +27,20 @@ Bundle live_scan(const std::filesystem::path& folder);
 ///   meshes.csv     of each mesh its curved triangles, nodes, and states
 ///   mesh/0 …       the small plain triangles of a mesh, by their nodes
 ///   frames/0 …     the fields of its states, as differences from one to the next
-Bundle live_run(const std::filesystem::path& folder);
+Bundle live_run(const std::filesystem::path& folder, const std::optional<ResultUnits>& units = {});
 /// Axisymmetric: the profiles by the rows of shown.csv.
-Bundle live_relax(const std::filesystem::path& folder);
+Bundle live_relax(const std::filesystem::path& folder,
+                  const std::optional<ResultUnits>& units = {});
 
 /// Of the modes of a state: modes.csv, and the table of each mode, modes/m2_even_1.csv …, that is there.
-Bundle live_modes(const std::filesystem::path& folder);
+Bundle live_modes(const std::filesystem::path& folder,
+                  const std::optional<ResultUnits>& units = {});
+
+/// Adds a table of the folder in these units.
+void add_table(Bundle& bundle, const std::filesystem::path& folder, const std::string& name,
+               const std::optional<ResultUnits>& units);
+void add_units(Bundle& bundle, const std::optional<ResultUnits>& units,
+               const std::vector<std::string>& columns);
 
 /// The text of a file without the last line where that is not whole: it may be half written.
 std::string whole_lines(const std::filesystem::path& file);
@@ -37,6 +50,7 @@ bool has_live_page(ResultsKind kind);
 /// Why results of such a kind are too many for one; empty where they are not.
 std::string too_many_for_a_page(const std::filesystem::path& folder, ResultsKind kind);
 /// Of a kind that has one.
-Bundle live_data(const std::filesystem::path& folder, ResultsKind kind);
+Bundle live_data(const std::filesystem::path& folder, ResultsKind kind,
+                 const std::optional<ResultUnits>& units = {});
 
 }  // namespace sbeh::studies

@@ -78,12 +78,18 @@ std::size_t most_frames(const fs::path& folder, const std::vector<FrameEntry>& f
 }
 
 // What every evolution's data have.
-Bundle history(const fs::path& folder, std::size_t states) {
+Bundle history(const fs::path& folder, std::size_t states,
+               const std::optional<ResultUnits>& units) {
   Bundle bundle;
-  bundle.add("series.csv", whole_lines(folder / "series.csv"));
-  bundle.add("charts.csv", table_of_charts());
+  add_table(bundle, folder, "series.csv", units);
+  add_units(bundle, units, read_csv(folder / "series.csv").columns);
+  bundle.add("charts.csv", table_of_charts(units));
   bundle.add("states", std::to_string(states));
   return bundle;
+}
+
+double unit_of_time(const std::optional<ResultUnits>& units) {
+  return units ? units->scales().factor(dimension::time) : 1;
 }
 
 struct Film {
@@ -131,14 +137,16 @@ void add_mesh(Bundle& bundle, const Film& film, std::size_t index, std::string& 
 
 }  // namespace
 
-Bundle live_run(const fs::path& folder) {
+Bundle live_run(const fs::path& folder, const std::optional<ResultUnits>& units) {
   const std::vector<FrameEntry> there = entries_there(folder, "frames.csv");
   const Film film = read_film(folder, evenly(there, most_frames(folder, there)));
-  Bundle bundle = history(folder, there.size());
+  Bundle bundle = history(folder, there.size(), units);
+  const double unit = unit_of_time(units);
   std::string shown = "time,file,mesh\n", fields = "name,low,high\n",
               meshes = "triangles,nodes,frames\n";
   for (const Frame& frame : film.frames)
-    shown += fmt::format("{},{},{}\n", frame.entry.time, csv_field(frame.entry.file), frame.mesh);
+    shown +=
+        fmt::format("{},{},{}\n", unit * frame.entry.time, csv_field(frame.entry.file), frame.mesh);
   for (std::size_t k = 0; k < field_count; ++k)
     fields +=
         fmt::format("{},{:.8g},{:.8g}\n", field_names[k], film.ranges[k].low, film.ranges[k].high);
@@ -149,16 +157,16 @@ Bundle live_run(const fs::path& folder) {
   return bundle;
 }
 
-Bundle live_relax(const fs::path& folder) {
+Bundle live_relax(const fs::path& folder, const std::optional<ResultUnits>& units) {
   const std::vector<FrameEntry> there = entries_there(folder, "profiles.csv");
-  Bundle bundle = history(folder, there.size());
+  Bundle bundle = history(folder, there.size(), units);
   const std::vector<FrameEntry> entries = evenly(there, most_states);
   PackedProfiles profiles(entries.size());
   std::string shown = "time,file\n";
   int index = 0;
   for (const FrameEntry& entry : entries) {
     profiles.add(index++, folder / entry.file);
-    shown += fmt::format("{},{}\n", entry.time, csv_field(entry.file));
+    shown += fmt::format("{},{}\n", unit_of_time(units) * entry.time, csv_field(entry.file));
   }
   bundle.add("shown.csv", shown);
   profiles.put_into(bundle);

@@ -4,9 +4,10 @@
 
 namespace sbeh::studies {
 
-Bundle live_modes(const std::filesystem::path& folder) {
+Bundle live_modes(const std::filesystem::path& folder, const std::optional<ResultUnits>& units) {
   Bundle bundle;
-  bundle.add("modes.csv", whole_lines(folder / "modes.csv"));
+  add_table(bundle, folder, "modes.csv", units);
+  add_units(bundle, units, read_csv(folder / "modes.csv").columns);
   for (const ModeRow& row : read_rows(mode_columns(), folder / "modes.csv")) {
     const std::string name = "modes/" + stem(row.key) + ".csv";
     if (std::filesystem::exists(folder / name)) bundle.add(name, read_file(folder / name));

@@ -6,11 +6,12 @@ namespace sbeh::studies {
 
 namespace fs = std::filesystem;
 
-Bundle live_scan(const fs::path& folder) {
+Bundle live_scan(const fs::path& folder, const std::optional<ResultUnits>& units) {
   Bundle bundle;
   for (const char* table :
        {"scan.csv", "folds.csv", "equal_energy.csv", "stability_lines.csv", "lowest.csv"})
-    if (fs::exists(folder / table)) bundle.add(table, whole_lines(folder / table));
+    if (fs::exists(folder / table)) add_table(bundle, folder, table, units);
+  add_units(bundle, units, read_csv(folder / "scan.csv").columns);
   bundle.add("folder", folder.string());
   const std::vector<PointResult> points = read_rows(scan_columns(), folder / "scan.csv");
   PackedProfiles profiles(points.size());

@@ -1,5 +1,6 @@
 #include "studies/report/report.h"
 
+#include "studies/io/conventions.h"
 #include "studies/io/output.h"
 #include "studies/report/history_charts.h"
 #include "studies/report/live_data.h"
@@ -117,7 +118,8 @@ std::string pictures_of(const fs::path& folder, const Contents& contents) {
 // ---- histories ------------------------------------------------------------------------------------
 
 // The energies of a comparison's evolutions; the file has them one after the other.
-std::string energies_of_methods(const CsvTable& histories) {
+std::string energies_of_methods(const CsvTable& histories,
+                                const std::optional<ResultUnits>& units) {
   std::vector<ChartLine> lines;
   for (std::size_t row = 0; row < histories.rows.size(); ++row) {
     const std::string method = histories.text(row, "method");
@@ -125,34 +127,53 @@ std::string energies_of_methods(const CsvTable& histories) {
     lines.back().x.push_back(histories.number(row, "time"));
     lines.back().y.push_back(histories.number(row, "energy"));
   }
-  return svg_chart({"Energy", AxisScale::logarithmic, AxisScale::linear, "U"}, lines);
+  ChartFrame frame{"Energy", AxisScale::logarithmic, AxisScale::linear, "U"};
+  if (units) {
+    frame.x_name = units->titled(frame.x_name, dimension::time);
+    frame.y_name = units->titled(frame.y_name, dimension::energy);
+  }
+  return svg_chart(frame, lines);
 }
 
 // ---- sections -----------------------------------------------------------------------------------
 
-std::string over_time(const fs::path& folder) {
+std::string over_time(const fs::path& folder, const std::optional<ResultUnits>& units) {
+  const auto table = [&](const char* name) {
+    const CsvTable read = read_csv(folder / name);
+    return units ? units->values(read, name) : read;
+  };
   std::string text;
   if (fs::exists(folder / "series.csv"))
-    text = still_charts(read_csv(folder / "series.csv"));
+    text = still_charts(table("series.csv"), units);
   else if (fs::exists(folder / "histories.csv"))
-    text = energies_of_methods(read_csv(folder / "histories.csv"));
+    text = energies_of_methods(table("histories.csv"), units);
   return text.empty() ? text : "<div class=\"charts\">\n" + text + "</div>\n";
 }
 
-std::string tables_of(const fs::path& folder, const Contents& contents) {
+// How the numbers are meant.
+std::string conventions_note(const std::optional<ResultUnits>& units) {
   std::string text;
+  const auto add = [&](std::string_view line) { text += html::element("li", line) + "\n"; };
+  if (units) add("In physical units; what has none is a pure number:");
+  if (units)
+    for (const std::string& line : units->text()) add(line);
+  for (std::size_t k = units ? 1 : 0; k < conventions.size(); ++k) add(conventions[k]);
+  add("Numbers are rounded to nine digits in this page and complete in the files"
+      + std::string(units ? ", which are dimensionless." : "."));
+  return "<ul class=\"note\">\n" + text + "</ul>\n";
+}
+
+std::string tables_of(const fs::path& folder, const Contents& contents,
+                      const std::optional<ResultUnits>& units) {
+  std::string text = conventions_note(units);
   for (const auto& [file, heading] : contents.tables) {
     if (!fs::exists(folder / file)) continue;
     const CsvTable rows = read_csv(folder / file);
     if (rows.rows.empty()) continue;
     text += fmt::format("<h3>{} ({})</h3>\n", html::escaped(heading), html::link(file));
-    text += html::table(rows, most_rows, file);
+    text += html::table(units ? units->converted(rows, file) : rows, most_rows, file);
   }
-  return text
-       + "<p class=\"note\">Lengths are in radii of the sphere of equal area; energy_bending "
-         "contains the Gaussian part; H is the trace of the shape operator, −2 on the unit sphere. "
-         "Numbers "
-         "are rounded to nine digits here and complete in the files.</p>\n";
+  return text;
 }
 
 // What lies in the folder, of a folder in it how many files.
@@ -245,7 +266,7 @@ std::vector<std::string> missing_pictures(const fs::path& folder, ResultsKind ki
 }
 
 ReportSummary write_report(const fs::path& folder, std::string_view version,
-                           std::string_view script) {
+                           std::string_view script, const std::optional<ResultUnits>& units) {
   const Contents& contents = contents_of(kind_of_results(folder));
   ReportSummary summary{.file = folder / "report.html"};
   if (fs::exists(summary.file)) {
@@ -257,7 +278,7 @@ ReportSummary write_report(const fs::path& folder, std::string_view version,
           summary.file.string()));
     summary.replaced = true;
   }
-  const KeyNumbers numbers = key_numbers(folder, contents.kind);
+  const KeyNumbers numbers = key_numbers(folder, contents.kind, units);
   const std::string too_many = too_many_for_a_page(folder, contents.kind);
   summary.live = has_live_page(contents.kind) && !script.empty() && too_many.empty();
   summary.missing = missing_pictures(folder, contents.kind);
@@ -273,9 +294,9 @@ ReportSummary write_report(const fs::path& folder, std::string_view version,
   if (has_live_page(contents.kind)) body += explore(summary.live, too_many);
   if (const std::string pictures = pictures_of(folder, contents); !pictures.empty())
     body += html::section("Pictures", pictures);
-  if (const std::string history = over_time(folder); !history.empty())
+  if (const std::string history = over_time(folder, units); !history.empty())
     body += html::section("Over time", history);
-  body += html::section("Tables", tables_of(folder, contents));
+  body += html::section("Tables", tables_of(folder, contents, units));
   body += html::section("Files", files_of(folder));
   if (has_input)
     body += html::section("Input with every parameter",
@@ -283,8 +304,8 @@ ReportSummary write_report(const fs::path& folder, std::string_view version,
   body += html::section("How to run it again", how_to_run(folder, contents, has_input));
   body += "</main>\n";
   if (summary.live)
-    body +=
-        fmt::format("{}<script>{}</script>\n", live_data(folder, contents.kind).element(), script);
+    body += fmt::format("{}<script>{}</script>\n",
+                        live_data(folder, contents.kind, units).element(), script);
   write_file(summary.file,
              html::page(numbers.title, fmt::format("{} {}", generator, version), body));
   return summary;

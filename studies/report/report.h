@@ -3,6 +3,7 @@
 
 #include "model/names.h"
 #include "studies/report/html.h"
+#include "studies/report/result_units.h"
 
 #include <filesystem>
 #include <string>
@@ -31,8 +32,10 @@ struct KeyNumbers {
   std::string title;
   std::vector<html::Fact> facts;
 };
-/// From the tables in the folder. Throws OutputError (a table is damaged) and InputError (has no rows).
-KeyNumbers key_numbers(const std::filesystem::path& folder, ResultsKind kind);
+/// From the tables in the folder, in physical units where there are some. Throws OutputError (a table is damaged) and
+/// InputError (has no rows).
+KeyNumbers key_numbers(const std::filesystem::path& folder, ResultsKind kind,
+                       const std::optional<ResultUnits>& units = {});
 
 struct ReportSummary {
   std::filesystem::path file;
@@ -42,9 +45,10 @@ struct ReportSummary {
 };
 
 /// Writes report.html into the folder: title, key numbers, pictures and charts, tables, the resolved input
-/// and how to run it again. With the `script` of tools/page the page of a scan or a 3D run can be explored. Replaces an earlier report; throws OutputError when a file of that name is
+/// and how to run it again. With the `script` of tools/page the page of a scan or a 3D run can be explored. With `units` all numbers but those of the input are
+/// physical; the pictures are those of the folder. Replaces an earlier report; throws OutputError when a file of that name is
 /// something else, or cannot be written, and what kind_of_results() and key_numbers() throw.
 ReportSummary write_report(const std::filesystem::path& folder, std::string_view version,
-                           std::string_view script);
+                           std::string_view script, const std::optional<ResultUnits>& units = {});
 
 }  // namespace sbeh::studies

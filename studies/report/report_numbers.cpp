@@ -66,6 +66,23 @@ Range range_of(const std::vector<Row>& rows, Number number) {
 Fact word(const std::string& what, const std::string& text) { return {what, html::escaped(text)}; }
 
 std::string text_of(double value) { return html::value(fmt::format("{}", value)); }
+
+using ShownUnits = std::optional<ResultUnits>;
+
+double factor(const ShownUnits& units, const Dimension& dimension, std::optional<double> L = {}) {
+  return units ? units->scales(L).factor(dimension) : 1;
+}
+std::string unit_after(const ShownUnits& units, const Dimension& dimension) {
+  return units ? fmt::format(" {}", html::escaped(units->unit(dimension))) : "";
+}
+Fact number(const ShownUnits& units, const std::string& what, double value,
+            const Dimension& dimension) {
+  return {what, text_of(factor(units, dimension) * value) + unit_after(units, dimension)};
+}
+Fact with_unit(const ShownUnits& units, Fact fact, const Dimension& dimension) {
+  fact.value += unit_after(units, dimension);
+  return fact;
+}
 Fact number(const std::string& what, double value) { return {what, text_of(value)}; }
 
 Fact rounded(const std::string& what, double value) {
@@ -91,7 +108,12 @@ std::vector<Fact> facts_of_grid(const auto& rows) {
           range("elastic constant L", rows, [](const auto& row) { return row.key.L; })};
 }
 
-KeyNumbers of_scan(const fs::path& folder) {
+// Of the state that a row has: at a fold, that of the fold's L.
+double L_of_state(const PointResult& row) {
+  return row.fold_side == "at" ? row.fold_L.value_or(row.key.L) : row.key.L;
+}
+
+KeyNumbers of_scan(const fs::path& folder, const ShownUnits& units) {
   using Row = PointResult;
   const auto points = rows_of(scan_columns(), folder / "scan.csv");
   const auto measured = [](auto member) {
@@ -104,12 +126,20 @@ KeyNumbers of_scan(const fs::path& folder) {
   for (const PointStatus status : values_of(PointStatus{}))
     facts.push_back(count(fmt::format("points {}", name(status)), points,
                           [&](const Row& row) { return row.status == status; }));
-  facts.push_back(range("energy", points,
-                        measured([](const axisym::Diagnostics& d) { return d.energy.total(); })));
+  const auto energy = [&](const Row& row) {
+    return row.diagnostics
+             ? factor(units, dimension::energy, L_of_state(row)) * row.diagnostics->energy.total()
+             : not_known;
+  };
+  facts.push_back(with_unit(units, range("energy", points, energy), dimension::energy));
   facts.push_back(
       rounded("smallest order", range_of(points, measured(&axisym::Diagnostics::order_min)).low));
   facts.push_back(
-      rounded("largest |H|", range_of(points, measured(&axisym::Diagnostics::H_abs_max)).high));
+      with_unit(units,
+                rounded("largest |H|",
+                        factor(units, dimension::curvature)
+                            * range_of(points, measured(&axisym::Diagnostics::H_abs_max)).high),
+                dimension::curvature));
   for (const FoldRow& fold : few_rows(fold_columns(), folder / "folds.csv"))
     facts.push_back(
         {fmt::format("fold of the {} at V_r = {:.6g}", name(fold.branch), fold.reduced_volume),
@@ -128,30 +158,39 @@ std::string model_of_evolution(const fs::path& folder) {
   }
 }
 
-KeyNumbers of_evolution(const fs::path& folder, ResultsKind kind) {
+KeyNumbers of_evolution(const fs::path& folder, ResultsKind kind, const ShownUnits& units) {
   const auto series = rows_of(series_columns(), folder / "series.csv");
   const SeriesRow& last = series.back();
   const model::FlowRecord& end = last.record;
   const std::string model = model_of_evolution(folder);
+  const auto of_energy = [&](const char* what, double value) {
+    return number(units, what, value, dimension::energy);
+  };
   const Range area = range_of(series, &SeriesRow::area),
               volume = range_of(series, &SeriesRow::volume),
               quality = range_of(series, &SeriesRow::mesh_quality);
   return {
-      fmt::format("{} evolution{} to t = {:.6g}", kind == ResultsKind::run ? "3D" : "Axisymmetric",
-                  model.empty() ? "" : " of " + model, end.time),
-      {number("energy at the start", series.front().record.energy.total()),
-       number("energy at the end", end.energy.total()),
-       number("… distortion", end.energy.distortion),
-       number("… bending", end.energy.bending),
-       number("… thermotropic", end.energy.thermotropic),
+      fmt::format("{} evolution{} to t = {:.6g}{}",
+                  kind == ResultsKind::run ? "3D" : "Axisymmetric",
+                  model.empty() ? "" : " of " + model, factor(units, dimension::time) * end.time,
+                  unit_after(units, dimension::time)),
+      {of_energy("energy at the start", series.front().record.energy.total()),
+       of_energy("energy at the end", end.energy.total()),
+       of_energy("… distortion", end.energy.distortion),
+       of_energy("… bending", end.energy.bending),
+       of_energy("… thermotropic", end.energy.thermotropic),
        number("reduced volume", last.reduced_volume),
        {"order at the end: least, mean, largest",
         text_of(last.order_min) + ", " + text_of(last.order_mean) + ", " + text_of(last.order_max)},
-       number("largest |H| at the end", last.H_abs_max),
-       number("pressure multiplier λ at the end", end.lambda),
-       number("largest speed at the end", end.speed_max),
+       number(units, "largest |H| at the end", last.H_abs_max, dimension::curvature),
+       number(units, "pressure multiplier λ at the end", end.lambda, dimension::pressure),
+       number(units, "largest speed at the end", end.speed_max, dimension::speed),
        word("area and volume vary by",
-            fmt::format("{:.1e}, {:.1e}", area.high - area.low, volume.high - volume.low)),
+            fmt::format("{:.1e}{}, {:.1e}{}",
+                        factor(units, dimension::area) * (area.high - area.low),
+                        unit_after(units, dimension::area),
+                        factor(units, dimension::volume) * (volume.high - volume.low),
+                        unit_after(units, dimension::volume))),
        word("worst mesh quality", fmt::format("{:.4g}", quality.low)),
        number("steps rejected", end.rejected)}};
 }
@@ -167,11 +206,13 @@ KeyNumbers of_seifert(const fs::path& folder) {
   return {"The classical shapes by three witnesses", facts};
 }
 
-KeyNumbers of_compare(const fs::path& folder) {
+KeyNumbers of_compare(const fs::path& folder, const ShownUnits& units) {
   const auto comparisons = read_rows(comparison_columns(), folder / "compare.csv");
   const auto methods = rows_of(method_columns(), folder / "methods.csv");
   const auto method = [](const WitnessState& state) { return name(state.witness); };
-  const auto known = [](double value) { return std::isnan(value) ? "" : text_of(value); };
+  const auto known = [&](double value, const Dimension& dimension) {
+    return std::isnan(value) ? "" : number(units, "", value, dimension).value;
+  };
   std::vector<Fact> facts{
       count("methods without a state", methods,
             [](const WitnessState& state) { return !state.failure.empty(); }),
@@ -179,23 +220,27 @@ KeyNumbers of_compare(const fs::path& folder) {
             [](const Comparison& one) { return one.tolerance && !one.misses(); }),
       count("tolerances missed", comparisons, [](const Comparison& one) { return one.misses(); })};
   for (const WitnessState& state : methods)
-    facts.push_back(
-        {fmt::format("energy by {}", name(state.witness)), known(state.measures.energy)});
+    facts.push_back({fmt::format("energy by {}", name(state.witness)),
+                     known(state.measures.energy, dimension::energy)});
   for (const Comparison& one : comparisons)
     if (one.quantity == "distance")
       facts.push_back({fmt::format("distance of {} and {}", name(one.first), name(one.second)),
-                       known(one.difference)});
+                       known(one.difference, dimension::length)});
   return {fmt::format("One case by {}", words_of(methods, method)), facts};
 }
 
-KeyNumbers of_stability(const fs::path& folder) {
+KeyNumbers of_stability(const fs::path& folder, const ShownUnits& units) {
   using Row = StabilityResult;
   const auto runs = rows_of(stability_columns(), folder / "stability.csv");
   std::vector<Fact> facts = facts_of_grid(runs);
   for (const Verdict verdict : values_of(Verdict{}))
     facts.push_back(count(fmt::format("runs: {}", name(verdict)), runs,
                           [&](const Row& row) { return row.verdict == verdict; }));
-  facts.push_back(range("rates over κ(2/3)", runs, &Row::reduced_rate));
+  const auto rate = [&](const Row& row) {
+    return row.growth ? factor(units, dimension::rate, row.key.L) * row.growth->rate : not_known;
+  };
+  facts.push_back(units ? with_unit(units, range("rates", runs, rate), dimension::rate)
+                        : range("rates over κ(2/3)", runs, &Row::reduced_rate));
   for (const Threshold& t : few_rows(threshold_columns(), folder / "thresholds.csv"))
     facts.push_back({fmt::format("eigenvalue 0 of {} {}, L = {}, m = {}", sbeh::name(t.below.model),
                                  name(t.below.branch), t.below.L, t.below.m),
@@ -205,7 +250,7 @@ KeyNumbers of_stability(const fs::path& folder) {
           facts};
 }
 
-KeyNumbers of_modes(const fs::path& folder) {
+KeyNumbers of_modes(const fs::path& folder, const ShownUnits& units) {
   const auto modes = rows_of(mode_columns(), folder / "modes.csv");
   const ModesInput input = read_modes(folder / "run.toml");
   const auto& state = input.state;
@@ -214,28 +259,28 @@ KeyNumbers of_modes(const fs::path& folder) {
       count("negative eigenvalues", modes, [](const ModeRow& row) { return row.eigenvalue < 0; })};
   for (const ModeRow& row : modes)
     if (row.key.number == 1)
-      facts.push_back(
-          number(fmt::format("λ of m = {}, {}", row.key.m, name(row.key.parity)), row.eigenvalue));
+      facts.push_back(number(units, fmt::format("λ of m = {}, {}", row.key.m, name(row.key.parity)),
+                             row.eigenvalue, dimension::energy));
   return {fmt::format("Modes of the {} {}", sbeh::name(state.model), name(state.branch)), facts};
 }
 
 }  // namespace
 
-KeyNumbers key_numbers(const fs::path& folder, ResultsKind kind) {
+KeyNumbers key_numbers(const fs::path& folder, ResultsKind kind, const ShownUnits& units) {
   switch (kind) {
     case ResultsKind::scan:
-      return of_scan(folder);
+      return of_scan(folder, units);
     case ResultsKind::run:
     case ResultsKind::relax:
-      return of_evolution(folder, kind);
+      return of_evolution(folder, kind, units);
     case ResultsKind::seifert:
       return of_seifert(folder);
     case ResultsKind::compare:
-      return of_compare(folder);
+      return of_compare(folder, units);
     case ResultsKind::stability:
-      return of_stability(folder);
+      return of_stability(folder, units);
     case ResultsKind::modes:
-      return of_modes(folder);
+      return of_modes(folder, units);
   }
   return {};
 }

@@ -158,12 +158,13 @@ std::string svg_chart(const ChartFrame& frame, const std::vector<ChartLine>& lin
   }
   return text
        + fmt::format(
-             "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"var(--ink)\">t</text>\n"
+             "<text x=\"{}\" y=\"{}\" text-anchor=\"middle\" fill=\"var(--ink)\">{}</text>\n"
              "<text transform=\"translate(14 {}) rotate(-90)\" text-anchor=\"middle\" "
              "fill=\"var(--ink)\">{}</text>\n"
              "</svg><figcaption>{}{}</figcaption></figure>\n",
-             left + (width - left - right) / 2, height - 6, top + (height - top - bottom) / 2,
-             html::escaped(frame.y_name), html::escaped(frame.title), legend_of(lines, curves));
+             left + (width - left - right) / 2, height - 6, html::escaped(frame.x_name),
+             top + (height - top - bottom) / 2, html::escaped(frame.y_name),
+             html::escaped(frame.title), legend_of(lines, curves));
 }
 
 }  // namespace sbeh::studies

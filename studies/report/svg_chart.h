@@ -16,7 +16,8 @@ enum class AxisScale { linear, logarithmic };
 struct ChartFrame {
   std::string title;
   AxisScale x = AxisScale::linear, y = AxisScale::linear;
-  std::string y_name{};  ///< beside the axis; the other is the time t
+  std::string y_name{};      ///< beside the axis
+  std::string x_name = "t";  ///< the time
 };
 
 /// A <figure> with the chart, at most four lines. Points that an axis cannot show (not finite, not

@@ -101,9 +101,12 @@ ScanInput read_scan(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const TomlTable scan = file.table("scan"), material = file.table("material"),
                   numerics = file.table("numerics");
+  file.has("units");
   file.reject_unknown_keys();
   ScanInput input;
+  input.units = read_units(file);
   read_scan_table(scan, input);
+  material.measured_by(lengths_of(input.units));
   input.material = read_material_without_L(material);
   input.numerics = read_numerics<axisym::Numerics>(numerics);
   return input;
@@ -119,6 +122,7 @@ std::string describe(const ScanInput& input, std::string_view version) {
   toml.value("modes", input.modes);
   write_material_without_L(toml, input.material);
   write_numerics(toml, input.numerics);
+  write_units(toml, input.units);
   return toml.text();
 }
 

@@ -5,9 +5,11 @@
 #include "model/names.h"
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"
+#include "studies/parameters/units.h"
 
 #include <array>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -67,6 +69,7 @@ struct ScanInput : StateGrid {
   /// Stability in 3D: the eigenvalues of u cos mφ are computed up to this m; 0: none.
   int modes = 4;
   double flow_end_time = 200;  ///< method flow, key `end_time`: a run that is not at rest ends here
+  std::optional<Units> units{};  ///< for people: no number depends on them
 
   bool operator==(const ScanInput&) const = default;
 };

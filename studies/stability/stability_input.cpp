@@ -91,10 +91,13 @@ StabilityInput read_stability(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const TomlTable states = file.table("stability"), surface = file.table("surface3d"),
                   material = file.table("material"), numerics = file.table("numerics");
+  file.has("units");
   file.reject_unknown_keys();
   StabilityInput input;
+  input.units = read_units(file);
   read_states(states, input);
   read_surface(surface, input);
+  material.measured_by(lengths_of(input.units));
   input.material =
       read_material_without_L(material, "a study of stability, where L comes from [stability]");
   input.numerics = read_numerics<axisym::Numerics>(numerics);
@@ -114,6 +117,7 @@ std::string describe(const StabilityInput& input, std::string_view version) {
   write_some(toml, input.numerics_3d, run_keys);
   write_material_without_L(toml, input.material);
   write_numerics(toml, input.numerics);
+  write_units(toml, input.units);
   return toml.text();
 }
 

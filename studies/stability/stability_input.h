@@ -3,10 +3,12 @@
 #pragma once
 
 #include "meshing/spherical_harmonics.h"
+#include "studies/parameters/units.h"
 #include "studies/scan/scan_input.h"
 #include "surface3d/options.h"
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -35,6 +37,7 @@ struct StabilityInput : StateGrid {
   surface3d::Numerics
       numerics_3d;  ///< keys `largest_step` (0.1) and `tolerance` (1e-3), in plain units
   StabilityInput();
+  std::optional<Units> units{};  ///< for people: no number depends on them
 
   bool operator==(const StabilityInput&) const = default;
 };

@@ -27,13 +27,35 @@ std::string page_script() {
   return fs::exists(script) ? studies::read_file(script) : "";
 }
 
-int report(const fs::path& folder, bool no_pictures) {
+struct Words {
+  std::string folder, units_from;
+  bool no_pictures = false, units = false;
+};
+
+// All of them in units; otherwise those that are missing.
+void draw_pictures(const Words& words, studies::ResultsKind kind, bool in_units) {
+  std::vector<std::string> drawn{sbeh::name(kind), words.folder};
+  if (in_units && words.units_from.empty()) drawn.emplace_back("--units");
+  if (in_units && !words.units_from.empty())
+    drawn.insert(drawn.end(), {"--units-from", words.units_from});
+  if (in_units && draw(drawn) != 0) complain("the pictures cannot be drawn in these units");
+  if (in_units) return;
+  for (const std::string& picture : studies::missing_pictures(words.folder, kind))
+    if (draw({sbeh::name(kind), words.folder, "--only", picture}) != 0)
+      complain(fmt::format("{}: cannot be drawn; the report is without it", picture));
+}
+
+int report(const Words& words) {
+  const fs::path folder = words.folder;
   const studies::ResultsKind kind = kind_of(folder);
-  if (!no_pictures)
-    for (const std::string& picture : studies::missing_pictures(folder, kind))
-      if (draw({sbeh::name(kind), folder.string(), "--only", picture}) != 0)
-        complain(fmt::format("{}: cannot be drawn; the report is without it", picture));
-  const studies::ReportSummary s = studies::write_report(folder, SBEH_VERSION, page_script());
+  std::optional<studies::ResultUnits> units;
+  if (words.units || !words.units_from.empty())
+    units.emplace(folder, words.units_from.empty() ? std::nullopt
+                                                   : std::optional(fs::path(words.units_from)));
+  const bool have_units = units && kind != studies::ResultsKind::seifert;
+  if (!words.no_pictures) draw_pictures(words, kind, have_units);
+  const studies::ReportSummary s =
+      studies::write_report(folder, SBEH_VERSION, page_script(), units);
   fmt::print("{} {}{}\n", s.replaced ? "replaced the earlier report" : "wrote", s.file.string(),
              s.live ? fmt::format(" ({:.1f} MB, to explore in a browser)",
                                   1e-6 * double(fs::file_size(s.file)))
@@ -44,14 +66,16 @@ int report(const fs::path& folder, bool no_pictures) {
 }  // namespace
 
 Command add_report(CLI::App& program) {
-  const auto folder = std::make_shared<std::string>();
-  const auto no_pictures = std::make_shared<bool>(false);
+  const auto words = std::make_shared<Words>();
   CLI::App* app = program.add_subcommand("report", "a folder of results as one page of HTML");
-  app->add_option("DIR", *folder,
+  app->add_option("DIR", words->folder,
                   "folder of a scan, run, relax, seifert, compare, stability or modes")
       ->required();
-  app->add_flag("--no-pictures", *no_pictures, "do not draw those that are missing");
-  return {app, [=] { return report(*folder, *no_pictures); }};
+  app->add_flag("--no-pictures", words->no_pictures, "do not draw those that are missing");
+  app->add_flag("--units", words->units,
+                "in physical units, those of [units] in DIR/run.toml; draws all pictures again");
+  app->add_option("--units-from", words->units_from, "in those of the table [units] of this file");
+  return {app, [words] { return report(*words); }};
 }
 
 }  // namespace sbeh::tools

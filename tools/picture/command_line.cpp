@@ -108,9 +108,14 @@ void add_options(CLI::App& command, const std::vector<std::string>& pictures, co
   command.add_option("--format", words.formats, "png, svg, pdf; several with commas between")
       ->delimiter(',')
       ->check(CLI::IsMember(names_of(Format{})));
+  if (has.units) {
+    command.add_flag("--units", words.units, "In physical units, those of [units] in DIR/run.toml");
+    command.add_option("--units-from", words.units_from,
+                       "In those of the table [units] of this file");
+  }
   if (has.energies)
     command.add_option("--energy-shift", options.energy_shift,
-                       "What is added to the energy, by default 4π");
+                       "What is added to the energy, by default 4π; with --units so many E₀");
   if (has.panels)
     command
         .add_option("--panels", options.panels,
@@ -141,6 +146,11 @@ void read_words(const Words& words, Options& options) {
   if (!words.field.empty()) options.field = choice_of<Field>(words.field);
   if (!words.colours.empty()) options.palette = choice_of<Palette>(words.colours);
   if (!words.scale.empty()) options.scale = parse_scale(words.scale);
+  if (words.units || !words.units_from.empty())
+    options.units.emplace(options.directory,
+                          words.units_from.empty()
+                              ? std::nullopt
+                              : std::optional(std::filesystem::path(words.units_from)));
   for (const std::string& word : words.views) options.views.push_back(parse_view(word));
 }
 

@@ -18,11 +18,13 @@ struct Has {
   bool views = false;     ///< --view
   bool frames = false;    ///< --frames
   bool panels = false;    ///< --panels
+  bool units = true;      ///< --units, --units-from
 };
 
 /// The options as they were written.
 struct Words {
-  std::string size, width, height, field, colours, scale;
+  std::string size, width, height, field, colours, scale, units_from;
+  bool units = false;
   std::vector<std::string> formats, views;
 };
 

@@ -52,7 +52,8 @@ const Command commands[] = {
      {.energies = true, .fields = true, .views = true, .frames = true}},
     {"seifert",
      "the classical diagram from DIR/branches.csv, points.csv",
-     {{"branches", draw_classical_diagram}}},
+     {{"branches", draw_classical_diagram}},
+     {.units = false}},
     {"compare",
      "profiles of all methods from DIR/profiles.csv",
      {{"profiles", draw_compared_profiles}}},
@@ -62,7 +63,7 @@ const Command commands[] = {
       {"shapes", draw_figure_shapes},
       {"evolution", draw_figure_evolution},
       {"measures", draw_figure_measures}},
-     {.energies = true, .fields = true, .views = true}},
+     {.energies = true, .fields = true, .views = true, .units = false}},
     {"stability",
      "which states are stable in 3D, from DIR/stability.csv",
      {{"stability", draw_stability}}},
@@ -113,16 +114,16 @@ int run(int count, char** arguments) {
   CLI::App* mesh = app.add_subcommand("mesh", "a curved mesh from FILE.vtu, into FILE.png");
   mesh->add_option("FILE", options.directory, "Mesh with curved triangles, as sbeh mesh writes it")
       ->required();
-  add_options(*mesh, {}, {.fields = true, .views = true}, options, words);
+  add_options(*mesh, {}, {.fields = true, .views = true, .units = false}, options, words);
   try {
     app.parse(count, arguments);
   } catch (const CLI::ParseError& error) {
     return tools::refuse_words(app, error, {"kind of results", "picture"});
   }
-  read_words(words, options);
   studies::refuse_other_kind(options.directory,
                              "picture " + app.get_subcommands().front()->get_name());
   if (!*mesh) studies::require_folder(options.directory);
+  read_words(words, options);
   ensure_display(arguments);
   draw(app, options);
   return 0;

@@ -31,9 +31,14 @@ Output Options::output(const std::vector<Format>& usual) const {
 }
 
 std::string Options::energy_name() const {
+  const char* unit = units ? "E₀" : "";
   if (energy_shift == 0.0) return "U";
-  if (std::abs(energy_shift - 4.0 * std::numbers::pi) < 1e-6) return "U + 4π";
-  return fmt::format("U {} {:.6g}", energy_shift > 0.0 ? "+" : "−", std::abs(energy_shift));
+  if (std::abs(energy_shift - 4.0 * std::numbers::pi) < 1e-6) return fmt::format("U + 4π{}", unit);
+  return fmt::format("U {} {:.6g}{}", energy_shift > 0.0 ? "+" : "−", std::abs(energy_shift), unit);
+}
+
+std::string Options::unit_after(const studies::Dimension& dimension) const {
+  return units ? fmt::format(" {}", units->unit(dimension)) : "";
 }
 
 }  // namespace sbeh::picture

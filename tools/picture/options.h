@@ -2,6 +2,7 @@
 #pragma once
 
 #include "studies/io/errors.h"
+#include "studies/report/result_units.h"
 #include "tools/picture/canvas/canvas.h"
 #include "tools/picture/canvas/palette.h"
 #include "tools/picture/canvas/view.h"
@@ -27,6 +28,9 @@ constexpr auto names(Field) { return std::array{"order", "curvature"}; }
 constexpr Palette palette_of(Field field) {
   return field == Field::order ? order_palette : curvature_palette;
 }
+constexpr studies::Dimension dimension_of(Field field) {
+  return field == Field::order ? studies::dimension::none : studies::dimension::curvature;
+}
 constexpr const char* title_of(Field field) {
   return field == Field::order ? "order β" : "mean curvature H";
 }
@@ -49,6 +53,8 @@ struct Options {
   std::optional<Palette> palette;
   std::optional<Range> scale;                ///< of the colours; without it that of the data
   double energy_shift = 12.566370614359172;  ///< 4π: minus the potential's minimum times the area
+  std::optional<studies::ResultUnits>
+      units;  ///< of what is drawn; without, numbers are as in the tables
 
   bool wants(const std::string& picture) const;
 
@@ -73,8 +79,19 @@ struct Options {
 
   Output output(const std::vector<Format>& usual = Output().formats) const;
 
-  /// "U + 4π" for the shift 4π, otherwise with the number.
+  /// "U + 4π" for the shift 4π, otherwise with the number; of physical energies "U + 4πE₀".
   std::string energy_name() const;
+
+  /// What a number of the tables is multiplied by to be drawn; of a state with that L.
+  double factor(const studies::Dimension& dimension, std::optional<double> L = {}) const {
+    return units ? units->scales(L).factor(dimension) : 1.0;
+  }
+  /// With the unit in which it is drawn.
+  std::string titled(const std::string& name, const studies::Dimension& dimension) const {
+    return units ? units->titled(name, dimension) : name;
+  }
+  /// " s", to stand behind a number; nothing where it is as in the tables.
+  std::string unit_after(const studies::Dimension& dimension) const;
 };
 
 }  // namespace sbeh::picture

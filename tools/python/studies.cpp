@@ -1,7 +1,9 @@
 // Studies, from an input to a folder of results, as on the command line.
 #include "studies/evolution/relax.h"
 #include "studies/evolution/run.h"
+#include "studies/io/conventions.h"
 #include "studies/modes/modes.h"
+#include "studies/report/result_units.h"
 #include "studies/scan/scan.h"
 #include "tools/python/bindings.h"
 
@@ -67,6 +69,18 @@ py::dict run(const fs::path& input, const fs::path& folder, bool resume) {
   return end;
 }
 
+// A table of a folder in physical units, as text.
+std::string physical_table(const fs::path& folder, const std::string& file,
+                           const std::optional<fs::path>& units_from) {
+  const studies::ResultUnits units(folder, units_from);
+  return studies::text_of(units.converted(studies::read_csv(folder / file), file));
+}
+
+std::vector<std::string> describe_units(const fs::path& folder,
+                                        const std::optional<fs::path>& units_from) {
+  return studies::ResultUnits(folder, units_from).text();
+}
+
 double modes(const fs::path& input, const fs::path& folder) {
   return at_work([&] {
     return studies::run_modes(studies::read_modes(input), folder, SBEH_VERSION).rigid_residual;
@@ -82,6 +96,12 @@ void add_studies(py::module_& m) {
   m.def("relax", relax, py::arg("input"), py::arg("folder"));
   m.def("run", run, py::arg("input"), py::arg("folder"), py::arg("resume"));
   m.def("modes", modes, py::arg("input"), py::arg("folder"));
+  m.def("physical_table", physical_table, py::arg("folder"), py::arg("file"),
+        py::arg("units_from").none(true));
+  m.def("describe_units", describe_units, py::arg("folder"), py::arg("units_from").none(true));
+  std::string text;
+  for (const char* line : studies::conventions) text.append(text.empty() ? 0 : 1, '\n') += line;
+  m.attr("conventions") = text;
 }
 
 }  // namespace sbeh::python

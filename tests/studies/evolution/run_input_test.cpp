@@ -347,8 +347,9 @@ TEST(RunInput, with_wrong_tables_is_refused_with_what_was_meant) {
       read_run, small_run,
       {{"[numeric]",
         ":6: [numeric]: unknown table; did you mean 'numerics'? Known: model, surface, "
-        "time, material, numerics"},
-       {"[start]", ":6: [start]: unknown table. Known: model, surface, time, material, numerics"}});
+        "time, material, numerics, units"},
+       {"[start]",
+        ":6: [start]: unknown table. Known: model, surface, time, material, numerics, units"}});
   expect_messages(
       read_run, "",
       {{"time.end = 1",

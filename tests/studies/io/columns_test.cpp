@@ -36,16 +36,16 @@ struct Row {
 
 const Columns<Row>& columns() {
   static const Columns<Row> all{
-      column("key", &Row::key),
-      column("length", &Row::length),
-      known_column("width", &Row::width, "{:.3g}"),
-      column("round", &Row::round),
-      column("colour", &Row::colour),
+      column("index", &Row::key),
+      column("r", &Row::length),
+      known_column("z", &Row::width, "{:.3g}"),
+      column("self_contact", &Row::round),
+      column("kind", &Row::colour),
       column("remark", &Row::remark),
-      column("weight", &Row::weight),
-      part_column("value", &Row::part, &Part::value, ""),
+      column("energy", &Row::weight),
+      part_column("pressure", &Row::part, &Part::value, ""),
       part_column("error", &Row::part, &Part::error, "", "{:.2g}"),
-      derived_column<Row>("double_length",
+      derived_column<Row>("arc_length",
                           [](const Row& row) { return fmt::format("{}", 2 * row.length); }),
   };
   return all;
@@ -61,7 +61,7 @@ const std::vector<Row>& rows() {
 
 TEST(Columns, give_header_and_lines) {
   EXPECT_EQ(table_text(columns(), rows()),
-            "key,length,width,round,colour,remark,weight,value,error,double_length\n"
+            "index,r,z,self_contact,kind,remark,energy,pressure,error,arc_length\n"
             "1,0.1,,1,green,\"one, \"\"two\"\"\",,,,0.2\n"
             "2,0.3333333333333333,2.5,0,red,,7,1e-300,0.5,0.6666666666666666\n");
 }
@@ -75,7 +75,7 @@ TEST(Columns, read_back_what_they_have_written_in_any_order_and_without_some) {
   EXPECT_FALSE(same[0].part);
   EXPECT_TRUE(std::isnan(same[0].width));
 
-  write_file(file, "weight,other,length\n,x,3\n");
+  write_file(file, "energy,other,r\n,x,3\n");
   const auto some = read_rows(columns(), file);
   ASSERT_EQ(some.size(), 1u);
   EXPECT_EQ(some[0].length, 3);
@@ -86,8 +86,8 @@ TEST(Columns, name_line_and_column_of_a_damaged_field) {
   const sbeh::test::TemporaryFolder folder;
   const auto file = folder.path() / "table.csv";
   for (const auto& [field, text] :
-       {std::pair("length", "3 m"), {"round", "yes"}, {"colour", "blue"}, {"weight", "x"}}) {
-    write_file(file, fmt::format("key,{}\n1,{}\n", field, text));
+       {std::pair("r", "3 m"), {"self_contact", "yes"}, {"kind", "blue"}, {"energy", "x"}}) {
+    write_file(file, fmt::format("index,{}\n1,{}\n", field, text));
     try {
       read_rows(columns(), file);
       ADD_FAILURE() << field;
@@ -96,6 +96,13 @@ TEST(Columns, name_line_and_column_of_a_damaged_field) {
                                           file.string(), field, text));
     }
   }
+}
+
+// So that none can be forgotten in the list of dimensions.
+TEST(Columns, without_a_known_dimension_are_refused) {
+  const Columns<Row> unknown{column("index", &Row::key), column("weight_of_cheese", &Row::length)};
+  EXPECT_THROW(header_of(unknown), std::logic_error);
+  EXPECT_THROW(table_text(unknown, std::vector<Row>{}), std::logic_error);
 }
 
 TEST(GrowingTable, goes_on_after_a_line_that_was_cut_off_and_refuses_another_table) {
@@ -117,7 +124,7 @@ TEST(GrowingTable, goes_on_after_a_line_that_was_cut_off_and_refuses_another_tab
   EXPECT_EQ(read_file(file), table_text(columns(), rows()));  // in the order of the keys
   write_file(file, read_file(file) + "3,0.1\n");
   EXPECT_THROW(open(), OutputError);
-  write_file(file, "key,other\n");
+  write_file(file, "index,other\n");
   EXPECT_THROW(open(), OutputError);
 }
 

@@ -81,8 +81,9 @@ TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
       {"zzz = 0\nyyy = 0\nxxxxxxx = 1", ":4: [scan] zzz: unknown key. " + known},
       {"[scan.extra]", ":4: [scan.extra]: unknown table. " + known},
       {"[materials]",
-       ":4: [materials]: unknown table; did you mean 'material'? Known: scan, material, numerics"},
-      {"[start]", ":4: [start]: unknown table. Known: scan, material, numerics"},
+       ":4: [materials]: unknown table; did you mean 'material'? Known: scan, material, numerics, "
+       "units"},
+      {"[start]", ":4: [start]: unknown table. Known: scan, material, numerics, units"},
   };
   expect_messages(read_scan, small_scan, added);
   const std::vector<Case> whole{
@@ -104,7 +105,11 @@ TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
       {"scan = 3", ":1: scan = 3: must be a table"},
       {"[[scan]]\nL = 1", ":1: scan = [{ L = 1 }]: must be a table"},
       {"reduced_volume = 0.7\n[scan]\nL = 1",
-       ":1: reduced_volume: unknown key. Known: scan, material, numerics"},
+       ":1: reduced_volume: unknown key. It has its place in [scan]. Known here: scan, material, "
+       "numerics, units"},
+      {"[scan]\nreduced_volume = 0.7\nL = 1\nviscosity = 2",
+       ":4: [scan] viscosity: unknown key. It has its place in [material]. Known here: "
+       "reduced_volume, L, models, branches, method, end_time, beyond_fold, modes"},
   };
   expect_messages(read_scan, "", whole);
 }
@@ -317,10 +322,10 @@ TEST(RelaxInput, with_a_wrong_time_or_model_is_refused_with_line_key_and_value) 
        "every_step, stop_at_rest"},
       {"[tiem]\nend = 3",
        ":3: [tiem]: unknown table; did you mean 'time'? Known: model, start, time, material, "
-       "numerics"},
+       "numerics, units"},
       {"strat.shape = 'scan'",
        ":3: [strat]: unknown table; did you mean 'start'? Known: model, start, time, material, "
-       "numerics"},
+       "numerics, units"},
   };
   expect_messages(read_relax, "model = \"SBEH\"\n" + start, times);
   const std::string models_known = "'SBEH', 'SSH', 'Helfrich-local', 'Helfrich-global'";

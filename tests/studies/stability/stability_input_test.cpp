@@ -68,7 +68,7 @@ TEST(StabilityInput, that_is_wrong_is_refused_with_line_key_and_value) {
        "[stability]"},
       {"[surface]",
        ":4: [surface]: unknown table; did you mean 'surface3d'? Known: stability, surface3d, "
-       "material, numerics"},
+       "material, numerics, units"},
   };
   expect_messages(read_stability, small, added);
   expect_messages(

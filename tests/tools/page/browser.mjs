@@ -25,6 +25,18 @@ export function reported(command, input) {
       sbeh("report", other, "--no-pictures");
       return join(other, "report.html");
     },
+    // The page of the same results in other units, left beside the first, and a table in these.
+    in_units(text) {
+      const units = join(folder, "units.toml"), physical = join(folder, "physical");
+      writeFileSync(units, text);
+      const before = readFileSync(join(results, "report.html"), "utf8");
+      sbeh("report", results, "--no-pictures", "--units-from", units);
+      const file = join(results, "in_units.html");
+      writeFileSync(file, readFileSync(join(results, "report.html")));
+      writeFileSync(join(results, "report.html"), before);
+      sbeh("units", results, "--units-from", units, "-o", physical);
+      return { file, table: (name) => table_of(readFileSync(join(physical, name), "utf8")) };
+    },
     folder: results,
     file: join(results, "report.html"),
     read: (name) => readFileSync(join(results, name), "utf8"),
@@ -37,6 +49,8 @@ export function reported(command, input) {
     remove: () => rmSync(folder, { recursive: true }),
   };
 }
+
+export const vesicle = "[units]\nradius_um = 10\nbending_rigidity_kT = 20\nsurface_viscosity = 5e-10\n";
 
 // Rows of comma separated values by their columns; fields in quotes have no quotes in them.
 export function table_of(text) {

@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { copyFileSync } from "node:fs";
 import { after, before, test } from "node:test";
 import { inflateSync } from "node:zlib";
-import { Browser, colours_in, comes_to_be_told, numbers_in, picture_of, reported, table_of } from "./browser.mjs";
+import { Browser, colours_in, comes_to_be_told, numbers_in, picture_of, reported, table_of, vesicle } from "./browser.mjs";
 
 const input = `model = "SBEH"
 [surface]
@@ -152,6 +152,23 @@ test("it is turned by the mouse and by keys, played, and slid by keys", async ()
   assert.equal(await page.locator(".time").textContent(), `t = ${frames[1].time}`);
   await page.locator("button", { hasText: "Play" }).click();
   await page.waitForFunction((time) => document.querySelector(".time").textContent === time, `t = ${frames.at(-1).time}`);
+});
+
+test("in physical units numbers, charts and time are those of the converted table", async () => {
+  const { file, table } = run.in_units(vesicle);
+  const there = await browser.open_live(file), converted = table("series.csv"), times = table("frames.csv");
+  await slide_to(2, there);
+  const row = converted.find(({ time_s }) => time_s === times[2].time_s);
+  const shown = await numbers_in(there, ".explore-run");
+  assert.equal(shown.energy, row.energy_kT);
+  assert.equal(shown.speed_max, row.speed_max_um_per_s);
+  const told = await there.locator(".explore-run .time").textContent();
+  assert.match(told, /^t = [\d.e-]+ s$/);
+  assert.ok(Math.abs(Number(told.split(" ")[2]) / Number(times[2].time_s) - 1) < 1e-12);
+  assert.match(await there.locator(".live-charts").textContent(), /t \(s\)/);
+  await there.locator("select[name=field]").selectOption("H");
+  assert.match(await there.locator(".explore-run .colours").textContent(), /mean curvature H \(1\/µm\)/);
+  assert.deepEqual(there.faults, []);
 });
 
 test("nothing is asked of a network, and no error is left", () => {

@@ -2,7 +2,7 @@
 import assert from "node:assert/strict";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Browser, colours_in, comes_to_be_told, numbers_in, picture_of, reported, table_of } from "./browser.mjs";
+import { Browser, colours_in, comes_to_be_told, numbers_in, picture_of, reported, table_of, vesicle } from "./browser.mjs";
 
 const input = `[scan]
 reduced_volume = [0.6, 0.7, 0.8]
@@ -181,6 +181,22 @@ test("a scan over one parameter is drawn as curves", async () => {
   await curves.keyboard.press("ArrowLeft");
   assert.deepEqual(curves.faults, []);
   one.remove();
+});
+
+test("in physical units all numbers are those of the converted table, with their units", async () => {
+  const { file, table } = scan.in_units(vesicle);
+  const there = await browser.open_live(file), converted = table("scan.csv");
+  const names = Object.keys(converted[0]).slice(0, Object.keys(rows[0]).length);
+  const row = row_of("SBEH", "oblate", "0.7", "0.03");
+  await click(row, there);
+  const shown = await numbers_in(there, ".numbers-of");
+  assert.deepEqual(Object.values(shown), names.map((name) => converted[row][name]));
+  assert.match(await there.locator('.numbers-of tr[data-column="H_pole"] th').textContent(), /\(1\/µm\)/);
+  assert.match(await there.locator(".said").first().textContent(), new RegExp(`energy = ${converted[row].energy_kT} kT`));
+  assert.match(await there.locator(".two .colours").first().textContent(), /^energy \(kT\)/);
+  await there.locator(".point select").selectOption("H");
+  assert.match(await there.locator(".point .colours").textContent(), /mean curvature H \(1\/µm\)/);
+  assert.deepEqual(there.faults, []);
 });
 
 test("nothing is asked of a network, and no error is left", () => {

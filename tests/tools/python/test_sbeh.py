@@ -140,6 +140,33 @@ def test_a_callback_may_end_a_run_and_its_errors_come_through():
     run.advance(until=1, steps=1)  # and it can go on
 
 
+VESICLE = {"radius_um": 10, "bending_rigidity_kT": 20, "surface_viscosity": 5e-10}
+
+
+def test_tables_in_physical_units_are_those_of_the_command_line(small_scan, tmp_path):
+    table = small_scan.physical("scan.csv", VESICLE)
+    kappa = 2 * table["L"] + 0.001
+    np.testing.assert_allclose(table["energy_kT"], small_scan.table["energy"] * 20 / kappa, rtol=1e-13)
+    (tmp_path / "units.toml").write_text("[units]\nradius_um = 10\nbending_rigidity_kT = 20\n"
+                                         "surface_viscosity = 5e-10\n")
+    assert command("units", str(small_scan.folder), "--units-from", "units.toml", "-o", "out",
+                   cwd=tmp_path).returncode == 0
+    same_table(table, tmp_path / "out/scan.csv")
+    assert small_scan.physical("scan.csv", tmp_path / "units.toml").equals(table)
+    assert any("20 k_BT" in line for line in small_scan.describe_units(VESICLE))
+    with pytest.raises(sbeh.InputError, match="has no \\[units\\]"):
+        small_scan.physical("scan.csv")
+    with pytest.raises(sbeh.InputError, match="radius_um: missing"):
+        small_scan.physical("scan.csv", {"bending_rigidity_kT": 20})
+    assert "trace" in sbeh.conventions
+
+
+def test_an_evolution_may_be_asked_for_in_seconds():
+    run = sbeh.relax({"shape": "ellipsoid", "reduced_volume": 0.9}, {"end": "5 ms", "stop_at_rest": False},
+                     model="SSH", material={"L": 0.05}, numerics={"elements": 8}, units=VESICLE)
+    assert run.physical("series.csv")["time_s"].iloc[-1] == pytest.approx(5e-3, rel=1e-12)
+
+
 def test_a_mesh_is_curved_and_closed(tmp_path):
     mesh = sbeh.mesh("ellipsoid", reduced_volume=0.8, triangles=320)
     assert mesh.triangles.shape == (320, 10) and mesh.points.shape[1] == 3

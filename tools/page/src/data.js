@@ -64,6 +64,29 @@ export class Parts {
   }
 }
 
+// The physical units of columns and fields; without units.csv there are none, and numbers are as in the tables.
+export class Units {
+  constructor(parts) {
+    this.by_name = new Map(parts.table("units.csv").map(({ name, unit, factor }) => [name, { unit, factor: Number(factor) }]));
+    this.there = this.by_name.size > 0;
+  }
+  // "energy (kT)"
+  titled(name, title = name) {
+    const found = this.by_name.get(name);
+    return found ? `${title} (${found.unit})` : title;
+  }
+  // "2 kT", of a number that is in the unit already.
+  after(name, number) {
+    const found = this.by_name.get(name);
+    return found && number !== "" ? `${number} ${found.unit}` : number;
+  }
+  // The ends of a range of a field as it is in the files.
+  shown(name, range) {
+    const factor = this.by_name.get(name)?.factor ?? 1;
+    return range.map((value) => factor * value);
+  }
+}
+
 export async function unpacked(script) {
   return new Parts(await inflated(bytes_of(script.textContent.trim())));
 }

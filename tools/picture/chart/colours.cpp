@@ -43,9 +43,10 @@ constexpr int table_size = 64;
 
 }  // namespace
 
-ColourMap::ColourMap(Palette palette, const Range& range, double white_share)
+ColourMap::ColourMap(Palette palette, const Range& range, double white_share, double factor)
     : scale_(range.empty() ? linear_axis(0.0, 1.0, 1.0, tick_distance)
-                           : linear_axis(range.low, range.high, 1.0, tick_distance)) {
+                           : linear_axis(range.low, range.high, 1.0, tick_distance)),
+      factor_(factor) {
   if (range.width() > 1e-9 * std::abs(range.high)) scale_ = cropped(scale_, range.low, range.high);
   vtkNew<vtkColorTransferFunction> function;
   const Table& colours = table_of(palette);
@@ -62,14 +63,16 @@ ColourMap::ColourMap(Palette palette, const Range& range, double white_share)
     table_.push_back({table[3 * i], table[3 * i + 1], table[3 * i + 2]});
 }
 
-Colour ColourMap::operator()(double value) const {
-  const double fraction = std::clamp(scale_.share(value), 0.0, 1.0);
+Colour ColourMap::at(double share) const {
+  const double fraction = std::clamp(share, 0.0, 1.0);
   return table_[std::size_t(std::lround(fraction * (table_size - 1)))];
 }
 
 ColourMap chosen_colours(const Options& options, Palette usual, const Range& data,
-                         double white_share) {
-  return {options.palette.value_or(usual), options.scale.value_or(data), white_share};
+                         double white_share, const studies::Dimension& dimension) {
+  const double factor = options.factor(dimension);
+  const Range shown = data.empty() ? data : Range{factor * data.low, factor * data.high};
+  return {options.palette.value_or(usual), options.scale.value_or(shown), white_share, factor};
 }
 
 void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
@@ -78,9 +81,8 @@ void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,
   const Axis& axis = map.scale();
   for (int i = 0; i < steps; ++i) {
     const double y = rect.y + i * rect.height / steps;
-    const double value = axis.low + (i + 0.5) / steps * (axis.high - axis.low);
     canvas.fill({rect.x, y, rect.width, rect.height / steps + (i + 1 < steps ? 1.0 : 0.0)},
-                map(value));
+                map.at((i + 0.5) / steps));
   }
   const LineStyle thin{.colour = dark_grey, .width = 1.2};
   canvas.line(rect.outline(), thin);

@@ -12,22 +12,25 @@ namespace sbeh::picture {
 class ColourMap {
  public:
   /// For values in a range; one of no width is widened. Shaded surfaces with dark edges want a share of white.
-  ColourMap(Palette palette, const Range& range, double white_share = 0.0);
+  /// `factor`: what values are multiplied by to be in the range.
+  ColourMap(Palette palette, const Range& range, double white_share = 0.0, double factor = 1.0);
 
   /// The range and the ticks of the bar.
   const Axis& scale() const { return scale_; }
-  Colour operator()(double value) const;
+  Colour operator()(double value) const { return at(scale_.share(factor_ * value)); }
+  Colour at(double share) const;  ///< 0 at the lower end, 1 at the upper one
 
  private:
   Axis scale_;
+  double factor_;
   std::vector<Colour> table_;  // at equal distances over the range
 };
 
 inline constexpr double white_on_surfaces = 0.22;
 
-/// For data, in the palette and scale that the user asks for.
+/// For data of the tables, in the palette, scale and units that the user asks for.
 ColourMap chosen_colours(const Options& options, Palette usual, const Range& data,
-                         double white_share = 0.0);
+                         double white_share = 0.0, const studies::Dimension& dimension = {});
 
 /// The bar fills `rect`; its numbers and then its title stand to the right, this as long as the bar or the room.
 void draw_colour_bar(Canvas& canvas, const Rect& rect, const ColourMap& map,

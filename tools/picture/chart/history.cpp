@@ -72,7 +72,7 @@ Points on_scale(const Points& curve, EnergyScale scale, double height, double fl
 }
 
 HistoryAxes history_axes(const std::vector<Points>& curves, EnergyScale scale,
-                         const std::string& energy_name, double length, double text_size) {
+                         const std::string& energy_name, double length, const Options& options) {
   Range time, energy;
   for (const Points& curve : curves)
     for (const auto& point : curve) {
@@ -81,10 +81,11 @@ HistoryAxes history_axes(const std::vector<Points>& curves, EnergyScale scale,
     }
   const double margin = 0.04 * energy.width();
   const double low = energy.low - margin, high = energy.high + margin;
-  return {decade_axis(time.low, time.high, "t"),
+  const std::string name = options.titled(energy_name, studies::dimension::energy);
+  return {decade_axis(time.low, time.high, options.titled("t", studies::dimension::time)),
           scale == EnergyScale::logarithmic
-              ? decade_axis(low, high, energy_name)
-              : exact_axis(low, high, length, 3.0 * text_size, energy_name)};
+              ? decade_axis(low, high, name)
+              : exact_axis(low, high, length, 3.0 * options.text_size(), name)};
 }
 
 Range energies_of(const std::vector<Points>& curves) {
@@ -119,7 +120,7 @@ void draw_histories(Canvas& canvas, const Options& options, const Histories& all
                                    .bottom = legend_at + layout.above_legend * text},
                                   options);
   const HistoryAxes axes =
-      history_axes(points, scale, options.energy_name(), grid.inner_height, text);
+      history_axes(points, scale, options.energy_name(), grid.inner_height, options);
   const double marks =
       std::max(0.25, 1.2 * text / grid.inner_width * (axes.time.high - axes.time.low));
   canvas.start(grid.width, grid.height, options.unit());

@@ -21,7 +21,7 @@ EnergyScale scale_for(const std::vector<Points>& curves);
 /// `height`: of all energies shown.
 Points on_scale(const Points& curve, EnergyScale scale, double height, double floor = -1e300);
 
-/// Axes about all curves, as drawn, with the same ticks for all panels of `length` pixels.
+/// Axes about all curves, as drawn, their names with the units, with the same ticks for all panels of `length` pixels.
 struct HistoryAxes {
   Axis time;
   Axis energy;
@@ -30,7 +30,7 @@ struct HistoryAxes {
 Range energies_of(const std::vector<Points>& curves);
 
 HistoryAxes history_axes(const std::vector<Points>& curves, EnergyScale scale,
-                         const std::string& energy_name, double length, double text_size);
+                         const std::string& energy_name, double length, const Options& options);
 
 /// Histories over reduced volumes and values of L.
 struct Histories {

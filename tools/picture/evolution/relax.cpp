@@ -33,7 +33,7 @@ struct Part {
 // The total is the widest and below the others: at full order the bending energy is the same.
 std::vector<Part> parts_of(const Options& options) {
   const std::string name = options.energy_name(), suffix = name.substr(1);  // " + 4π"
-  const double shift = options.energy_shift;
+  const double shift = options.factor(studies::dimension::energy) * options.energy_shift;
   using model::Energy;
   return {{"total " + name, &Energy::total, shift, {.colour = black, .width = 4.5}},
           {"thermotropic" + suffix,
@@ -56,14 +56,15 @@ struct Curve {
 std::vector<Curve> read_curves(const Options& options) {
   const auto series =
       studies::read_rows(studies::series_columns(), options.directory / "series.csv");
+  const double energy = options.factor(studies::dimension::energy);
   std::vector<Curve> curves;
   double largest = 0.0;
   for (const Part& part : parts_of(options)) {
     std::vector<double> time, value;
     double own = 0.0;
     for (const studies::SeriesRow& row : series) {
-      time.push_back(row.record.time);
-      value.push_back(part.of(row.record.energy));
+      time.push_back(options.factor(studies::dimension::time) * row.record.time);
+      value.push_back(energy * part.of(row.record.energy));
       own = std::max(own, std::abs(value.back() + part.shift));
     }
     largest = std::max(largest, own);
@@ -109,9 +110,10 @@ Points above_least(const Curve& total, double noise) {
 }
 
 void draw_fall(Canvas& canvas, const Rect& inside, const Points& fall, const Part& total,
-               const Axis& time, double text) {
-  const HistoryAxes axes =
-      history_axes({fall}, EnergyScale::logarithmic, "total above its least", inside.height, text);
+               const Axis& time, const Options& options) {
+  const double text = options.text_size();
+  const HistoryAxes axes = history_axes({fall}, EnergyScale::logarithmic, "total above its least",
+                                        inside.height, options);
   Chart(canvas, inside, text, time, axes.energy).curve(fall, total.style);
 }
 
@@ -153,10 +155,11 @@ void draw_evolution_energy(Canvas& canvas, const Options& options) {
   const PanelGrid grid = stacked(fall.empty() ? 1 : 2, 0.8 * text + legend_at, text, options);
   canvas.start(grid.width, grid.height, options.unit());
   const Rect inside = grid.inside(0);
-  const HistoryAxes axes = history_axes(points, scale, "energy", inside.height, text);
+  const HistoryAxes axes = history_axes(points, scale, "energy", inside.height, options);
   Chart chart(canvas, inside, text, axes.time, axes.energy);
   for (std::size_t i = 0; i < curves.size(); ++i) chart.curve(points[i], curves[i].part.style);
-  if (!fall.empty()) draw_fall(canvas, grid.inside(1), fall, curves.front().part, axes.time, text);
+  if (!fall.empty())
+    draw_fall(canvas, grid.inside(1), fall, curves.front().part, axes.time, options);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "energy", options.output());
 }
@@ -206,7 +209,7 @@ void draw_relaxation_shapes(Canvas& canvas, const Options& options) {
                     row_height - 1.9 * text};
     draw_cuts(canvas, cell, scale,
               {{.cut = &cuts[i], .colours = &colours, .style = {.width = coloured_width}}});
-    canvas.text(cell.centre_x(), top - text, "t = " + short_number(frames[i].time), {.size = text});
+    canvas.text(cell.centre_x(), top - text, time_title(frames[i], options), {.size = text});
     if ((i + 1) % columns == 0) top -= row_height;
   }
   draw_short_bar(canvas, width - right + 1.4 * text, {1.5 * text, height - 1.5 * text}, colours.map,

@@ -46,8 +46,8 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
     return;
   }
   const Shown shown = read_states(frames, options);
-  const ColourMap colours =
-      chosen_colours(options, palette_of(shown.field), shown.range, white_on_surfaces);
+  const ColourMap colours = chosen_colours(options, palette_of(shown.field), shown.range,
+                                           white_on_surfaces, dimension_of(shown.field));
   const double text = options.text_size();
   const std::size_t count = frames.size();
   const std::size_t columns = count <= most_in_a_row ? count : (count + 1) / 2;
@@ -72,8 +72,7 @@ void draw_run_shapes(Canvas& canvas, const Options& options) {
     const double x = text + double(i % columns) * (width - right - text) / double(columns);
     const std::size_t row = i / columns;
     double top = height - double(row) * (high * side + title);
-    canvas.text(x + side / 2, top - 1.2 * text, "t = " + short_number(frames[i].time),
-                {.size = text});
+    canvas.text(x + side / 2, top - 1.2 * text, time_title(frames[i], options), {.size = text});
     top -= title;
     const studies::CurvedFile& state = shown.states[i];
     const Eigen::VectorXd values = field_of(state, shown.field);

@@ -19,6 +19,10 @@ std::string signed_text(const char* letter, double value) {
   return fmt::format("{} = {}", letter, with_minus(fmt::format("{:.3g}", value)));
 }
 
+ShownUnit shown_in(const Options& options, const studies::Dimension& dimension) {
+  return {options.factor(dimension), options.unit_after(dimension)};
+}
+
 }  // namespace
 
 double amplitude_of(const studies::StateMode& mode) {
@@ -32,7 +36,9 @@ double amplitude_of(const studies::StateMode& mode) {
 }
 
 ShownModes::ShownModes(const Options& options)
-    : colours(chosen_colours(options, Palette::cividis, {-1.0, 1.0})) {
+    : colours(chosen_colours(options, Palette::cividis, {-1.0, 1.0})),
+      energy(shown_in(options, studies::dimension::energy)),
+      rate(shown_in(options, studies::dimension::rate)) {
   const std::filesystem::path table = options.directory / "modes.csv";
   const double room = options.has_size() ? options.width(0.0) - 9.0 * options.text_size() : 1e300;
   std::set<int> ms;
@@ -66,8 +72,10 @@ std::vector<std::string> words_of(const ShownModes& all, const studies::StateMod
   std::string title = fmt::format("m = {}", key.m);
   if (key.parity != axisym::Parity::none) title += fmt::format(", {}", name(key.parity));
   if (mode.eigenvalue < 0.0) title += ", unstable";
-  std::vector<std::string> words{title, signed_text("λ", mode.eigenvalue)};
-  if (std::isfinite(mode.rate)) words.back() += ",  " + signed_text("σ", mode.rate);
+  std::vector<std::string> words{
+      title, signed_text("λ", all.energy.factor * mode.eigenvalue) + all.energy.unit};
+  if (std::isfinite(mode.rate))
+    words.back() += ",  " + signed_text("σ", all.rate.factor * mode.rate) + all.rate.unit;
   if (all.by_order)
     words.push_back(fmt::format("max |b| = {:.2g} max |u|", mode.b.cwiseAbs().maxCoeff()));
   return words;

@@ -21,14 +21,21 @@ struct ShownMode {
   std::size_t column, row;  ///< from the left and from the top
 };
 
+/// What numbers are multiplied by, and what stands behind them.
+struct ShownUnit {
+  double factor;
+  std::string unit;
+};
+
 /// The first mode of each m and parity. Throws InputError where the folder has none.
 struct ShownModes {
   explicit ShownModes(const Options& options);
 
   std::vector<ShownMode> modes;
   std::size_t columns = 0, rows = 0;
-  bool by_order = false;  ///< coloured by the change of the order, otherwise by the displacement
-  ColourMap colours;      ///< of values over their largest: −1 … 1
+  bool by_order = false;   ///< coloured by the change of the order, otherwise by the displacement
+  ColourMap colours;       ///< of values over their largest: −1 … 1
+  ShownUnit energy, rate;  ///< of eigenvalues and rates
 
   const axisym::Field& field(const studies::StateMode& mode) const {
     return by_order ? mode.b : mode.u;

@@ -79,7 +79,7 @@ Contents contents_of(const ScanGrid& scan, const Options& options) {
       marked.push_back(c.branches->quantity);
       continue;
     }
-    Quantity quantity = quantity_of(panel, scan, model, c.branches);
+    Quantity quantity = in_units(quantity_of(panel, scan, model, c.branches), scan, options);
     marked.push_back(quantity);
     const ColourMap colours = chosen_colours(options, quantity.palette, quantity.range());
     c.panels.emplace_back(DiagramPanel{std::move(quantity), colours});

@@ -53,7 +53,7 @@ std::vector<Panel> panels_of(const ScanGrid& scan, const Options& options) {
         std::vector<Series> all;
         for (const Model model : {Model::SSH, Model::SBEH})
           if (scan.has(model))
-            all.push_back({quantity(scan, model, lowest_of(model)),
+            all.push_back({in_units(quantity(scan, model, lowest_of(model)), scan, options),
                            model == Model::SBEH ? sbeh_style : ssh_style, sbeh::name(model)});
         return all;
       };
@@ -69,15 +69,16 @@ std::vector<Panel> panels_of(const ScanGrid& scan, const Options& options) {
   std::vector<Panel> panels;
   for (const std::string& name : names) {
     if (name == "gap" && both) {
-      const Quantity gap = energy_gap(scan, lowest_of(Model::SBEH));
+      const Quantity gap = in_units(energy_gap(scan, lowest_of(Model::SBEH)), scan, options);
       panels.push_back({gap.title, {{gap, {.colour = black, .width = 2.4}}}});
     } else if (name == "energy") {
-      panels.push_back({"energy U", of_models(energy)});
+      panels.push_back({options.titled("energy U", studies::dimension::energy), of_models(energy)});
     } else if (name == "order" && ordered) {
       panels.push_back({"smallest order β",
                         {{smallest_order(scan, lowest_of(Model::SBEH)), sbeh_style, "SBEH"}}});
     } else if (name == "curvature") {
-      panels.push_back({"largest |H|", of_models(largest_curvature)});
+      panels.push_back({options.titled("largest |H|", studies::dimension::curvature),
+                        of_models(largest_curvature)});
     } else {
       throw InputError(fmt::format("--panels {}: the scan has not what that needs", name));
     }

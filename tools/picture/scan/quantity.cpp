@@ -58,10 +58,14 @@ struct Kind {
   const char* name;
   std::string title;
   Palette palette;
+  studies::Dimension dimension{};
 };
 
 Quantity tabulate(const ScanGrid& scan, Kind kind, const Value& value) {
-  Quantity quantity{.name = kind.name, .title = std::move(kind.title), .palette = kind.palette};
+  Quantity quantity{.name = kind.name,
+                    .title = std::move(kind.title),
+                    .dimension = kind.dimension,
+                    .palette = kind.palette};
   for (std::size_t volume = 0; volume < scan.reduced_volumes().size(); ++volume) {
     auto& values = quantity.values.emplace_back();
     auto& marks = quantity.marks.emplace_back();
@@ -175,20 +179,19 @@ Quantity energy_gap(const ScanGrid& scan, const std::optional<BranchMap>& lowest
     const PointResult* point = scan.find(model, volume, length);
     return has_value(mark_of(point)) ? energy_of(*point) : none;
   };
-  Quantity gap = tabulate(scan, {"gap", "energy gap U(SSH) − U(SBEH)", energy_palette},
-                          [&](std::size_t volume, std::size_t length) {
-                            const PointResult* ssh = scan.find(Model::SSH, volume, length);
-                            const PointResult* sbeh = scan.find(Model::SBEH, volume, length);
-                            const double of_ssh = energy_at(Model::SSH, volume, length),
-                                         of_sbeh = energy_at(Model::SBEH, volume, length);
-                            Mark mark = std::max(mark_of(ssh), mark_of(sbeh));
-                            if (has_value(mark) && studies::is_below(of_ssh, of_sbeh))
-                              mark = Mark::not_found;
-                            const int region =
-                                branch_index(scan, sbeh) * int(scan.branches().size())
-                                + branch_index(scan, ssh);
-                            return Entry{of_ssh - of_sbeh, mark, region, is_saddle(sbeh)};
-                          });
+  Quantity gap = tabulate(
+      scan, {"gap", "energy gap U(SSH) − U(SBEH)", energy_palette, studies::dimension::energy},
+      [&](std::size_t volume, std::size_t length) {
+        const PointResult* ssh = scan.find(Model::SSH, volume, length);
+        const PointResult* sbeh = scan.find(Model::SBEH, volume, length);
+        const double of_ssh = energy_at(Model::SSH, volume, length),
+                     of_sbeh = energy_at(Model::SBEH, volume, length);
+        Mark mark = std::max(mark_of(ssh), mark_of(sbeh));
+        if (has_value(mark) && studies::is_below(of_ssh, of_sbeh)) mark = Mark::not_found;
+        const int region =
+            branch_index(scan, sbeh) * int(scan.branches().size()) + branch_index(scan, ssh);
+        return Entry{of_ssh - of_sbeh, mark, region, is_saddle(sbeh)};
+      });
   if (lowest)
     show_lowest(*lowest, gap, [&](std::size_t volume, std::size_t length, double energy) {
       return energy_at(Model::SSH, volume, length) - energy;
@@ -197,8 +200,10 @@ Quantity energy_gap(const ScanGrid& scan, const std::optional<BranchMap>& lowest
 }
 
 Quantity energy(const ScanGrid& scan, Model model, const std::optional<BranchMap>& lowest) {
-  Quantity energy = of_model(scan, model, {"energy", with_name("energy U", model), energy_palette},
-                             [](const axisym::Diagnostics& d) { return d.energy.total(); });
+  Quantity energy =
+      of_model(scan, model,
+               {"energy", with_name("energy U", model), energy_palette, studies::dimension::energy},
+               [](const axisym::Diagnostics& d) { return d.energy.total(); });
   if (lowest) show_lowest(*lowest, energy, [](std::size_t, std::size_t, double of) { return of; });
   return energy;
 }
@@ -213,11 +218,20 @@ Quantity smallest_order(const ScanGrid& scan, const std::optional<BranchMap>& lo
 
 Quantity largest_curvature(const ScanGrid& scan, Model model,
                            const std::optional<BranchMap>& lowest) {
-  Quantity curvature =
-      of_model(scan, model, {"curvature", with_name("largest |H|", model), curvature_palette},
-               &axisym::Diagnostics::H_abs_max);
+  Quantity curvature = of_model(scan, model,
+                                {"curvature", with_name("largest |H|", model), curvature_palette,
+                                 studies::dimension::curvature},
+                                &axisym::Diagnostics::H_abs_max);
   if (lowest) show_lowest(*lowest, curvature);
   return curvature;
+}
+
+Quantity in_units(Quantity quantity, const ScanGrid& scan, const Options& options) {
+  quantity.title = options.titled(quantity.title, quantity.dimension);
+  for (auto& row : quantity.values)
+    for (std::size_t length = 0; length < row.size(); ++length)
+      row[length] *= options.factor(quantity.dimension, scan.lengths()[length]);
+  return quantity;
 }
 
 }  // namespace sbeh::picture

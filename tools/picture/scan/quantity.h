@@ -26,6 +26,7 @@ enum class Mark {
 struct Quantity {
   std::string name{};  ///< as in --panels
   std::string title{};
+  studies::Dimension dimension{};
   Palette palette = energy_palette;
   std::vector<std::vector<double>> values{};  ///< [reduced volume][L], NaN without value
   std::vector<std::vector<Mark>> marks{};
@@ -71,5 +72,8 @@ Quantity energy(const ScanGrid& scan, Model model, const std::optional<BranchMap
 Quantity smallest_order(const ScanGrid& scan, const std::optional<BranchMap>& lowest = {});
 Quantity largest_curvature(const ScanGrid& scan, Model model,
                            const std::optional<BranchMap>& lowest = {});
+
+/// Its values, at each L, and its title in the units that the user asks for.
+Quantity in_units(Quantity quantity, const ScanGrid& scan, const Options& options);
 
 }  // namespace sbeh::picture

@@ -75,8 +75,9 @@ CutColours colours_for(const FieldRanges& ranges, const Options& options) {
   const Field field = options.field_for(ranges.order);
   return {field,
           chosen_colours(options, palette_of(field),
-                         field == Field::order ? ranges.order : ranges.curvature),
-          title_of(field)};
+                         field == Field::order ? ranges.order : ranges.curvature, 0.0,
+                         dimension_of(field)),
+          options.titled(title_of(field), dimension_of(field))};
 }
 
 LineStyle style_by_length(std::size_t length, std::size_t count) {

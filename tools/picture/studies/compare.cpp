@@ -43,15 +43,15 @@ struct Curve {
   LineStyle style() const { return style_of(method); }
 };
 
-std::vector<Curve> read_curves(const std::filesystem::path& file) {
+std::vector<Curve> read_curves(const std::filesystem::path& file, double unit) {
   std::vector<Curve> curves;
   for (const studies::PlacedPoint& point : studies::read_rows(studies::placed_columns(), file)) {
     if (curves.empty() || curves.back().method != point.method)
       curves.push_back({.method = point.method});
     Curve& curve = curves.back();
-    const double distance = std::abs(point.distance);
-    curve.section.push_back({point.r, point.z});
-    curve.distance.push_back({point.arc_length, distance});
+    const double distance = unit * std::abs(point.distance);
+    curve.section.push_back({unit * point.r, unit * point.z});
+    curve.distance.push_back({unit * point.arc_length, distance});
     curve.largest = std::max(curve.largest, distance);
   }
   if (curves.empty())
@@ -111,12 +111,12 @@ Axis decades(double low, double high, std::string title) {
 
 // Distances far below the largest, such as where curves cross, stay on the lower edge.
 void draw_distances(Canvas& canvas, const Rect& inside, double text, const Axis& s,
-                    const std::vector<Curve>& curves) {
+                    const std::string& title, const std::vector<Curve>& curves) {
   Range largest;
   for (const Curve& curve : curves)
     if (curve.largest > 0.0) largest.include(curve.largest);
   if (largest.low > largest.high) return;  // there is nothing but the first method
-  const Axis y = decades(std::max(1e-3 * largest.low, 1e-16), largest.high, "distance");
+  const Axis y = decades(std::max(1e-3 * largest.low, 1e-16), largest.high, title);
   Chart chart(canvas, inside, text, s, y);
   for (const Curve& curve : curves) {
     if (curve.largest == 0.0) continue;
@@ -130,7 +130,8 @@ void draw_distances(Canvas& canvas, const Rect& inside, double text, const Axis&
 }  // namespace
 
 void draw_compared_profiles(Canvas& canvas, const Options& options) {
-  const std::vector<Curve> curves = read_curves(options.directory / "profiles.csv");
+  const std::vector<Curve> curves =
+      read_curves(options.directory / "profiles.csv", options.factor(studies::dimension::length));
   const double text = options.text_size();
   std::vector<LegendEntry> legend;
   legend.reserve(curves.size());
@@ -154,15 +155,18 @@ void draw_compared_profiles(Canvas& canvas, const Options& options) {
                      height - 1.2 * text - scale * up, scale * across, scale * up};
   const Rect lower{left, legend_at + 0.8 * text + below, width - left - right, distances};
 
+  const auto titled = [&](const std::string& title) {
+    return options.titled(title, studies::dimension::length);
+  };
   const auto axis = [&](double low, double high, const char* title) {
-    return exact_axis(low, high, scale * (high - low), 4.0 * text, title);
+    return exact_axis(low, high, scale * (high - low), 4.0 * text, titled(title));
   };
   canvas.start(width, height, options.unit());
   draw_section(canvas, section, text, axis(-box.r - margin, box.r + margin, "r"),
                axis(box.z.low - margin, box.z.high + margin, "z"), curves);
   const Axis s = exact_axis(0.0, box.length, lower.width, 5.0 * text,
-                            std::string("arc length of ") + name(curves.front().method));
-  draw_distances(canvas, lower, text, s, curves);
+                            titled(std::string("arc length of ") + name(curves.front().method)));
+  draw_distances(canvas, lower, text, s, titled("distance"), curves);
   draw_legend(canvas, legend, {text, 0.4 * text, width - 2.0 * text, legend_at}, text);
   canvas.write(options.directory / "profiles", options.output());
 }

@@ -39,10 +39,18 @@ using Run = studies::StabilityResult;
 using Panels = std::map<std::tuple<model::Model, axisym::Branch, int, int>,  // and l, m
                         std::vector<Run>>;
 
-Panels read_panels(const std::filesystem::path& file) {
+// Rates over κ(2/3), or in units of their own: `reduced_rate` and `mode_rate` are then these.
+Panels read_panels(const std::filesystem::path& file, const model::Material& material,
+                   const Options& options) {
   Panels panels;
-  for (const Run& run : studies::read_rows(studies::stability_columns(), file))
+  for (Run& run : studies::read_rows(studies::stability_columns(), file)) {
+    const double kappa = material.with_L(run.key.L).kappa(model::full_order),
+                 unit = options.units ? options.factor(studies::dimension::rate, run.key.L)
+                                      : 1 / kappa;
+    run.reduced_rate *= kappa * unit;
+    run.mode_rate *= unit;
     panels[{run.key.model, run.key.branch, run.key.l, run.key.m}].push_back(run);
+  }
   if (panels.empty()) throw InputError(file.string() + ": has no rows yet.");
   return panels;
 }
@@ -53,7 +61,7 @@ std::vector<double> values_of(const std::vector<Run>& runs, double StabilityKey:
   return {all.begin(), all.end()};
 }
 
-// Of rate/κ; NaN where not known.
+// Of the rate shown; NaN where not known.
 double error_of(const Run& run) {
   return run.growth ? run.growth->error * run.reduced_rate / run.growth->rate : studies::not_known;
 }
@@ -75,16 +83,14 @@ std::string signed_text(double value) {
 
 bool is_known_by_modes_alone(const Run& run) { return !run.growth && std::isfinite(run.mode_rate); }
 
-std::string rate_text(const Run& run, const model::Material& material) {
+std::string rate_text(const Run& run) {
   if (run.growth) return signed_text(run.reduced_rate);
   if (!is_known_by_modes_alone(run)) return "no rate";
-  const double kappa = material.with_L(run.key.L).kappa(model::full_order);
-  return fmt::format("({})", signed_text(run.mode_rate / kappa));
+  return fmt::format("({})", signed_text(run.mode_rate));
 }
 
 // A marker per run with its rate below.
-void draw_map(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs,
-              const model::Material& material, double text) {
+void draw_map(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs, double text) {
   const GridAxis x = table_axis(values_of(runs, &StabilityKey::reduced_volume), volume_axis),
                  y = table_axis(values_of(runs, &StabilityKey::L), "elastic constant L");
   Chart chart(canvas, inside, text, x.axis, y.axis);
@@ -95,14 +101,14 @@ void draw_map(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs,
                     y.axis.low + up * (y.axis.high - y.axis.low)}},
                   look.marker, look.colour, 0.9 * text);
     const double px = inside.x + across * inside.width, py = inside.y + up * inside.height;
-    canvas.text(px, py - 1.1 * text, rate_text(run, material),
-                {.size = 0.8 * text, .colour = look.colour});
+    canvas.text(px, py - 1.1 * text, rate_text(run), {.size = 0.8 * text, .colour = look.colour});
     canvas.text(px, py + 1.1 * text, goal_of(run), {.size = 0.75 * text, .colour = look.colour});
   }
 }
 
 // Rates over V_r, with their uncertainty and the zero line.
-void draw_rates(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs, double text) {
+void draw_rates(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs,
+                const std::string& title, double text) {
   Range rates{0.0, 0.0};
   for (const Run& run : runs)
     if (std::isfinite(run.reduced_rate)) {
@@ -116,8 +122,8 @@ void draw_rates(Canvas& canvas, const Rect& inside, const std::vector<Run>& runs
   const Axis x = exact_axis(left, right, inside.width, 4.0 * text, volume_axis);
   const bool any = rates.width() > 0.0;
   const Axis y =
-      any ? exact_axis(rates.low - room, rates.high + room, inside.height, 3.0 * text, "rate/κ")
-          : Axis{.low = -1.0, .high = 1.0, .title = "rate/κ"};
+      any ? exact_axis(rates.low - room, rates.high + room, inside.height, 3.0 * text, title)
+          : Axis{.low = -1.0, .high = 1.0, .title = title};
   Chart chart(canvas, inside, text, x, y);
   chart.curve({{left, 0.0}, {right, 0.0}},
               {.colour = dark_grey, .width = 1.2, .pattern = Pattern::dashed});
@@ -190,8 +196,11 @@ double least_width(const Canvas& canvas, const Panels& panels, double text) {
 }  // namespace
 
 void draw_stability(Canvas& canvas, const Options& options) {
-  const Panels panels = read_panels(options.directory / "stability.csv");
-  const model::Material material = studies::read_stability(options.directory / "run.toml").material;
+  const Panels panels =
+      read_panels(options.directory / "stability.csv",
+                  studies::read_stability(options.directory / "run.toml").material, options);
+  const std::string rate =
+      options.units ? options.titled("rate", studies::dimension::rate) : "rate/κ";
   const double text = options.text_size();
   const auto legend = legend_of(panels);
   const double room = options.width(least_picture) - 2.0 * text,
@@ -210,7 +219,10 @@ void draw_stability(Canvas& canvas, const Options& options) {
                                   options);
   canvas.start(grid.width, grid.height, options.unit());
   canvas.text(0.5 * grid.width, grid.height - 1.2 * text,
-              "Rates in 3D over κ(2/3), marks by the modes", {.size = 1.1 * text});
+              options.units
+                  ? options.titled("Rates in 3D", studies::dimension::rate) + ", marks by the modes"
+                  : "Rates in 3D over κ(2/3), marks by the modes",
+              {.size = 1.1 * text});
   std::size_t i = 0;
   for (const auto& [key, runs] : panels) {
     const Rect inside = grid.inside(i++);
@@ -219,9 +231,9 @@ void draw_stability(Canvas& canvas, const Options& options) {
                 fmt::format("{} {}, l = {}, m = {}", name(model), name(branch), l, m),
                 {.size = text});
     if (values_of(runs, &StabilityKey::L).size() > 1)
-      draw_map(canvas, inside, runs, material, text);
+      draw_map(canvas, inside, runs, text);
     else
-      draw_rates(canvas, inside, runs, text);
+      draw_rates(canvas, inside, runs, rate, text);
   }
   draw_legend(canvas, legend, {0.5 * (grid.width - room), 0.6 * text, room, legend_at}, text);
   canvas.write(options.directory / "stability", options.output());

@@ -1,5 +1,7 @@
 #include "tools/picture/surface/frames.h"
 
+#include "tools/picture/chart/axis.h"
+
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -84,9 +86,14 @@ Range shown_range(std::vector<double> values, Field field) {
 }
 
 std::string shown_title(Field field, const Options& options) {
-  const std::string title = title_of(field);
+  const std::string title = options.titled(title_of(field), dimension_of(field));
   return field == Field::curvature && !options.scale ? title + ", but for 1 % at either end"
                                                      : title;
+}
+
+std::string time_title(const FrameEntry& frame, const Options& options) {
+  const double time = options.factor(studies::dimension::time) * frame.time;
+  return "t = " + short_number(time) + options.unit_after(studies::dimension::time);
 }
 
 }  // namespace sbeh::picture

@@ -38,4 +38,7 @@ Range shown_range(std::vector<double> values, Field field);
 /// Of the bar of these colours; says what they leave out.
 std::string shown_title(Field field, const Options& options);
 
+/// "t = 0.3", in units "t = 0.3 s"
+std::string time_title(const studies::FrameEntry& frame, const Options& options);
+
 }  // namespace sbeh::picture

@@ -8,7 +8,8 @@
     run.advance(until=0.1)          # 3D
 
 All numbers are dimensionless: lengths in radii R of the sphere of equal area, energies in units of the depth of
-the potential times R^2. The mean curvature H is the trace of the shape operator, -2 on the unit sphere.
+the potential times R^2; `physical` of a result gives its tables in micrometres, kT and seconds, and `units` of a
+function the vesicle, so that `{"end": "2 s"}` can be given too. `conventions` says how numbers are meant. The mean curvature H is the trace of the shape operator, -2 on the unit sphere.
 They are those of the command line, to the bit. Wrong input raises `InputError`, a `ValueError` with the
 sentences of the command line; Ctrl-C works while something is computed.
 """
@@ -16,6 +17,7 @@ sentences of the command line; Ctrl-C works while something is computed.
 import sys as _sys
 
 from ._sbeh import InputError, Material, OutputError, tell_to
+from ._sbeh import conventions
 from ._sbeh import version as __version__
 from .evolutions import Evolution, Run, Run3d, read_evolution, read_run, relax, run
 from .scans import Scan, read_scan, scan
@@ -25,7 +27,7 @@ from .tables import read_series
 
 __all__ = [
     "Evolution", "Frame", "InputError", "Material", "Mesh", "Modes", "OutputError", "Profile", "Run", "Run3d",
-    "Scan", "State", "__version__", "mesh", "modes", "read_evolution", "read_frame", "read_run", "read_scan",
+    "Scan", "State", "__version__", "conventions", "mesh", "modes", "read_evolution", "read_frame", "read_run", "read_scan",
     "read_series", "relax", "run", "scan", "stationary", "tell_to",
 ]
 

@@ -16,6 +16,7 @@ from .inputs import MaterialLike, ResultsFolder, input_file, material_table
 from .states import Profile
 from .surfaces import Frame, read_frame
 from .tables import read_series, read_table
+from .units import InUnits
 
 if TYPE_CHECKING:
     import pandas
@@ -35,7 +36,7 @@ def _warn_of(end: dict[str, Any]) -> None:
                       stacklevel=3)
 
 
-class Evolution:
+class Evolution(InUnits):
     """The folder of an axisymmetric evolution, read when it is asked for."""
 
     def __init__(self, folder: ResultsFolder, end: dict[str, Any] | None = None) -> None:
@@ -77,22 +78,25 @@ class Run3d(Evolution):
 
 
 def relax(start: Table, time: Table, *, model: str | None = None, material: MaterialLike = None,
-          numerics: Table | None = None, folder: str | Path | None = None) -> Evolution:
+          numerics: Table | None = None, units: Table | None = None,
+          folder: str | Path | None = None) -> Evolution:
     """One axisymmetric evolution, as `sbeh relax`.
 
-    start, time: the tables of its input, such as {"shape": "ellipsoid", "reduced_volume": 0.7} and {"end": 10}. Warns
-    where it does not end at rest or at its end, and where its energy rises. Raises InputError, OutputError.
+    start, time: the tables of its input, such as {"shape": "ellipsoid", "reduced_volume": 0.7} and {"end": 10}, with
+    units ({"radius_um": 10, ...}, see `physical`) {"end": "2 s"} too. Warns where it does not end at rest or at its end,
+    and where its energy rises. Raises InputError, OutputError.
     """
     results = ResultsFolder(folder)
     with input_file("relax", {"model": model, "start": start, "time": time, "material": material_table(material),
-                              "numerics": numerics}) as path:
+                              "numerics": numerics, "units": units}) as path:
         end = _sbeh.relax(path, results.path)
     _warn_of(end)
     return Evolution(results, end)
 
 
 def run(surface: Table, time: Table, *, model: str | None = None, material: MaterialLike = None,
-        numerics: Table | None = None, folder: str | Path | None = None, resume: bool = False) -> Run3d:
+        numerics: Table | None = None, units: Table | None = None, folder: str | Path | None = None,
+        resume: bool = False) -> Run3d:
     """One 3D evolution into a folder, as `sbeh run`; `resume` goes on with what is there.
 
     surface, time: the tables of its input, such as {"shape": "ellipsoid", "reduced_volume": 0.8, "triangles": 320} and
@@ -100,7 +104,7 @@ def run(surface: Table, time: Table, *, model: str | None = None, material: Mate
     """
     results = ResultsFolder(folder)
     with input_file("run", {"model": model, "surface": surface, "time": time, "material": material_table(material),
-                            "numerics": numerics}) as path:
+                            "numerics": numerics, "units": units}) as path:
         end = _sbeh.run(path, results.path, resume)
     _warn_of(end)
     return Run3d(results, end)

@@ -12,6 +12,7 @@ from . import _sbeh
 from .inputs import MaterialLike, ResultsFolder, input_file, material_table
 from .states import Profile
 from .tables import read_table
+from .units import InUnits
 
 if TYPE_CHECKING:
     import pandas
@@ -19,7 +20,7 @@ if TYPE_CHECKING:
 Grid = Union[float, Sequence[float], dict[str, Any]]
 
 
-class Scan:
+class Scan(InUnits):
     """The folder of a scan, read when it is asked for."""
 
     def __init__(self, folder: ResultsFolder) -> None:
@@ -66,19 +67,19 @@ class Scan:
 def scan(reduced_volume: Grid, L: Grid, *, models: Sequence[str] = ("SBEH", "SSH"),
          branches: Sequence[str] = ("oblate",), method: str = "newton", modes: int = 4, beyond_fold: bool = False,
          end_time: float | None = None, material: MaterialLike = None, numerics: dict[str, Any] | None = None,
-         folder: str | Path | None = None, threads: int = 0) -> Scan:
+         units: dict[str, Any] | None = None, folder: str | Path | None = None, threads: int = 0) -> Scan:
     """Stationary shapes over all combinations of reduced volume and L, models and branches.
 
     reduced_volume, L: a number, a list, an array, or {"from": 0.6, "to": 0.95, "count": 50} with
-    "spacing": "log" if wanted; material: all but L; folder: where the results lie, which is gone on with if it holds
-    the same scan, without one they go with the scan; threads: 0: all cores. Warns where points failed. Raises
-    InputError, OutputError, KeyboardInterrupt.
+    "spacing": "log" if wanted; material: all but L; units: the vesicle, see `Scan.physical`; folder: where the results
+    lie, which is gone on with if it holds the same scan, without one they go with the scan; threads: 0: all cores. Warns
+    where points failed. Raises InputError, OutputError, KeyboardInterrupt.
     """
     results = ResultsFolder(folder)
     table = {"reduced_volume": reduced_volume, "L": L, "models": models, "branches": branches, "method": method,
              "modes": modes, "beyond_fold": beyond_fold, "end_time": end_time}
     with input_file("scan", {"scan": table, "material": material_table(material, without_L=True),
-                             "numerics": numerics}) as path:
+                             "numerics": numerics, "units": units}) as path:
         failed = _sbeh.scan(path, results.path, threads)
     if failed:
         warnings.warn(f"{failed}; all reasons are in the column stop_reason", stacklevel=2)

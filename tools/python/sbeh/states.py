@@ -13,6 +13,7 @@ import numpy as np
 from . import _sbeh
 from .inputs import MaterialLike, ResultsFolder, input_file, material_table
 from .tables import read_table
+from .units import InUnits
 
 if TYPE_CHECKING:
     import pandas
@@ -97,7 +98,7 @@ def stationary(branch: str, *, reduced_volume: float, L: float, model: str = "SB
                  found.pressure)
 
 
-class Modes:
+class Modes(InUnits):
     """The modes of a stationary state: see `modes`."""
 
     def __init__(self, folder: ResultsFolder, rigid_residual: float) -> None:
@@ -127,17 +128,17 @@ class Modes:
 
 def modes(branch: str | None = None, *, reduced_volume: float, L: float, model: str = "SBEH",
           scan: str | Path | None = None, material: MaterialLike = None, numerics: dict[str, Any] | None = None,
-          largest_m: int = 5, number: int = 1, fluctuations: float | None = None,
-          folder: str | Path | None = None) -> Modes:
+          largest_m: int = 5, number: int = 1, fluctuations: float | str | None = None,
+          units: dict[str, Any] | None = None, folder: str | Path | None = None) -> Modes:
     """Second derivatives of the energy of one state in all directions u(s) cos m phi, and their rates in the flow.
 
     The state is followed along its branch, or taken from the folder of a `scan`. `number`: modes of each m and
-    parity; `fluctuations`: k_B T. Files of the modes lie in `folder`/modes. Raises InputError, and RuntimeError where
-    there is no such state.
+    parity; `fluctuations`: k_B T, with `units` "1 kT". Files of the modes lie in `folder`/modes. Raises InputError, and
+    RuntimeError where there is no such state.
     """
     results = ResultsFolder(folder)
     table = {"scan": scan, "model": model, "branch": branch, "reduced_volume": reduced_volume, "L": L,
              "largest_m": largest_m, "number": number, "fluctuations": fluctuations}
     with input_file("modes", {"modes": table, "material": material_table(material, without_L=True),
-                              "numerics": numerics}) as path:
+                              "numerics": numerics, "units": units}) as path:
         return Modes(results, _sbeh.modes(path, results.path))

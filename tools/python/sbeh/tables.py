@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import io
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -11,7 +12,7 @@ if TYPE_CHECKING:
     import pandas
 
 
-def read_table(path: Path) -> pandas.DataFrame:
+def read_table(path: Path | io.StringIO) -> pandas.DataFrame:
     """A table of sbeh: numbers to the bit, empty fields of numbers as nan. Raises OutputError."""
     import pandas  # takes longer to load than all the rest
 

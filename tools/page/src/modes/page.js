@@ -2,6 +2,7 @@
 import { csvParse } from "d3";
 import { colour_bytes, colour_map_choices } from "../colours.js";
 import { colour_bar } from "../colour_bar.js";
+import { Units } from "../data.js";
 import { choice, element } from "../dom.js";
 import { revolved } from "../surface/revolved.js";
 import { SurfaceView } from "../surface/view.js";
@@ -27,6 +28,7 @@ const name_of = ({ m, parity, number }) => `m${m}_${parity}_${number}`;
 
 export class ModesPage {
   constructor(parts) {
+    this.units = new Units(parts);
     this.modes = parts
       .table("modes.csv")
       .map((row) => ({ row, part: `modes/${name_of(row)}.csv` }))
@@ -92,7 +94,7 @@ export class ModesPage {
       element(
         "table",
         {},
-        element("thead", {}, element("tr", {}, element("th"), ...columns.map((column) => element("th", {}, column)))),
+        element("thead", {}, element("tr", {}, element("th"), ...columns.map((column) => element("th", {}, this.units.titled(column))))),
         element("tbody", {}, ...this.modes.map(line)),
       ),
     );
@@ -102,7 +104,7 @@ export class ModesPage {
     this.mode = mode;
     mode.radio.checked = true;
     const { m, parity, number, eigenvalue, rate } = mode.row;
-    this.said.textContent = `m = ${m}, ${parity}, ${number}: λ = ${eigenvalue}` + (rate ? `, rate ${rate}` : "");
+    this.said.textContent = `m = ${m}, ${parity}, ${number}: λ = ${this.units.after("eigenvalue", eigenvalue)}` + (rate ? `, rate ${this.units.after("rate", rate)}` : "");
     this.draw();
   }
 

@@ -53,9 +53,10 @@ function lines_of(chart, rows) {
 }
 
 export class Charts {
-  // `charts`: the rows of charts.csv; on_time(time): a time was clicked.
-  constructor(series, charts, on_time) {
+  // `charts`: the rows of charts.csv; `time_name`; on_time(time): a time was clicked.
+  constructor(series, charts, time_name, on_time) {
     this.series = series;
+    this.time_name = time_name;
     this.on_time = on_time;
     this.times = series.map((row) => Number(row.time));
     this.log_time = this.times.at(-1) > 1000 * (this.times.find((time) => time > 0) ?? Infinity);
@@ -98,7 +99,7 @@ export class Charts {
         { ...(chart.logarithmic ? log_axis : { ...axis, values: linear_texts }), size: 60, label: chart.y_name, labelSize: 20, labelFont: "12px system-ui, sans-serif" },
       ],
       series: [
-        { label: "t", value: (_, v) => short(v) },
+        { label: this.time_name, value: (_, v) => short(v) },
         ...lines.map(({ called, colour, dash }) => ({
           label: called,
           stroke: colour_of_page(colour),

@@ -1,6 +1,7 @@
 // The live page of an evolution.
 import { colour_bytes, colour_map_choices } from "../colours.js";
 import { colour_bar } from "../colour_bar.js";
+import { Units } from "../data.js";
 import { choice, element } from "../dom.js";
 import { SurfaceView } from "../surface/view.js";
 import { Charts } from "./charts.js";
@@ -23,8 +24,9 @@ export class RunPage {
     this.film = parts.has("meshes.csv") ? new Film(parts) : new ProfileFilm(parts);
     if (!this.film.frames.length) throw new Error("none of its states is in the folder");
     this.series = parts.table("series.csv");
+    this.units = new Units(parts);
     this.view = new SurfaceView("the surface");
-    this.charts = new Charts(this.series, parts.table("charts.csv"), (time) => this.show(this.nearest(time)));
+    this.charts = new Charts(this.series, parts.table("charts.csv"), this.units.titled("time", "t"), (time) => this.show(this.nearest(time)));
     this.choices = { field: "order", colours: "viridis", range: "all" };
     this.slider = element("input", {
       type: "range",
@@ -90,10 +92,11 @@ export class RunPage {
     const ends = range === "all" ? this.film.whole_range(name, clipped) : this.film.range([frame], name, clipped);
     const bytes = colour_bytes(colours, is_uniform(ends) ? [ends[0], ends[0]] : ends, this.film.values(frame, name));
     this.view.show(this.film.surface(frame), bytes);
-    this.bar.replaceChildren(colour_bar(title, colours, is_uniform(ends) ? [ends[0], ends[0]] : ends, clipped > 0));
+    const shown = this.units.shown(name, is_uniform(ends) ? [ends[0], ends[0]] : ends);
+    this.bar.replaceChildren(colour_bar(this.units.titled(name, title), colours, shown, clipped > 0));
     this.slider.value = String(index);
-    this.slider.setAttribute("aria-valuetext", `t = ${frame.time}`);
-    this.time.textContent = `t = ${frame.time}`;
+    this.time.textContent = `t = ${this.units.after("time", frame.time)}`;
+    this.slider.setAttribute("aria-valuetext", this.time.textContent);
     this.charts.show_time(Number(frame.time));
     this.show_numbers(frame);
   }
@@ -101,7 +104,7 @@ export class RunPage {
   // Of the row of series.csv at the time of the frame, or the last before it.
   show_numbers(frame) {
     const row = this.series.findLast((one) => Number(one.time) <= Number(frame.time)) ?? this.series[0];
-    const line = (name) => element("tr", { "data-column": name }, element("th", { scope: "row" }, name), element("td", {}, row[name]));
+    const line = (name) => element("tr", { "data-column": name }, element("th", { scope: "row" }, this.units.titled(name)), element("td", {}, row[name]));
     this.numbers.replaceChildren(element("tbody", {}, ...["time", ...told].filter((name) => row[name] !== undefined).map(line)));
   }
 

@@ -32,7 +32,7 @@ export class Curves {
   }
   legend() {
     const { model } = this.shown;
-    return colour_list(`${this.shown.quantity.name} of ${model}`, this.scan.branches.map((branch) => [this.colour(branch), branch]));
+    return colour_list(`${this.scan.units.titled(this.shown.quantity.name)} of ${model}`, this.scan.branches.map((branch) => [this.colour(branch), branch]));
   }
   colour(branch) {
     return class_colours[this.scan.branches.indexOf(branch) % class_colours.length];
@@ -52,7 +52,7 @@ export class Curves {
     const up = svg("g", { class: "axis", transform: `translate(${margin.left} 0)` });
     select(across).call(this.x.ticks(axisBottom));
     select(up).call(quantity.classes ? axisLeft(this.y) : axisLeft(this.y).ticks(6).tickFormat(short));
-    const titles = axis_titles(width, height, this.over_volume ? "reduced volume V_r" : "elastic constant L", quantity.name);
+    const titles = axis_titles(width, height, this.over_volume ? "reduced volume V_r" : "elastic constant L", this.scan.units.titled(quantity.name));
     this.ring = svg("g", { class: "chosen" });
     this.drawing.replaceChildren(this.lines(), ...this.scan.branches.map((branch) => this.curve(branch)), across, up, ...titles, this.ring);
     this.draw_chosen();

@@ -10,20 +10,20 @@ import { lowest_branch, map_of, neighbour, number_of, read_scan } from "./table.
 
 const beyond = 16; // pixels between the pointer and what is told of the point
 
-function colouring(quantity, map, colours) {
+function colouring(quantity, map, colours, title) {
   const text = (point) => point.row[quantity.name];
   if (quantity.classes) {
     const colour = (value) => class_colours[quantity.classes.indexOf(value)] ?? not_known;
     const present = quantity.classes.filter((value) => map.points.some((p) => p.rests && text(p) === value));
     return {
       colour_of: (point) => colour(text(point)),
-      legend: colour_list(quantity.name, present.map((value) => [colour(value), value])),
+      legend: colour_list(title, present.map((value) => [colour(value), value])),
     };
   }
   const values = map.points.filter((p) => p.rests).map((p) => number_of(text(p))).filter(Number.isFinite);
   const range = values.length ? [Math.min(...values), Math.max(...values)] : [0, 0];
   const scale = colour_scale(colours, range);
-  return { colour_of: (point) => scale(number_of(text(point))), legend: colour_bar(quantity.name, colours, range) };
+  return { colour_of: (point) => scale(number_of(text(point))), legend: colour_bar(title, colours, range) };
 }
 
 export class ScanPage {
@@ -91,7 +91,7 @@ export class ScanPage {
     this.map = map_of(this.scan, model, branch);
     this.quantity = this.scan.quantities.find((q) => q.name === quantity);
     const lines = lines_of(this.scan, model, branch);
-    const { colour_of, legend } = colouring(this.quantity, this.map, colours);
+    const { colour_of, legend } = colouring(this.quantity, this.map, colours, this.scan.units.titled(quantity));
     const title = `${quantity} of ${model} ${branch}`;
     this.diagram.show({ model, map: this.map, quantity: this.quantity, colour_of, lines, title }, this.chosen);
     this.legend.replaceChildren(this.is_plane ? legend : this.diagram.legend(), this.signs(lines));
@@ -136,7 +136,7 @@ export class ScanPage {
 
   told(point) {
     const value = point.row[this.quantity.name];
-    return `${name_of(point)}: ${this.quantity.name} = ${value === "" ? "not known" : value}`;
+    return `${name_of(point)}: ${this.quantity.name} = ${value === "" ? "not known" : this.scan.units.after(this.quantity.name, value)}`;
   }
   hover(point, event) {
     this.tip.hidden = !point;
@@ -144,7 +144,7 @@ export class ScanPage {
     const { row } = point;
     const lines = [`V_r = ${row.reduced_volume}, L = ${row.L}`, `${point.model} ${point.branch}, ${row.status}`];
     for (const name of new Set([this.quantity.name, "energy", "order_min", "class"]))
-      if (row[name]) lines.push(`${name} = ${row[name]}`);
+      if (row[name]) lines.push(`${name} = ${this.scan.units.after(name, row[name])}`);
     this.tip.replaceChildren(...lines.map((line) => element("div", {}, line)));
     const box = this.diagram.element.getBoundingClientRect();
     const x = event.clientX - box.left, y = event.clientY - box.top;

@@ -68,12 +68,12 @@ export class PointPanel {
       (this.profile_of_point ? "" : "; its profile is not in the folder");
     this.near.replaceChildren(...this.neighbours(map));
     this.draw_shape();
-    this.numbers.replaceChildren(this.modes(point), numbers_table(this.scan.columns, point.row));
+    this.numbers.replaceChildren(this.modes(point), numbers_table(this.scan, point.row));
   }
 
   // Their numbers, and how to see their shapes.
   modes({ row }) {
-    const table = modes_table(row);
+    const table = modes_table(row, this.scan.units);
     if (!table || row.status !== "stationary") return table;
     const command = `sbeh modes --scan ${this.scan.folder} --model ${row.model} --branch ${row.branch} --reduced-volume ${row.reduced_volume} --L ${row.L} -o NEW_FOLDER`;
     table.append(element("p", { class: "note" }, "To see them on the surface: ", element("code", {}, command), ", and the report of that."));
@@ -107,9 +107,12 @@ export class PointPanel {
     this.profile.replaceChildren(profile_drawing(profile, bytes));
     const surface = revolved(profile, { open: this.open });
     this.view.show(surface, colour_bytes(this.colours(), range, surface.at((node) => profile[field][node])));
-    this.bar.replaceChildren(colour_bar(field === "order" ? "order β" : "mean curvature H", this.colours(), range));
+    this.bar.replaceChildren(field_bar(this.scan.units, field, this.colours(), range));
   }
 }
+
+const field_bar = (units, field, colours, range) =>
+  field === "order" ? colour_bar("order β", colours, range) : colour_bar(units.titled("H", "mean curvature H"), colours, units.shown("H", range));
 
 // The cross section, both halves, each piece in its colour.
 function profile_drawing({ r, z }, bytes) {
@@ -129,7 +132,7 @@ function profile_drawing({ r, z }, bytes) {
 const cells = (tag, texts) => texts.map((text) => element(tag, {}, text));
 
 // Eigenvalues and rates by m, those that the scan has.
-function modes_table(row) {
+function modes_table(row, units) {
   const columns = [
     ["eigenvalue_m", "least second derivative of the energy"],
     ["rate_m", "largest rate"],
@@ -145,18 +148,18 @@ function modes_table(row) {
     element(
       "table",
       {},
-      element("thead", {}, element("tr", {}, ...cells("th", ["m", ...columns.map(([, title]) => title)]))),
+      element("thead", {}, element("tr", {}, ...cells("th", ["m", ...columns.map(([name, title]) => units.titled(`${name}0`, title))]))),
       element("tbody", {}, ...known.map(line)),
     ),
   );
 }
 
-function numbers_table(columns, row) {
-  const line = (column) => element("tr", { "data-column": column }, element("th", { scope: "row" }, column), element("td", {}, row[column]));
+function numbers_table({ columns, units }, row) {
+  const line = (column) => element("tr", { "data-column": column }, element("th", { scope: "row" }, units.titled(column)), element("td", {}, row[column]));
   return element(
     "details",
     { open: true },
-    element("summary", {}, "All numbers, as in scan.csv"),
+    element("summary", {}, units.there ? "All numbers of scan.csv, in physical units" : "All numbers, as in scan.csv"),
     element("table", { class: "numbers" }, element("tbody", {}, ...columns.map(line))),
   );
 }

@@ -1,4 +1,5 @@
 // The points of a scan, its grid, and what a point has.
+import { Units } from "../data.js";
 import { Profiles } from "../profiles.js";
 
 const resting = new Set(["stationary", "limit"]);
@@ -24,6 +25,7 @@ export function read_scan(parts) {
   return {
     points,
     folder: parts.get("folder"),
+    units: new Units(parts),
     columns: rows.columns,
     V: ascending(points.map((p) => p.V)),
     L: ascending(points.map((p) => p.L)),
