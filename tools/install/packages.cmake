@@ -2,7 +2,8 @@
 
 set(CPACK_GENERATOR DEB)
 set(CPACK_PACKAGE_NAME sbeh)
-set(CPACK_PACKAGE_CONTACT "The maintainers of sbeh <sbeh@localhost>")
+set(SBEH_MAINTAINER "The maintainers of sbeh <sbeh@localhost>" CACHE STRING "Name and address in Debian packages")
+set(CPACK_PACKAGE_CONTACT "${SBEH_MAINTAINER}")
 set(CPACK_PACKAGE_DESCRIPTION_SUMMARY "shapes of ordered fluid membranes")
 set(CPACK_PACKAGING_INSTALL_PREFIX /usr)
 set(CPACK_STRIP_FILES ON)
@@ -18,6 +19,20 @@ set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 list(TRANSFORM libraries PREPEND ${PROJECT_BINARY_DIR}/ OUTPUT_VARIABLE CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS)
+
+# What Debian wants of libraries: which package has them, and that the loader hears of them.
+set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
+set(CPACK_DEBIAN_SBEH_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/debian/triggers)
+
+# Every package has its own changes and copyright.
+set(changelog ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz)
+add_custom_command(OUTPUT ${changelog}
+  COMMAND gzip -9 -n -c ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${changelog}
+  DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md VERBATIM)
+add_custom_target(changelog ALL DEPENDS ${changelog})
+foreach(component ${CPACK_COMPONENTS_ALL})
+  install(FILES ${changelog} copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${component} COMPONENT ${component})
+endforeach()
 
 set(CPACK_COMPONENT_SBEH_DESCRIPTION
 "Programs: stationary shapes of membranes over reduced volume and
