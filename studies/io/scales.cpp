@@ -46,8 +46,8 @@ std::string name_of(const Dimension& d, const Scales& scales, bool for_columns) 
   const std::vector<Factor> factors{{scales.in_kT ? "kT" : "J", d.energy},
                                     {for_columns ? "um" : "µm", d.length},
                                     {scales.time ? "s" : "T", d.time}};
-  const std::string above = product(factors, 1, for_columns),
-                    below = product(factors, -1, for_columns);
+  std::string above = product(factors, 1, for_columns);
+  const std::string below = product(factors, -1, for_columns);
   if (below.empty()) return above;
   if (for_columns) return (above.empty() ? "" : above + "_") + "per_" + below;
   return (above.empty() ? "1" : above) + "/" + below;

@@ -244,6 +244,13 @@ ConvertedTables write_converted(const fs::path& folder, const ResultUnits& units
   const fs::path note = into / "units.toml";
   require_own_folder(into, note, overwrite);
   make_folder(into);
+  std::string how = fmt::format(
+      "# sbeh {}: the tables of {} in physical units, which end the names of columns;\n"
+      "# columns without are pure numbers.\n",
+      version, folder.string());
+  for (const std::string& line : units.text()) how += "# " + line + "\n";
+  for (const char* line : std::span(conventions).subspan(1)) how += fmt::format("# {}\n", line);
+  write_file(note, how + text_of(units.units()));
   ConvertedTables written;
   for (const fs::path& file : tables_in(folder, into)) {
     const fs::path name = file.lexically_relative(folder);
@@ -258,13 +265,6 @@ ConvertedTables write_converted(const fs::path& folder, const ResultUnits& units
     write_file(into / name, text);
     ++written.count;
   }
-  std::string how = fmt::format(
-      "# sbeh {}: the tables of {} in physical units, which end the names of columns;\n"
-      "# columns without are pure numbers.\n",
-      version, folder.string());
-  for (const std::string& line : units.text()) how += "# " + line + "\n";
-  for (const char* line : std::span(conventions).subspan(1)) how += fmt::format("# {}\n", line);
-  write_file(note, how + text_of(units.units()));
   return written;
 }
 

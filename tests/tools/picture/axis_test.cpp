@@ -172,7 +172,7 @@ TEST(History, is_linear_as_soon_as_one_energy_has_no_logarithm) {
     EXPECT_EQ(scale_for({{{0, 1}, {1, 2}}, {{0, 3}, {1, energy}}}), EnergyScale::linear);
   const Points curve{{0, -13}, {1, 2}};
   EXPECT_EQ(on_scale(curve, EnergyScale::linear, 15), curve);
-  const HistoryAxes axes = history_axes({curve}, EnergyScale::linear, "U", 400, 20);
+  const HistoryAxes axes = history_axes({curve}, EnergyScale::linear, "U", 400, Options{});
   EXPECT_LT(axes.energy.low, -13);
   EXPECT_GT(axes.energy.high, 2);
   EXPECT_FALSE(shown(axes.energy).empty());
@@ -200,8 +200,8 @@ TEST(History, ends_at_the_floor_of_a_logarithmic_scale) {
 }
 
 TEST(History, has_one_pair_of_axes_for_all_curves) {
-  const HistoryAxes axes =
-      history_axes({{{-3, 1}, {0, 2}}, {{-4, 0}, {1, 1}}}, EnergyScale::logarithmic, "U", 400, 20);
+  const HistoryAxes axes = history_axes({{{-3, 1}, {0, 2}}, {{-4, 0}, {1, 1}}},
+                                        EnergyScale::logarithmic, "U", 400, Options{});
   EXPECT_EQ(axes.time.low, -4);
   EXPECT_EQ(axes.time.high, 1);
   EXPECT_NEAR(axes.energy.low, -0.08, 1e-15);  // 4 % of room

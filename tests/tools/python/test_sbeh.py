@@ -273,7 +273,7 @@ def test_the_stub_says_what_the_compiled_half_has():
 
     stub = ast.parse((Path(sbeh.__file__).parent / "_sbeh.pyi").read_text())
     said = {node.name: node for node in stub.body if isinstance(node, (ast.ClassDef, ast.FunctionDef))}
-    assert set(said) | {"version"} == {name for name in dir(_sbeh) if not name.startswith("_")}
+    assert set(said) | {"version", "conventions"} == {name for name in dir(_sbeh) if not name.startswith("_")}
     for name in ("Material", "State", "Run"):
         assert {node.name for node in said[name].body if node.name != "__init__"} == {
             member for member in dir(getattr(_sbeh, name)) if not member.startswith("__")}
