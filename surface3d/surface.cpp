@@ -79,8 +79,6 @@ Triangulation::Triangulation(const meshing::CurvedMesh& mesh)
       quadratic(3 + k, e) = vertices + (triangles(3 + 2 * k, e) - vertices) / 2;
 }
 
-namespace {
-
 ShapeValues shape_values(const Eigen::Vector2d& x, double weight) {
   static const model::TriangleElement cubic(3), quadratic(2);
   ShapeValues s{.weight = weight, .phi = {}, .dphi = {}, .quadratic = {}};
@@ -91,6 +89,8 @@ ShapeValues shape_values(const Eigen::Vector2d& x, double weight) {
   Eigen::Map<Eigen::Matrix<double, 6, 1>>(s.quadratic.data()) = quadratic.values(x);
   return s;
 }
+
+namespace {
 
 std::vector<ShapeValues> tabulate(const model::TriangleRule& rule) {
   std::vector<ShapeValues> table;

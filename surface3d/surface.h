@@ -53,6 +53,9 @@ struct ShapeValues {
   std::array<double, 10> quadratic;            ///< P2, padded with zeros
 };
 
+/// At a point of the reference triangle.
+ShapeValues shape_values(const Eigen::Vector2d& x, double weight);
+
 /// Quadrature points of the assembly (degree 8) and of the diagnostics (degree 12).
 std::span<const ShapeValues> assembly_points();
 std::span<const ShapeValues> diagnostic_points();

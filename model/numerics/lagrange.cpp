@@ -13,15 +13,16 @@ void require_order(int order) {
 }
 
 // ℓ_m(x) = Π_{j<m} (k x − j)/(m − j), the factor of a principal-lattice basis function that
-// vanishes on the first m lattice lines of a barycentric coordinate x, and its derivative.
+// vanishes on the first m lattice lines of a barycentric coordinate x, and its derivatives.
 struct Factor {
-  double value, slope;
+  double value, slope, bend;
 };
 Factor lattice_factor(int order, int m, double x) {
-  Factor f{1, 0};
+  Factor f{1, 0, 0};
   for (int j = 0; j < m; ++j) {
-    const double line = (order * x - j) / (m - j);
-    f.slope = f.slope * line + f.value * order / double(m - j);
+    const double line = (order * x - j) / (m - j), rate = order / double(m - j);
+    f.bend = f.bend * line + 2 * f.slope * rate;
+    f.slope = f.slope * line + f.value * rate;
     f.value *= line;
   }
   return f;
@@ -92,6 +93,23 @@ Eigen::Matrix2Xd TriangleElement::derivatives(const Eigen::Vector2d& x) const {
     dphi(1, i) = (b.slope * c.value - b.value * c.slope) * a.value;
   }
   return dphi;
+}
+
+Eigen::Matrix3Xd TriangleElement::second_derivatives(const Eigen::Vector2d& x) const {
+  const auto lattice = triangle_lattice(order_);
+  Eigen::Matrix3Xd ddphi(3, size());
+  for (int i = 0; i < size(); ++i) {
+    const auto [m1, m2] = lattice[i];
+    const Factor a = lattice_factor(order_, m1, x[0]);
+    const Factor b = lattice_factor(order_, m2, x[1]);
+    const Factor c = lattice_factor(order_, order_ - m1 - m2, 1 - x[0] - x[1]);
+    const double both = a.value * b.value * c.bend;
+    ddphi(0, i) = both + (a.bend * c.value - 2 * a.slope * c.slope) * b.value;
+    ddphi(1, i) =
+        both + a.slope * b.slope * c.value - (a.slope * b.value + a.value * b.slope) * c.slope;
+    ddphi(2, i) = both + (b.bend * c.value - 2 * b.slope * c.slope) * a.value;
+  }
+  return ddphi;
 }
 
 }  // namespace sbeh::model

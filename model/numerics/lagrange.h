@@ -34,6 +34,8 @@ class TriangleElement {
   Eigen::Matrix2Xd nodes() const;                                // 2 x size
   Eigen::VectorXd values(const Eigen::Vector2d& x) const;        // size
   Eigen::Matrix2Xd derivatives(const Eigen::Vector2d& x) const;  // 2 x size: ∂_1, ∂_2
+  Eigen::Matrix3Xd second_derivatives(
+      const Eigen::Vector2d& x) const;  // 3 x size: ∂_1∂_1, ∂_1∂_2, ∂_2∂_2
 
  private:
   int order_;

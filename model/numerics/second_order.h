@@ -50,6 +50,10 @@ struct SecondOrder {
     const double root = std::sqrt(x.a);
     return x.apply(root, 0.5 / root, -0.25 / (root * x.a));
   }
+  friend SecondOrder atan(const SecondOrder& x) {
+    const double slope = 1 / (1 + x.a * x.a);
+    return x.apply(std::atan(x.a), slope, -2 * x.a * slope * slope);
+  }
 
   // With a plain number on one side.
   friend SecondOrder operator+(const SecondOrder& x, double c) { return {x.a + c, x.g, x.h}; }

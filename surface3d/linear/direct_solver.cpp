@@ -52,6 +52,7 @@ class DirectSolver::Factors {
   virtual void solve(Eigen::Ref<Eigen::MatrixXd>& rhs) = 0;
   virtual double flops() const = 0;
   virtual double entries() const = 0;
+  virtual int negative_eigenvalues() const = 0;
 };
 
 namespace {
@@ -97,6 +98,7 @@ class DirectSolver::Mumps : public Factors {
     const int entries = id_.infog[28];
     return entries < 0 ? -1e6 * entries : entries;  // large numbers are given in millions
   }
+  int negative_eigenvalues() const override { return id_.infog[11]; }
 
  private:
   // MUMPS's manual counts from 1.
@@ -186,5 +188,6 @@ bool DirectSolver::factor(const SparseMatrix& A) { return factors_->factor(A); }
 void DirectSolver::solve(Eigen::Ref<Eigen::MatrixXd> rhs) const { factors_->solve(rhs); }
 double DirectSolver::flops() const { return factors_->flops(); }
 double DirectSolver::entries() const { return factors_->entries(); }
+int DirectSolver::negative_eigenvalues() const { return factors_->negative_eigenvalues(); }
 
 }  // namespace sbeh::surface3d

@@ -28,6 +28,8 @@ class DirectSolver {
   /// Of the last factorisation: floating-point operations, entries of the factors.
   double flops() const;
   double entries() const;
+  /// Of a symmetric matrix, as the last factorisation had them: negative eigenvalues.
+  int negative_eigenvalues() const;
 
  private:
   class Factors;

@@ -19,6 +19,7 @@ constexpr int samples = 20;
 // Of x^a, also at 0 and for a = 0.
 double power(double x, int a) { return a == 0 ? 1 : std::pow(x, a); }
 double power_slope(double x, int a) { return a == 0 ? 0 : a * power(x, a - 1); }
+double power_bend(double x, int a) { return a < 2 ? 0 : a * (a - 1) * power(x, a - 2); }
 
 class Interval : public testing::TestWithParam<int> {
  protected:
@@ -122,10 +123,14 @@ TEST_P(Triangle, reproduces_polynomials_of_its_order_and_no_higher_ones) {
       Eigen::VectorXd nodal(element.size());
       for (int i = 0; i < element.size(); ++i)
         nodal[i] = power(nodes(0, i), a) * power(nodes(1, i), b);
-      double error = 0, slope_error = 0;
+      double error = 0, slope_error = 0, bend_error = 0;
       for (int k = 0; k < samples; ++k) {
         const Eigen::Vector2d x = point();
         const double value = power(x[0], a) * power(x[1], b);
+        const Eigen::Vector3d bend(power_bend(x[0], a) * power(x[1], b),
+                                   power_slope(x[0], a) * power_slope(x[1], b),
+                                   power(x[0], a) * power_bend(x[1], b));
+        bend_error = std::max(bend_error, (element.second_derivatives(x) * nodal - bend).norm());
         const Eigen::Vector2d slope(power_slope(x[0], a) * power(x[1], b),
                                     power(x[0], a) * power_slope(x[1], b));
         error = std::max(error, std::abs(nodal.dot(element.values(x)) - value));
@@ -134,6 +139,7 @@ TEST_P(Triangle, reproduces_polynomials_of_its_order_and_no_higher_ones) {
       if (degree <= GetParam()) {
         EXPECT_LT(error, rounding) << "x^" << a << " y^" << b;
         EXPECT_LT(slope_error, rounding) << "x^" << a << " y^" << b;
+        EXPECT_LT(bend_error, 10 * rounding) << "x^" << a << " y^" << b;
       } else {
         EXPECT_GT(error, 1e-3) << "x^" << a << " y^" << b;
       }

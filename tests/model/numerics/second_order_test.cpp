@@ -71,6 +71,16 @@ TEST_F(SecondOrderOf, a_root) {
                 {r, {x0 / r, y0 / r}, y0 * y0 / cube, -x0 * y0 / cube, x0 * x0 / cube});
 }
 
+TEST_F(SecondOrderOf, an_angle) {
+  // φ = atan(y/x): ∂φ = (−y, x)/r², ∂²φ = (2xy, y² − x²; ., −2xy)/r⁴.
+  const double square = x0 * x0 + y0 * y0, fourth = square * square;
+  expect_number(atan(y / x), {std::atan(y0 / x0),
+                              {-y0 / square, x0 / square},
+                              2 * x0 * y0 / fourth,
+                              (y0 * y0 - x0 * x0) / fourth,
+                              -2 * x0 * y0 / fourth});
+}
+
 TEST_F(SecondOrderOf, mixtures_with_plain_numbers) {
   const double yy = y0 * y0;
   const Number f = x * y * y;  // gradient (y², 2xy), Hessian (0, 2y; 2y, 2x)

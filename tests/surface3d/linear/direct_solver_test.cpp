@@ -1,6 +1,7 @@
 // The sparse factorisation against a dense one, and what it refuses.
 #include "surface3d/linear/direct_solver.h"
 
+#include <Eigen/Eigenvalues>
 #include <Eigen/LU>
 #include <gtest/gtest.h>
 
@@ -41,6 +42,18 @@ TEST(DirectSolver, solves_like_a_dense_factorisation) {
     const Eigen::MatrixXd exact = dense.partialPivLu().solve(rhs);
     EXPECT_LT((x - exact).norm(), allowed(dense) * exact.norm());
     EXPECT_GT(solver.flops(), n);
+  }
+}
+
+TEST(DirectSolver, counts_negative_eigenvalues) {
+  for (const unsigned seed : {1u, 2u, 3u}) {
+    const SparseMatrix A = saddle_point(true, seed);
+    DirectSolver solver(Symmetry::symmetric);
+    ASSERT_TRUE(solver.factor(A));
+    const Eigen::VectorXd eigenvalues =
+        Eigen::MatrixXd(A).selfadjointView<Eigen::Lower>().eigenvalues();
+    EXPECT_EQ(solver.negative_eigenvalues(), (eigenvalues.array() < 0).count());
+    EXPECT_GT(solver.negative_eigenvalues(), 0);
   }
 }
 

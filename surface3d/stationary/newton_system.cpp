@@ -1,0 +1,104 @@
+#include "surface3d/stationary/newton_system.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace sbeh::surface3d {
+
+namespace {
+
+// A with the columns of B as rows below it: the lower half of [A B; Bᵀ 0] is in it.
+void set_bordered(const SparseMatrix& A, const Eigen::MatrixXd& B, SparseMatrix& bordered) {
+  const Eigen::Index n = A.rows(), m = B.cols();
+  bordered.resize(n + m, n + m);
+  bordered.resizeNonZeros(A.nonZeros() + n * m);
+  std::copy_n(A.outerIndexPtr(), n + 1, bordered.outerIndexPtr());
+  std::copy_n(A.innerIndexPtr(), A.nonZeros(), bordered.innerIndexPtr());
+  std::copy_n(A.valuePtr(), A.nonZeros(), bordered.valuePtr());
+  Eigen::Index position = A.nonZeros();
+  for (Eigen::Index k = 0; k < m; ++k) {
+    for (Eigen::Index i = 0; i < n; ++i, ++position) {
+      bordered.innerIndexPtr()[position] = int(i);
+      bordered.valuePtr()[position] = B(i, k);
+    }
+    bordered.outerIndexPtr()[n + k + 1] = int(position);
+  }
+}
+
+}  // namespace
+
+double largest_change(const Increment& step) {
+  return std::max(step.d.cwiseAbs().maxCoeff(), step.beta.cwiseAbs().maxCoeff());
+}
+
+void displace(const Increment& step, double scale, const Nodes& normals, StationaryState& state) {
+  state.X += normals * (scale * step.d).asDiagonal();
+  state.beta += scale * step.beta;
+  state.Lambda += scale * step.Lambda;
+  state.H += scale * step.H;
+  state.tension += scale * step.tension;
+  state.pressure += scale * step.pressure;
+}
+
+NewtonSystem::NewtonSystem(const Triangulation& mesh, const model::Material& material,
+                           model::Model model)
+    : material_(material), layout_(mesh, model) {}
+
+bool NewtonSystem::linearise(const StationaryState& state, const Nodes& normals) {
+  assemble(material_, layout_, state, normals, derivatives_);
+  const int before = borders();
+  rigid_ = rigid_motions(layout_, state, normals);
+  if (!derivatives_.gradient.allFinite()) return false;
+  if (bordered_.rows() > 0 && borders() != before) solver_ = DirectSolver(Symmetry::symmetric);
+  Eigen::MatrixXd B(layout_.size(), borders());
+  B << derivatives_.constraints, rigid_.loads;
+  set_bordered(derivatives_.hessian, B, bordered_);
+  return solver_.factor(bordered_);
+}
+
+int NewtonSystem::negative_directions() const {
+  return solver_.negative_eigenvalues() - layout_.mesh.nodes - borders();
+}
+
+void NewtonSystem::respond(Eigen::Ref<Eigen::MatrixXd> loads) const {
+  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(layout_.size() + borders(), loads.cols());
+  all.topRows(layout_.size()) = loads;
+  solver_.solve(all);
+  loads = all.topRows(layout_.size());
+}
+
+bool NewtonSystem::newton_step(const Target& target, Increment& step) const {
+  return solve(-derivatives_.gradient,
+               {target.area - derivatives_.area, derivatives_.volume - target.volume}, step);
+}
+
+bool NewtonSystem::newton_step_from(const StationaryState& state, const Nodes& normals,
+                                    const Target& target, Increment& step) {
+  assemble(material_, layout_, state, normals, others_);
+  return solve(-others_.gradient, {target.area - others_.area, others_.volume - target.volume},
+               step);
+}
+
+Eigen::VectorXd NewtonSystem::gradient_with(const model::Material& material,
+                                            const StationaryState& state, const Nodes& normals) {
+  assemble(material, layout_, state, normals, others_);
+  return others_.gradient;
+}
+
+bool NewtonSystem::solve(Eigen::VectorXd rhs, const Eigen::Vector2d& miss, Increment& step) const {
+  const int n = layout_.size();
+  rhs.conservativeResizeLike(Eigen::VectorXd::Zero(n + borders()));
+  rhs.segment<2>(n) = miss;
+  solver_.solve(rhs);
+  if (!rhs.allFinite()) return false;
+  step.d = rhs(layout_.all(node_d));
+  step.Lambda = rhs(layout_.all(node_Lambda));
+  step.H = rhs(layout_.all(node_H));
+  step.beta = layout_.free_order ? Field(rhs(layout_.all(node_beta)))
+                                 : Field(Field::Zero(layout_.mesh.nodes));
+  step.tension = rhs[n];
+  step.pressure = rhs[n + 1];
+  return true;
+}
+
+}  // namespace sbeh::surface3d

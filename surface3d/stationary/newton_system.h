@@ -1,0 +1,67 @@
+// One linearised stationary problem: assembled, factored, and solved for any right-hand side.
+#pragma once
+
+#include "surface3d/linear/direct_solver.h"
+#include "surface3d/stationary/rigid_motions.h"
+
+namespace sbeh::surface3d {
+
+/// A step in all unknowns; fields are nodal, `d` along the node normals.
+struct Increment {
+  Field d, Lambda, H, beta;
+  double tension = 0, pressure = 0;
+};
+
+/// Largest displacement or change of order in a step.
+double largest_change(const Increment& step);
+
+/// The state moves by scale · step along these normals.
+void displace(const Increment& step, double scale, const Nodes& normals, StationaryState& state);
+
+/// The Hessian of the Lagrangian, bordered by area, volume and rigid motions.
+class NewtonSystem {
+ public:
+  NewtonSystem(const Triangulation& mesh, const model::Material& material, model::Model model);
+
+  /// From the next linearisation on.
+  void set_material(const model::Material& material) { material_ = material; }
+  /// Assembles at a state that moves along these normals, and factors. False when the matrix is singular or not finite.
+  bool linearise(const StationaryState& state, const Nodes& normals);
+
+  /// The Newton step towards `target`.
+  bool newton_step(const Target& target, Increment& step) const;
+  /// The step from another state nearby, whose own matrix is not needed.
+  bool newton_step_from(const StationaryState& state, const Nodes& normals, const Target& target,
+                        Increment& step);
+
+  /// What moves under loads on all unknowns while area and −volume change so.
+  bool respond(const Eigen::VectorXd& loads, const Eigen::Vector2d& change, Increment& step) const {
+    return solve(loads, change, step);
+  }
+  /// The gradient with another material.
+  Eigen::VectorXd gradient_with(const model::Material& material, const StationaryState& state,
+                                const Nodes& normals);
+
+  /// In how many directions that keep area and volume, rigid motions apart, the energy falls.
+  int negative_directions() const;
+  int rigid_count() const { return int(rigid_.loads.cols()); }
+  const RigidMotions& rigid() const { return rigid_; }
+  const LagrangianDerivatives& derivatives() const { return derivatives_; }
+  const StationaryLayout& layout() const { return layout_; }
+
+  /// Overwrites loads on the unknowns (in columns) with what moves under them, area, volume and place kept.
+  void respond(Eigen::Ref<Eigen::MatrixXd> loads) const;
+
+ private:
+  bool solve(Eigen::VectorXd rhs, const Eigen::Vector2d& miss, Increment& step) const;
+  int borders() const { return 2 + rigid_count(); }
+
+  model::Material material_;
+  StationaryLayout layout_;
+  LagrangianDerivatives derivatives_, others_;
+  RigidMotions rigid_{};
+  SparseMatrix bordered_;
+  DirectSolver solver_{Symmetry::symmetric};
+};
+
+}  // namespace sbeh::surface3d

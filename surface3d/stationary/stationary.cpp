@@ -1,0 +1,83 @@
+#include "surface3d/stationary/stationary.h"
+
+#include "surface3d/curvature.h"
+
+#include <Eigen/QR>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace sbeh::surface3d {
+
+StationaryState guess_from(const Triangulation& mesh, const model::Material& material,
+                           model::Model model, const State& shape) {
+  const auto curvature = curvature_of(mesh, shape.X);
+  if (!curvature) throw std::runtime_error("stationary state: the surface is degenerate");
+  StationaryState guess{shape, curvature->H, Field(mesh.nodes)};
+  for (int i = 0; i < mesh.nodes; ++i)
+    guess.Lambda[i] =
+        -material.kappa(shape.beta[i]) * (guess.H[i] - material.spontaneous_curvature);
+  const StationaryLayout layout(mesh, model);
+  LagrangianDerivatives lagrangian;
+  assemble(material, layout, guess, curvature->node_normals, lagrangian);
+  // Least squares over the displacements alone: the other rows do not feel tension and pressure.
+  const auto displacements = layout.all(node_d);
+  const Eigen::MatrixX2d forces = lagrangian.constraints(displacements, Eigen::all);
+  const Eigen::Vector2d multipliers =
+      forces.completeOrthogonalDecomposition().solve(-lagrangian.gradient(displacements));
+  guess.tension = multipliers[0];
+  guess.pressure = multipliers[1];
+  return guess;
+}
+
+double residual_of(const NewtonSystem& system, const StationaryState& state) {
+  const StationaryLayout& layout = system.layout();
+  Field areas = Field::Zero(layout.mesh.nodes);
+  for_each_point(layout.mesh, state.X, assembly_points(),
+                 [&](int e, const ShapeValues& s, const SurfacePoint& p) {
+                   for (int a = 0; a < 10; ++a)
+                     areas[layout.mesh.triangles(a, e)] += p.dS * std::abs(s.phi[std::size_t(a)]);
+                 });
+  const Eigen::VectorXd& gradient = system.derivatives().gradient;
+  double largest = gradient(layout.all(node_d)).cwiseQuotient(areas).cwiseAbs().maxCoeff();
+  if (layout.free_order)
+    largest = std::max(largest,
+                       gradient(layout.all(node_beta)).cwiseQuotient(areas).cwiseAbs().maxCoeff());
+  return largest;
+}
+
+NewtonResult solve_stationary(NewtonSystem& system, const Target& target,
+                              const StationaryState& guess, const NewtonOptions& options) {
+  // Normals are renewed as long as that costs no iterations.
+  constexpr double settled = 1e-2, decrease = 0.1;
+  NewtonResult result{.status = NewtonStatus::diverged,
+                      .state = guess,
+                      .normals = node_normals(system.layout().mesh, guess.X)};
+  StationaryState& state = result.state;
+  Nodes& normals = result.normals;
+  Increment step;
+  bool renews = options.renews_normals;
+  while (int(result.changes.size()) < options.most_iterations) {
+    if (renews) normals = node_normals(system.layout().mesh, state.X);
+    if (!system.linearise(state, normals) || !system.newton_step(target, step)) {
+      result.status = NewtonStatus::singular;
+      return result;
+    }
+    const double change = largest_change(step);
+    if (!result.changes.empty() && change < settled && change > decrease * result.changes.back())
+      renews = false;
+    result.changes.push_back(change);
+    result.negative_directions = system.negative_directions();
+    result.rigid_motions = system.rigid_count();
+    if (!(change < options.far)) return result;
+    displace(step, std::min(1., options.longest_step / change), normals, state);
+    if (change < options.tolerance) {
+      result.status = NewtonStatus::converged;
+      return result;
+    }
+  }
+  return result;
+}
+
+}  // namespace sbeh::surface3d
