@@ -64,16 +64,13 @@ PathEquation across(const Line& line, const Eigen::VectorXd& gradient_rate,
 }
 
 NewtonSystem system_at(const Line& line, const LineState& state) {
-  return {line.material_at(state.mu), line.model, int(state.beta.size())};
+  return {line.material_at(state.mu), line.model, {element_count(state.X), line.symmetric}};
 }
 
 // Rounding grows where a branch crosses that breaks the symmetry: what is odd is taken out. Empty where it has
 // grown to another state.
 std::optional<PathState> on_path(const Line& line, LineState state, Increment t, int sign) {
-  if (line.symmetric) {
-    t = symmetric_part(t, node_normals(state.X));
-    static_cast<StationaryState&>(state) = symmetric_part(state);
-  }
+  if (line.symmetric) static_cast<StationaryState&>(state) = symmetric_part(state);
   Field weights = weights_of(state);
   t = scaled(t, 1 / length_of(t, weights));
   return PathState{state, std::move(t), std::move(weights), sign};
@@ -144,7 +141,6 @@ std::optional<double> newton_step(const Line& line, LineState& state, const Path
   Increment step;
   if (!system.linearise(state) || !system.newton_step(line.target(state.mu), path, 0, step))
     return {};
-  if (line.symmetric) step = symmetric_part(step, node_normals(state.X));
   if (ds != 0 && largest_change(step) > largest_correction(ds * largest_change(from.tangent)))
     return {};
   displace(step, 1, state);

@@ -58,7 +58,7 @@ double product(const Field& areas, const Increment& a, const Increment& b) {
 std::optional<SoftMode> antisymmetric_mode(const model::Material& material, model::Model model,
                                            const StationaryState& state) {
   const Eigen::Index nodes = state.beta.size();
-  NewtonSystem system(material, model, int(nodes));
+  NewtonSystem system(material, model, {element_count(state.X), false});
   if (!system.linearise(state)) return {};
   const Field areas = node_areas(state.X);
   Increment x = antisymmetric_seed(nodes);

@@ -83,6 +83,11 @@ PointDerivatives differentiate(const model::Material& material, const Stationary
   return d;
 }
 
+// Of unknown k of element e, component by component.
+int global_index(const Sector& sector, int e, int k) {
+  return node_unknowns * sector.folded(3 * e + k % 4) + k / 4;
+}
+
 // ∂(density) by all data for a density that does not know the multiplier.
 Eigen::Matrix<double, data, 1> padded(const First& density) {
   Eigen::Matrix<double, data, 1> g = Eigen::Matrix<double, data, 1>::Zero();
@@ -92,10 +97,11 @@ Eigen::Matrix<double, data, 1> padded(const First& density) {
 
 }  // namespace
 
-LagrangianDerivatives::LagrangianDerivatives(int nodes)
-    : hessian(node_unknowns * nodes, 4 * node_unknowns - 1),
-      gradient(node_unknowns * nodes),
-      constraints(node_unknowns * nodes, 2) {}
+LagrangianDerivatives::LagrangianDerivatives(const Sector& of)
+    : sector(of),
+      hessian(node_unknowns * of.nodes(), 4 * node_unknowns - 1),
+      gradient(node_unknowns * of.nodes()),
+      constraints(node_unknowns * of.nodes(), 2) {}
 
 void assemble(const model::Material& material, const StationaryState& state, const Nodes& normals,
               LagrangianDerivatives& out) {
@@ -105,7 +111,7 @@ void assemble(const model::Material& material, const StationaryState& state, con
   out.area = out.volume = 0;
   Eigen::Matrix<double, element_unknowns, element_unknowns> matrix;
   Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV;
-  for (int e = 0; e < element_count(state.X); ++e) {
+  for (int e = 0; e < out.sector.elements(); ++e) {
     matrix.setZero();
     vector.setZero();
     dA.setZero();
@@ -117,14 +123,15 @@ void assemble(const model::Material& material, const StationaryState& state, con
       const PointDerivatives density = differentiate(material, state, q);
       const First A = area_density(independent<First>(q)),
                   V = volume_density(independent<First>(q));
-      model::add_matrix(rows, rows, density.hessian, s.weight, matrix);
-      model::add_vector(rows, density.gradient, s.weight, vector);
-      model::add_vector(rows, padded(A), s.weight, dA);
-      model::add_vector(rows, padded(V), s.weight, dV);
-      out.area += s.weight * A.a;
-      out.volume += s.weight * V.a;
+      const double weight = out.sector.copies(e) * s.weight;
+      model::add_matrix(rows, rows, density.hessian, weight, matrix);
+      model::add_vector(rows, density.gradient, weight, vector);
+      model::add_vector(rows, padded(A), weight, dA);
+      model::add_vector(rows, padded(V), weight, dV);
+      out.area += weight * A.a;
+      out.volume += weight * V.a;
     }
-    const auto global = [e](int k) { return node_unknowns * (3 * e + k % 4) + k / 4; };
+    const auto global = [&](int k) { return global_index(out.sector, e, k); };
     for (int j = 0; j < element_unknowns; ++j) {
       out.gradient[global(j)] += vector[j];
       out.constraints(global(j), 0) += dA[j];
@@ -135,11 +142,11 @@ void assemble(const model::Material& material, const StationaryState& state, con
 }
 
 LagrangianGradient gradient_at(const model::Material& material, const StationaryState& state,
-                               const Nodes& normals) {
-  const Eigen::Index unknowns = node_unknowns * state.beta.size();
+                               const Nodes& normals, const Sector& sector) {
+  const Eigen::Index unknowns = node_unknowns * sector.nodes();
   LagrangianGradient out{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, 2)};
   Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV;
-  for (int e = 0; e < element_count(state.X); ++e) {
+  for (int e = 0; e < sector.elements(); ++e) {
     vector.setZero();
     dA.setZero();
     dV.setZero();
@@ -156,14 +163,15 @@ LagrangianGradient gradient_at(const model::Material& material, const Stationary
         gradient[nonlinear_data + k] = c.a;
       }
       const First A = area_density(x), V = volume_density(x);
-      model::add_vector(rows, gradient, s.weight, vector);
-      model::add_vector(rows, padded(A), s.weight, dA);
-      model::add_vector(rows, padded(V), s.weight, dV);
-      out.area += s.weight * A.a;
-      out.volume += s.weight * V.a;
+      const double weight = sector.copies(e) * s.weight;
+      model::add_vector(rows, gradient, weight, vector);
+      model::add_vector(rows, padded(A), weight, dA);
+      model::add_vector(rows, padded(V), weight, dV);
+      out.area += weight * A.a;
+      out.volume += weight * V.a;
     }
     for (int k = 0; k < element_unknowns; ++k) {
-      const int i = node_unknowns * (3 * e + k % 4) + k / 4;
+      const int i = global_index(sector, e, k);
       out.gradient[i] += vector[k];
       out.constraints(i, 0) += dA[k];
       out.constraints(i, 1) -= dV[k];
@@ -174,7 +182,7 @@ LagrangianGradient gradient_at(const model::Material& material, const Stationary
 
 LagrangianDerivatives lagrangian_at(const model::Material& material, model::Model model,
                                     const StationaryState& state) {
-  LagrangianDerivatives lagrangian(int(state.beta.size()));
+  LagrangianDerivatives lagrangian(Sector{element_count(state.X), false});
   assemble(felt_material(material, model), state, node_normals(state.X), lagrangian);
   return lagrangian;
 }

@@ -1,6 +1,7 @@
 // The Lagrangian of a stationary state at a point, and its assembled derivatives.
 #pragma once
 
+#include "axisym/stationary/sector.h"
 #include "axisym/stationary/stationary.h"
 #include "model/energy_density.h"
 #include "model/numerics/band_matrix.h"
@@ -73,16 +74,18 @@ LagrangianDensity<T> lagrangian_density(const model::Material& material, double 
 /// Unknowns per node, in the order of the global vector: node-wise d, Λ, H, β.
 enum NodeUnknown { node_d, node_Lambda, node_H, node_beta, node_unknowns };
 
-/// Gradient and Hessian of the Lagrangian, and gradients of A, V.
+/// Gradient and Hessian of the Lagrangian, and gradients of A, V, by the unknowns of a sector's nodes: of a half, by
+/// symmetric changes of the whole.
 struct LagrangianDerivatives {
+  Sector sector;
   model::BandMatrix hessian;    // 4 nodes x 4 nodes
   Eigen::VectorXd gradient;     // 4 nodes
   Eigen::MatrixXd constraints;  // 4 nodes x 2: ∂A, −∂V
   double area = 0, volume = 0;
-  explicit LagrangianDerivatives(int nodes);
+  explicit LagrangianDerivatives(const Sector& sector);
 };
 
-/// Assembles at a state whose curve moves along `normals` (2 x nodes).
+/// Assembles at a state whose curve moves along `normals` (2 x nodes of the whole).
 void assemble(const model::Material& material, const StationaryState& state, const Nodes& normals,
               LagrangianDerivatives& out);
 
@@ -93,9 +96,9 @@ struct LagrangianGradient {
   double area = 0, volume = 0;
 };
 LagrangianGradient gradient_at(const model::Material& material, const StationaryState& state,
-                               const Nodes& normals);
+                               const Nodes& normals, const Sector& sector);
 
-/// Of the model, along the node normals.
+/// Of the model, along the node normals, over the whole state.
 LagrangianDerivatives lagrangian_at(const model::Material& material, model::Model model,
                                     const StationaryState& state);
 

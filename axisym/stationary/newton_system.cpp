@@ -19,12 +19,23 @@ Eigen::VectorXd scattered(const Increment& row) {
 
 }  // namespace
 
-NewtonSystem::NewtonSystem(const model::Material& material, model::Model model, int nodes)
-    : material_(felt_material(material, model)), model_(model), derivatives_(nodes) {}
+NewtonSystem::NewtonSystem(const model::Material& material, model::Model model,
+                           const Sector& sector)
+    : material_(felt_material(material, model)), model_(model), derivatives_(sector) {}
+
+// What acts on the whole, on its part: what acts on mirror images is added.
+Eigen::VectorXd NewtonSystem::folded(const Eigen::VectorXd& load) const {
+  const Sector& sector = derivatives_.sector;
+  const Eigen::Index part = node_unknowns * Eigen::Index(sector.nodes());
+  Eigen::VectorXd sum = load.head(part);
+  for (Eigen::Index i = part; i < load.size(); ++i)
+    sum[index(sector.folded(int(i) / node_unknowns), NodeUnknown(i % node_unknowns))] += load[i];
+  return sum;
+}
 
 bool NewtonSystem::linearise(const StationaryState& state) {
   assemble(material_, state, node_normals(state.X), derivatives_);
-  for_each_pinned(model_, state.beta.size(), [&](int i) {
+  for_each_pinned(model_, derivatives_.sector, [&](int i) {
     derivatives_.hessian.set_identity_row(i);
     derivatives_.gradient[i] = 0;
     derivatives_.constraints.row(i).setZero();
@@ -39,7 +50,8 @@ bool NewtonSystem::newton_step(const Target& target, Increment& step) {
 
 bool NewtonSystem::newton_step_from(const StationaryState& state, const Target& target,
                                     Increment& step) {
-  const LagrangianGradient there = gradient_at(material_, state, node_normals(state.X));
+  const LagrangianGradient there =
+      gradient_at(material_, state, node_normals(state.X), derivatives_.sector);
   const Eigen::Vector2d miss(target.area - there.area, there.volume - target.volume);
   return solve(-there.gradient, miss, nullptr, step);
 }
@@ -53,7 +65,8 @@ bool NewtonSystem::newton_step(const Target& target, const PathEquation& path, d
 
 bool NewtonSystem::tangent(const Eigen::VectorXd& gradient_rate, double volume_rate,
                            Increment& direction) {
-  const bool ok = solve(-gradient_rate, Eigen::Vector2d(0, -volume_rate), nullptr, direction);
+  const bool ok =
+      solve(-folded(gradient_rate), Eigen::Vector2d(0, -volume_rate), nullptr, direction);
   direction.mu = 1;
   return ok;
 }
@@ -69,13 +82,14 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
   Eigen::MatrixXd B(n, m), C(n, m), D = Eigen::MatrixXd::Zero(m, m);
   B.leftCols(2) = C.leftCols(2) = derivatives_.constraints;
   if (path) {
-    B.col(2) = path->gradient_rate;
-    C.col(2) = scattered(path->row);
+    B.col(2) = folded(path->gradient_rate);
+    C.col(2) = folded(scattered(path->row));
     D(1, 2) = path->volume_rate;
     D(2, 2) = path->row.mu;
   }
   Eigen::VectorXd f = rhs;
-  for_each_pinned(model_, n / node_unknowns, [&](int i) {
+  const Sector& sector = derivatives_.sector;
+  for_each_pinned(model_, sector, [&](int i) {
     f[i] = 0;
     B.row(i).setZero();
   });
@@ -83,13 +97,13 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
   if (solution.x.size() == 0 || !solution.x.allFinite()) return false;
   determinant_sign_ = solution.determinant_sign;
 
-  const Eigen::Index nodes = n / node_unknowns;
+  const int nodes = 3 * sector.state_elements + 1;
   for (auto [field, c] : {std::pair{&out.d, node_d},
                           {&out.Lambda, node_Lambda},
                           {&out.H, node_H},
                           {&out.beta, node_beta}}) {
     field->resize(nodes);
-    for (Eigen::Index i = 0; i < nodes; ++i) (*field)[i] = solution.x[index(i, c)];
+    for (int i = 0; i < nodes; ++i) (*field)[i] = solution.x[index(sector.folded(i), c)];
   }
   out.tension = solution.y[0];
   out.pressure = solution.y[1];
@@ -109,7 +123,7 @@ Field node_areas(const Nodes& X) {
 double residual_of(const LagrangianDerivatives& lagrangian, model::Model model, const Nodes& X) {
   Eigen::VectorXd gradient = lagrangian.gradient;
   if (!gradient.allFinite()) return std::numeric_limits<double>::infinity();
-  for_each_pinned(model, X.cols(), [&](int i) { gradient[i] = 0; });
+  for_each_pinned(model, lagrangian.sector, [&](int i) { gradient[i] = 0; });
   const Field areas = node_areas(X);
   double largest = 0;
   for (Eigen::Index i = 0; i < areas.size(); ++i)

@@ -8,12 +8,13 @@ namespace sbeh::axisym {
 /// Position of a node's unknown in the global vector.
 inline int index(Eigen::Index node, NodeUnknown c) { return node_unknowns * int(node) + c; }
 
-/// Visits the unknowns that are not free: the north pole's displacement, and the order of SSH.
+/// Visits the unknowns that are not free: the north pole's displacement, of which half a state has no need, and the
+/// order of SSH.
 template <class Visit>
-void for_each_pinned(model::Model model, Eigen::Index nodes, Visit&& visit) {
-  visit(index(0, node_d));
+void for_each_pinned(model::Model model, const Sector& sector, Visit&& visit) {
+  if (!sector.is_half) visit(index(0, node_d));
   if (!model::has_free_order(model))
-    for (Eigen::Index i = 0; i < nodes; ++i) visit(index(i, node_beta));
+    for (int i = 0; i < sector.nodes(); ++i) visit(index(i, node_beta));
 }
 
 /// A direction or a step in all unknowns; fields are nodal, `d` along the node normals.
@@ -28,7 +29,7 @@ double largest_change(const Increment& step);
 
 /// The equation row·(d, β) + row_μ δμ = right-hand side of a further unknown μ, the parameter of a path.
 struct PathEquation {
-  Eigen::VectorXd gradient_rate;  // 4 nodes: ∂(gradient of 𝓛)/∂μ
+  Eigen::VectorXd gradient_rate;  // 4 nodes of the whole: ∂(gradient of 𝓛)/∂μ
   double volume_rate;             ///< ∂V₀/∂μ
   Increment row;                  ///< only d, β and μ are used
 };
@@ -42,9 +43,11 @@ double residual_of(const LagrangianDerivatives& lagrangian, model::Model model, 
 /// The state moves by scale · step along its node normals.
 void displace(const Increment& step, double scale, StationaryState& state);
 
+/// Over a half, states are symmetric top to bottom and all steps too: the poles move alike. Over the whole, the north
+/// pole is held.
 class NewtonSystem {
  public:
-  NewtonSystem(const model::Material& material, model::Model model, int nodes);
+  NewtonSystem(const model::Material& material, model::Model model, const Sector& sector);
 
   /// Assembles at the state and factors. False when the matrix is singular or not finite.
   bool linearise(const StationaryState& state);
@@ -60,10 +63,12 @@ class NewtonSystem {
   /// The direction along the branch with row·(d, β, μ) = 1; regular at folds as well.
   bool tangent(const PathEquation& path, Increment& direction);
 
-  /// Sign of the determinant of the bordered matrix: flips at a fold. After a step or a tangent.
+  /// Sign of the determinant of the bordered matrix: flips at a fold, over the whole also where the symmetry may be lost.
+  /// After a step or a tangent.
   int determinant_sign() const { return determinant_sign_; }
 
  private:
+  Eigen::VectorXd folded(const Eigen::VectorXd& load) const;
   bool solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& border_rhs,
              const PathEquation* path, Increment& out);
 

@@ -52,7 +52,7 @@ int negative_directions(const LagrangianDerivatives& lagrangian, model::Model mo
   const int size = int(lagrangian.gradient.size()), nodes = size / node_unknowns;
   // Pinned unknowns leave the matrix symmetrically; a 1 on the diagonal counts as no negative.
   std::vector<bool> pinned(std::size_t(size), false);
-  for_each_pinned(model, nodes, [&](int i) { pinned[std::size_t(i)] = true; });
+  for_each_pinned(model, lagrangian.sector, [&](int i) { pinned[std::size_t(i)] = true; });
   const auto entry = [&](int i, int j) {
     if (i >= size || j >= size || pinned[std::size_t(i)] || pinned[std::size_t(j)])
       return i == j ? 1. : 0.;

@@ -26,7 +26,8 @@ StationaryState guess_from(const model::Material& whole, model::Model model, con
     guess.Lambda[i] = -(material.kappa(beta) * (guess.H[i] - material.spontaneous_curvature)
                         + material.kappa_gauss(beta) * B_phi);
   }
-  const LagrangianGradient lagrangian = gradient_at(material, guess, n);
+  const LagrangianGradient lagrangian =
+      gradient_at(material, guess, n, {element_count(shape.X), false});
   // Least squares over the displacements alone: the other rows do not feel tension and pressure.
   const auto displacements = Eigen::seqN(Eigen::Index(node_d), nodes, Eigen::Index(node_unknowns));
   const Eigen::MatrixXd forces = lagrangian.constraints(displacements, Eigen::all);
@@ -47,14 +48,14 @@ NewtonResult solve_stationary(const model::Material& material, model::Model mode
                               const NewtonOptions& options) {
   NewtonResult result{NewtonStatus::diverged, guess, 0, 0};
   StationaryState& state = result.state;
-  NewtonSystem system(material, model, int(state.beta.size()));
+  if (options.symmetric) state = symmetric_part(guess);
+  NewtonSystem system(material, model, {element_count(state.X), options.symmetric});
   Increment step;
   while (result.iterations < options.most_iterations) {
     if (!system.linearise(state) || !system.newton_step(target, step)) {
       result.status = NewtonStatus::singular;
       return result;
     }
-    if (options.symmetric) step = symmetric_part(step, node_normals(state.X));
     ++result.iterations;
     result.determinant_sign = system.determinant_sign();
     const double change = largest_change(step);
@@ -63,10 +64,9 @@ NewtonResult solve_stationary(const model::Material& material, model::Model mode
     if (change < options.tolerance) {
       result.status = NewtonStatus::converged;
       // The matrix lacks how normals turn: the error left is a small share of the change, not its square.
-      if (options.corrects && system.newton_step_from(state, target, step)) {
-        if (options.symmetric) step = symmetric_part(step, node_normals(state.X));
-        if (largest_change(step) < options.tolerance) displace(step, 1, state);
-      }
+      if (options.corrects && system.newton_step_from(state, target, step)
+          && largest_change(step) < options.tolerance)
+        displace(step, 1, state);
       return result;
     }
     if (state.X.row(0).minCoeff() < 0) return result;

@@ -35,17 +35,4 @@ StationaryState symmetric_part(const StationaryState& state) {
   return mean;
 }
 
-Increment symmetric_part(const Increment& step, const Nodes& normals) {
-  // Without the translation that holds the north pole both poles move outwards as far.
-  const Field along_axis = normals.row(1);
-  const Eigen::Index south = step.d.size() - 1;
-  const Field centred = step.d - step.d[south] / (2 * along_axis[south]) * along_axis;
-  Increment mean = step;
-  mean.d = even(centred);
-  mean.beta = even(step.beta);
-  mean.H = even(step.H);
-  mean.Lambda = even(step.Lambda);
-  return mean;
-}
-
 }  // namespace sbeh::axisym

@@ -1,7 +1,7 @@
 // States that look the same upside down, and the upside-down of those that do not.
 #pragma once
 
-#include "axisym/stationary/newton_system.h"
+#include "axisym/stationary/stationary.h"
 
 namespace sbeh::axisym {
 
@@ -13,9 +13,5 @@ bool is_symmetric(const Nodes& X);
 
 /// The mean of the state and its upside-down, about the middle of its height.
 StationaryState symmetric_part(const StationaryState& state);
-
-/// The same of an increment of a symmetric state that holds the north pole: both poles move instead, so that the
-/// state stays symmetric and is not translated, which along the normals would change its shape.
-Increment symmetric_part(const Increment& step, const Nodes& normals);
 
 }  // namespace sbeh::axisym

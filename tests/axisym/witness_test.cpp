@@ -87,13 +87,13 @@ TEST(TwoWitnesses, agree_on_the_ordered_oblates_of_the_paper) {
 // Negative eigenvalues of the whole matrix less those that the multipliers bring.
 int negative_directions_densely(const Material& material, Model model, const StationaryState& s) {
   const int n = int(s.beta.size()), size = node_unknowns * n;
-  LagrangianDerivatives L(n);
+  LagrangianDerivatives L({n / 3, false});
   assemble(felt_material(material, model), s, node_normals(s.X), L);
   Eigen::MatrixXd K = Eigen::MatrixXd::Zero(size + 2, size + 2);
   K.topLeftCorner(size, size) = densely(L.hessian);
   K.topRightCorner(size, 2) = L.constraints;
   K.bottomLeftCorner(2, size) = L.constraints.transpose();
-  for_each_pinned(model, n, [&](int i) {
+  for_each_pinned(model, L.sector, [&](int i) {
     K.row(i).setZero();
     K.col(i).setZero();
     K(i, i) = 1;

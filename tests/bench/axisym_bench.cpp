@@ -65,7 +65,7 @@ void newton_assembly(benchmark::State& run) {
   const int elements = int(run.range(0));
   const StationaryState state = guess_from(material, Model::SBEH, spheroid_state(elements));
   const Nodes normals = node_normals(state.X);
-  LagrangianDerivatives derivatives(3 * elements + 1);
+  LagrangianDerivatives derivatives({elements, false});
   for (auto _ : run) assemble(material, state, normals, derivatives);
   run.SetComplexityN(run.range(0));
 }
@@ -73,7 +73,7 @@ void newton_assembly(benchmark::State& run) {
 void newton_iteration(benchmark::State& run) {
   const int elements = int(run.range(0));
   const StationaryState state = guess_from(material, Model::SBEH, spheroid_state(elements));
-  NewtonSystem system(material, Model::SBEH, 3 * elements + 1);
+  NewtonSystem system(material, Model::SBEH, {elements, false});
   Increment step;
   for (auto _ : run) {
     benchmark::DoNotOptimize(system.linearise(state));

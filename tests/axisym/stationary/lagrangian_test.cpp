@@ -2,8 +2,11 @@
 // against differences of the gradient, in every block of unknowns.
 #include "axisym/stationary/lagrangian.h"
 
+#include "axisym/stationary/symmetry.h"
 #include "tests/axisym/cases.h"
 #include "tests/model/densely.h"
+
+#include <fmt/format.h>
 
 #include <random>
 
@@ -32,8 +35,8 @@ std::vector<NamedMaterial> materials() {
 }
 
 // No solution of anything: smooth fields that have nothing to do with each other.
-StationaryState any_state() {
-  const Eigen::Index nodes = 3 * elements + 1;
+StationaryState any_state(int count = elements) {
+  const Eigen::Index nodes = 3 * count + 1;
   StationaryState s{{Nodes(2, nodes), Field(nodes)}, Field(nodes), Field(nodes), 1.3, -2.1};
   for (Eigen::Index i = 0; i < nodes; ++i) {
     const double t = pi * double(i) / double(nodes - 1);
@@ -106,7 +109,7 @@ auto difference(const F& f) {
 
 LagrangianDerivatives assembled(const Material& material, const StationaryState& s,
                                 const Nodes& normals) {
-  LagrangianDerivatives out(3 * elements + 1);
+  LagrangianDerivatives out({elements, false});
   assemble(material, s, normals, out);
   return out;
 }
@@ -177,6 +180,39 @@ TEST(Lagrangian, knows_area_and_volume_and_their_gradients) {
       difference([&](double t) { return assembled({}, moved(s, n, v, t), n).volume; });
   EXPECT_NEAR(L.constraints.col(0).dot(v), dA, accuracy);
   EXPECT_NEAR(L.constraints.col(1).dot(v), -dV, accuracy);
+}
+
+// Of a symmetric state's nodes, in columns: what a change of a node of the upper half is to the whole.
+Eigen::MatrixXd symmetric_changes(const Sector& half) {
+  const int nodes = 3 * half.state_elements + 1;
+  Eigen::MatrixXd E = Eigen::MatrixXd::Zero(node_unknowns * nodes, node_unknowns * half.nodes());
+  for (int i = 0; i < nodes; ++i)
+    for (int c = 0; c < node_unknowns; ++c)
+      E(node_unknowns * i + c, node_unknowns * half.folded(i) + c) = 1;
+  return E;
+}
+
+TEST(Lagrangian, over_half_a_symmetric_state_is_that_of_symmetric_changes) {
+  for (const int count : {12, 11})  // the equator between elements, and within one
+    for (const auto& [name, material] : materials()) {
+      SCOPED_TRACE(fmt::format("{} elements, {}", count, name));
+      const StationaryState s = symmetric_part(any_state(count));
+      const Nodes n = node_normals(s.X);
+      LagrangianDerivatives whole({count, false}), half({count, true});
+      assemble(material, s, n, whole);
+      assemble(material, s, n, half);
+      const Eigen::MatrixXd E = symmetric_changes(half.sector);
+      const Eigen::MatrixXd K = E.transpose() * densely(whole.hessian) * E;
+      const double rounding = 1e-13 * K.cwiseAbs().maxCoeff();  // sums of about 100 terms each
+      EXPECT_LT((densely(half.hessian) - K).cwiseAbs().maxCoeff(), rounding);
+      EXPECT_LT((half.gradient - E.transpose() * whole.gradient).cwiseAbs().maxCoeff(), rounding);
+      EXPECT_LT((half.constraints - E.transpose() * whole.constraints).cwiseAbs().maxCoeff(),
+                rounding);
+      const LagrangianGradient alone = gradient_at(material, s, n, half.sector);
+      EXPECT_LT((alone.gradient - half.gradient).cwiseAbs().maxCoeff(), rounding);
+      EXPECT_NEAR(half.area, whole.area, rounding);
+      EXPECT_NEAR(alone.volume, whole.volume, rounding);
+    }
 }
 
 TEST(Lagrangian, at_exact_curvature_and_zero_multiplier_is_the_energy) {
