@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numeric>
 #include <optional>
+#include <utility>
 #include <vector>
 
 namespace sbeh::model {
@@ -41,29 +42,42 @@ class KrylovSpace {
         next_ -= part * basis_[std::size_t(j)];
         projected_(j, k) += part;
       }
-    projected_.row(k).head(k) = projected_.col(k).head(k).transpose();
     return true;
   }
-  /// The `count` largest of the space.
-  RitzPairs ritz(int count) const {
-    const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen(
-        projected_.topLeftCorner(size(), size()));
-    std::vector<int> order(basis_.size());
-    std::iota(order.begin(), order.end(), 0);
-    std::ranges::sort(order, std::greater{},
-                      [&](int i) { return std::abs(eigen.eigenvalues()[i]); });
-    order.resize(std::min(order.size(), std::size_t(count)));
-    return {eigen.eigenvalues()(order), eigen.eigenvectors()(Eigen::all, order),
-            eigen.eigenvalues()[0]};
+  /// The `count` largest values of the space.
+  Eigen::VectorXd values(int count) const {
+    const auto eigen = solved(Eigen::EigenvaluesOnly);
+    return eigen.eigenvalues()(largest(eigen.eigenvalues(), count));
   }
-  /// From coordinates in the basis.
-  Eigen::MatrixXd vectors(const Eigen::MatrixXd& coordinates) const {
-    Eigen::MatrixXd sum = Eigen::MatrixXd::Zero(next_.size(), coordinates.cols());
-    for (int j = 0; j < size(); ++j) sum += basis_[std::size_t(j)] * coordinates.row(j);
-    return sum;
+  /// With their vectors.
+  RitzPairs pairs(int count) const {
+    const auto eigen = solved(Eigen::ComputeEigenvectors);
+    const auto order = largest(eigen.eigenvalues(), count);
+    RitzPairs pairs{eigen.eigenvalues()(order),
+                    Eigen::MatrixXd::Zero(next_.size(), Eigen::Index(order.size())),
+                    eigen.eigenvalues()[0]};
+    const Eigen::MatrixXd coordinates = eigen.eigenvectors()(Eigen::all, order);
+    for (int j = 0; j < size(); ++j) pairs.vectors += basis_[std::size_t(j)] * coordinates.row(j);
+    return pairs;
   }
 
  private:
+  // The operator on the basis is tridiagonal, but for rounding.
+  Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solved(int options) const {
+    const int n = size();
+    Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> eigen;
+    eigen.computeFromTridiagonal(Eigen::VectorXd(projected_.diagonal().head(n)),
+                                 Eigen::VectorXd(projected_.diagonal(1).head(n - 1)), options);
+    return eigen;
+  }
+  static std::vector<int> largest(const Eigen::VectorXd& values, int count) {
+    std::vector<int> order(std::size_t(values.size()));
+    std::iota(order.begin(), order.end(), 0);
+    std::ranges::sort(order, std::greater{}, [&](int i) { return std::abs(values[i]); });
+    order.resize(std::min(order.size(), std::size_t(count)));
+    return order;
+  }
+
   const Apply& apply_;
   const Mass& mass_;
   Eigen::VectorXd next_;
@@ -84,16 +98,12 @@ std::optional<RitzPairs> largest_by_lanczos(const Apply& apply, const Mass& mass
   for (int k = 0; k < most; ++k) {
     const bool exhausted = !space.extend();
     if (!exhausted && space.size() < count + 3) continue;
-    RitzPairs found = space.ritz(count);
-    if (!found.values.allFinite()) return {};
-    const bool settled =
-        before.size() == found.values.size()
-        && (found.values - before).cwiseAbs().maxCoeff() <= tolerance * std::abs(found.values[0]);
-    if (exhausted || settled) {
-      found.vectors = space.vectors(found.vectors);
-      return found;
-    }
-    before = found.values;
+    Eigen::VectorXd values = space.values(count);
+    if (!values.allFinite()) return {};
+    const bool settled = before.size() == values.size()
+                      && (values - before).cwiseAbs().maxCoeff() <= tolerance * std::abs(values[0]);
+    if (exhausted || settled) return space.pairs(count);
+    before = std::move(values);
   }
   return {};
 }
