@@ -7,7 +7,7 @@
 
 namespace sbeh::axisym {
 
-/// Modes are looked at up to this m at the most.
+/// Eigenvalues and rates are given up to this m at the most.
 inline constexpr int most_modes = 6;
 
 /// What the modes m = 0 … of a state say of it.
@@ -20,7 +20,7 @@ struct Stability3d {
   /// Of how many independent directions the energy falls in; each m ≥ 1 counts twice. Empty where an eigenvalue is
   /// nearer to zero than what rigid motions leave, so that its sign is not known.
   std::optional<int> negative_directions;
-  std::vector<int> unstable;  ///< the m with negative eigenvalues
+  std::vector<int> unstable;  ///< the m with negative eigenvalues, those above the largest too
 
  private:
   static constexpr std::array<double, most_modes + 1> all_unknown() {
@@ -30,8 +30,8 @@ struct Stability3d {
   }
 };
 
-/// The modes m = 0 … largest_m of a stationary state, of which higher ones are taken to be positive: their
-/// eigenvalues grow like m⁴. The material is that of the state's place. Empty where they are not found.
+/// The modes m = 0 … largest_m of a stationary state, and of higher m those with negative eigenvalues, up to an m that
+/// has none: what comes after grows like m⁴ and is taken to be positive. The material is that of the state's place. Empty where they are not found.
 std::optional<Stability3d> stability_3d(const model::Material& material, model::Model model,
                                         const StationaryState& state, int largest_m);
 

@@ -1,9 +1,7 @@
 #include "studies/scan/branch_lines.h"
 
-#include "axisym/rim/nested_spheres.h"
 #include "axisym/stationary/stationary.h"
 #include "studies/scan/collect.h"
-#include "studies/states/profile_file.h"
 
 #include <fmt/format.h>
 
@@ -12,7 +10,6 @@
 
 namespace sbeh::studies {
 
-using axisym::RimRecord;
 using model::Model;
 
 namespace {
@@ -116,37 +113,6 @@ std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const Po
       input.L.size(), [&](std::size_t k) { return meetings_at(input, model, input.L[k], point); });
 }
 
-std::vector<RimRecord> find_beyond_fold(const ScanInput& input, const std::vector<FoldRow>& folds) {
-  constexpr double reach = 2;  // sharp rims are lower than smooth ones from half the fold's L on
-  std::vector<RimRecord> rows = collect<RimRecord>(folds.size(), [&](std::size_t k) {
-    const FoldRow& fold = folds[k];
-    const bool is_near = fold.branch == axisym::Branch::oblate && fold.L <= reach * input.L.back()
-                      && fold.reduced_volume > 0.51;
-    return is_near ? axisym::beyond_fold(input.material, fold.reduced_volume, input.L)
-                   : std::vector<RimRecord>{};
-  });
-  if (std::ranges::find(input.branches, axisym::Branch::stomatocyte) != input.branches.end())
-    for (const double v : input.reduced_volume)
-      for (const double L : input.L)
-        if (v < 1) rows.push_back(axisym::nested_spheres(input.material, v, L));
-  return rows;
-}
-
-std::string stem(const RimRecord& row) {
-  return fmt::format("{}_v{}_L{}", sbeh::name(row.kind), row.reduced_volume, row.L);
-}
-
-std::string profile_text(const axisym::State& state) {
-  const Columns<ProfileRow>& all = profile_columns();
-  std::vector<ProfileRow> rows;
-  double s = 0;
-  for (Eigen::Index i = 0; i < state.beta.size(); ++i) {
-    if (i > 0) s += (state.X.col(i) - state.X.col(i - 1)).norm();
-    rows.push_back({s, state.X(0, i), state.X(1, i), state.beta[i], not_known});
-  }
-  return table_text(Columns<ProfileRow>(all.begin(), all.end() - 1), rows);
-}
-
 const Columns<FoldRow>& fold_columns() {
   static const Columns<FoldRow> columns{
       column("reduced_volume", &FoldRow::reduced_volume),
@@ -169,30 +135,6 @@ const Columns<EqualEnergyRow>& equal_energy_columns() {
       column("L", &EqualEnergyRow::L),
       column("reduced_volume", &EqualEnergyRow::reduced_volume),
       column("energy", &EqualEnergyRow::energy),
-  };
-  return columns;
-}
-
-const Columns<RimRecord>& rim_columns() {
-  static const Columns<RimRecord> columns{
-      column("reduced_volume", &RimRecord::reduced_volume),
-      column("L", &RimRecord::L),
-      column("kind", &RimRecord::kind),
-      column("energy", &RimRecord::energy),
-      column("order_rim", &RimRecord::order_rim),
-      column("H_rim", &RimRecord::H_rim),
-      column("H_abs_max", &RimRecord::H_abs_max),
-      column("resolution", &RimRecord::resolution),
-      derived_column<RimRecord>("status",
-                                [](const RimRecord& row) -> std::string {
-                                  if (row.kind == axisym::RimKind::nested_spheres) return "limit";
-                                  return name(row.resolution > axisym::largest_resolution
-                                                  ? PointStatus::unresolved
-                                                  : PointStatus::stationary);
-                                }),
-      column("jump", &RimRecord::jump),
-      column("pressure", &RimRecord::pressure),
-      column("negative_directions", &RimRecord::negative_directions),
   };
   return columns;
 }

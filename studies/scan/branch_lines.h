@@ -1,8 +1,6 @@
-// The lines of a diagram: where a branch of SBEH ends in a fold, what lies beyond it, and where two branches
-// have equal energy.
+// The lines of a diagram: where a branch of SBEH ends in a fold, and where two branches have equal energy.
 #pragma once
 
-#include "axisym/rim/beyond_fold.h"
 #include "axisym/stationary/fold_kind.h"
 #include "studies/scan/branch_points.h"
 
@@ -39,19 +37,8 @@ struct EqualEnergyRow {
 /// slope ∂U/∂V = P. In parallel.
 std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const PointLookup& point);
 
-/// The states of axisym/rim/beyond_fold.h at every reduced volume above 0.51 whose oblates fold below twice
-/// the scan's largest L, for its values of L. In parallel; incomplete when interrupted.
-std::vector<axisym::RimRecord> find_beyond_fold(const ScanInput& input,
-                                                const std::vector<FoldRow>& folds);
-/// Name of the state's profile without ending, such as sharp_v0.6_L0.05.
-std::string stem(const axisym::RimRecord& row);
-/// The columns of a profile (profile_file.h) but the last: at a kink the curvature is infinite.
-std::string profile_text(const axisym::State& state);
-
-/// Of folds.csv, equal_energy.csv, and beyond_fold.csv, whose `status` is unresolved where the
-/// resolution is above largest_resolution (axisym/flow.h), and limit of nested spheres.
+/// Of folds.csv and equal_energy.csv.
 const Columns<FoldRow>& fold_columns();
 const Columns<EqualEnergyRow>& equal_energy_columns();
-const Columns<axisym::RimRecord>& rim_columns();
 
 }  // namespace sbeh::studies

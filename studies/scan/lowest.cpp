@@ -12,7 +12,6 @@
 namespace sbeh::studies {
 
 using axisym::RimKind;
-using axisym::RimRecord;
 using model::Model;
 
 namespace {
@@ -54,7 +53,7 @@ std::optional<Trial> trial_of(const PointResult& row) {
 
 class Lowest {
  public:
-  Lowest(const StateGrid& grid, const ScanTable& table, const std::vector<RimRecord>& beyond)
+  Lowest(const StateGrid& grid, const ScanTable& table, const std::vector<RimRow>& beyond)
       : grid_(grid), table_(table), beyond_(beyond) {
     for (const auto& [key, row] : table.rows())
       if (const auto trial = trial_of(row)) trials_[key.reduced_volume].push_back(*trial);
@@ -92,10 +91,11 @@ class Lowest {
     }
   }
   void offer_singular(LowestRow& lowest) const {
-    for (const RimRecord& state : beyond_)
+    for (const RimRow& state : beyond_)
       if (state.L == lowest.L && state.reduced_volume == lowest.reduced_volume
           && state.resolution <= axisym::largest_resolution) {
-        if (state.kind == RimKind::sharp) offer(lowest, "sharp_oblate", state.energy);
+        if (state.kind == RimKind::sharp)
+          offer(lowest, "sharp_oblate", state.energy, state.modes.negative_directions);
         if (state.kind == RimKind::nested_spheres) offer(lowest, "nested_spheres", state.energy);
       }
   }
@@ -113,14 +113,14 @@ class Lowest {
 
   const StateGrid& grid_;
   const ScanTable& table_;
-  const std::vector<RimRecord>& beyond_;
+  const std::vector<RimRow>& beyond_;
   std::map<double, std::vector<Trial>> trials_;  // by reduced volume
 };
 
 }  // namespace
 
 std::vector<LowestRow> find_lowest(const StateGrid& grid, const ScanTable& table,
-                                   const std::vector<RimRecord>& beyond) {
+                                   const std::vector<RimRow>& beyond) {
   const Lowest lowest(grid, table, beyond);
   std::vector<LowestRow> rows;
   for (const Model model : grid.models)

@@ -4,7 +4,7 @@
 // of the least. So is that of SSH's states for SBEH: β = 2/3 is one order among others.
 #pragma once
 
-#include "axisym/rim/beyond_fold.h"
+#include "studies/scan/beyond_fold.h"
 #include "studies/scan/scan_table.h"
 
 #include <string>
@@ -33,7 +33,7 @@ struct LowestRow {
 /// ones among `beyond`, unless the bound lies below it by more than energies may be off: then it is not found. No row where
 /// there is neither. States that pass through themselves do not count.
 std::vector<LowestRow> find_lowest(const StateGrid& grid, const ScanTable& table,
-                                   const std::vector<axisym::RimRecord>& beyond);
+                                   const std::vector<RimRow>& beyond);
 
 /// Of lowest.csv.
 const Columns<LowestRow>& lowest_columns();

@@ -4,6 +4,7 @@
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
 #include "studies/io/stopwatch.h"
+#include "studies/scan/beyond_fold.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/branch_points.h"
 #include "studies/scan/lowest.h"
@@ -215,7 +216,7 @@ int write_lines(Scan& scan) {
   const auto write = [&](std::string_view name, const auto& columns, const auto& rows) {
     if (!interrupt_signal()) write_file(scan.folder / name, table_text(columns, rows));
   };
-  std::vector<axisym::RimRecord> beyond;
+  std::vector<RimRow> beyond;
   if (input.has(Model::SBEH)) {
     const std::vector<FoldRow> folds = find_folds(input, point);
     write("folds.csv", fold_columns(), folds);

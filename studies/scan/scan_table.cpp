@@ -1,44 +1,16 @@
 #include "studies/scan/scan_table.h"
 
+#include "studies/scan/mode_columns.h"
+
 #include <fmt/format.h>
-#include <fmt/ranges.h>
 
 #include <cmath>
-#include <sstream>
 
 namespace sbeh::studies {
 
 using axisym::Accuracy;
 using axisym::Diagnostics;
 using axisym::Energy;
-using axisym::Stability3d;
-
-std::string text_of_modes(const Stability3d& modes) {
-  if (!modes.negative_directions) return "";
-  return modes.unstable.empty() ? "none" : fmt::format("{}", fmt::join(modes.unstable, " "));
-}
-
-namespace {
-
-bool read_modes(const std::string& field, Stability3d& modes) {
-  modes.unstable.clear();
-  if (field == "none") return true;
-  std::istringstream numbers(field);
-  for (int m = 0; numbers >> m;) modes.unstable.push_back(m);
-  return numbers.eof();
-}
-
-// A column for each m.
-Columns<PointResult> with_each_m(Columns<PointResult> columns, std::string_view name,
-                                 std::array<double, axisym::most_modes + 1> Stability3d::*values) {
-  for (std::size_t m = 0; m <= axisym::most_modes; ++m)
-    columns.push_back(known_column<PointResult>(
-        fmt::format("{}_m{}", name, m),
-        [ m, values ](auto& row) -> auto& { return (row.modes.*values)[m]; }));
-  return columns;
-}
-
-}  // namespace
 
 const Columns<PointResult>& scan_columns() {
   using Row = PointResult;
@@ -89,14 +61,8 @@ const Columns<PointResult>& scan_columns() {
       error("W2_error", &Accuracy::W2),
       error("H_pole_error", &Accuracy::H_pole),
       column("fold_L_error", &Row::fold_L_error, "{:.3g}"),
-      column<Row>("negative_directions_3d", inside(&Row::modes, &Stability3d::negative_directions)),
-      {"unstable_modes", [](const Row& row) { return csv_field(text_of_modes(row.modes)); },
-       [](Row& row, const std::string& field) { return read_modes(field, row.modes); }},
-      known_column<Row>("rigid_residual", inside(&Row::modes, &Stability3d::rigid_residual),
-                        "{:.3g}"),
   };
-  static const Columns<Row> all = with_each_m(
-      with_each_m(columns, "eigenvalue", &Stability3d::eigenvalue), "rate", &Stability3d::rate);
+  static const Columns<Row> all = with_modes(columns);
   return all;
 }
 

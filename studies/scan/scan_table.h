@@ -47,9 +47,6 @@ struct PointResult {
 
 const Columns<PointResult>& scan_columns();
 
-/// The m of the unstable modes, such as "1 2"; "none" where all are known to be stable; nothing where that is not known.
-std::string text_of_modes(const axisym::Stability3d& modes);
-
 /// scan.csv of a folder. Throws OutputError when the file is no such table.
 using ScanTable = GrowingTable<PointResult>;
 ScanTable scan_table(const OutputFolder& folder);

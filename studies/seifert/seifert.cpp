@@ -7,7 +7,7 @@
 #include "axisym/stationary/symmetry.h"
 #include "studies/io/output.h"
 #include "studies/io/stopwatch.h"
-#include "studies/scan/scan_table.h"
+#include "studies/scan/mode_columns.h"
 
 #include <fmt/format.h>
 #include <tbb/parallel_for.h>

@@ -4,6 +4,7 @@
 #include "studies/figures/figures.h"
 #include "studies/io/growing_table.h"
 #include "studies/modes/modes.h"
+#include "studies/scan/beyond_fold.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/lowest.h"
 #include "studies/scan/stability_lines.h"
@@ -150,7 +151,9 @@ TEST(Tables, have_these_columns) {
   expect(stability_line_columns(), "model,branch,m,parity,along,reduced_volume,L,error,reason");
   expect(rim_columns(),
          "reduced_volume,L,kind,energy,order_rim,H_rim,H_abs_max,resolution,status,jump,pressure,"
-         "negative_directions");
+         "negative_directions,negative_directions_3d,unstable_modes,rigid_residual,"
+         "eigenvalue_m0,eigenvalue_m1,eigenvalue_m2,eigenvalue_m3,eigenvalue_m4,eigenvalue_m5,"
+         "eigenvalue_m6,rate_m0,rate_m1,rate_m2,rate_m3,rate_m4,rate_m5,rate_m6");
   expect(profile_columns(), "arc_length,r,z,order,mean_curvature");
   expect(series_columns(),
          "time,time_step,energy,energy_distortion,energy_bending,energy_thermotropic,"

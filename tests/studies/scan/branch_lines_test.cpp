@@ -3,6 +3,7 @@
 #include "studies/scan/branch_lines.h"
 
 #include "axisym/shooting/seifert_shooting.h"
+#include "studies/scan/beyond_fold.h"
 #include "studies/scan/lowest.h"
 #include "studies/scan/scan.h"
 #include "tests/temporary_folder.h"
@@ -163,8 +164,7 @@ TEST(BeyondFold, is_tabled_where_the_fold_is_near_the_scan_and_offers_its_sharp_
   const sbeh::test::TemporaryFolder folder;
   run_scan(input, folder.path() / "scan", "test");
   std::vector<std::string> kinds;
-  for (const axisym::RimRecord& row :
-       read_rows(rim_columns(), folder.path() / "scan/beyond_fold.csv")) {
+  for (const RimRow& row : read_rows(rim_columns(), folder.path() / "scan/beyond_fold.csv")) {
     EXPECT_EQ(row.reduced_volume, 0.6);  // at 0.8 the fold is at L = 0.137
     EXPECT_LE(row.resolution, axisym::largest_resolution);
     kinds.emplace_back(sbeh::name(row.kind));
@@ -177,6 +177,55 @@ TEST(BeyondFold, is_tabled_where_the_fold_is_near_the_scan_and_offers_its_sharp_
   for (const auto& [row, branch] :
        {std::pair{0, "oblate"}, {1, "oblate"}, {2, "sharp_oblate"}, {4, "sharp_oblate"}})
     EXPECT_EQ(lowest[std::size_t(row)].branch, branch) << row;
+}
+
+// What the elements of high degree say of m = 0 is known without those that the modes are computed on.
+TEST(BeyondFold, says_what_is_stable_in_3D_but_for_kinks) {
+  ScanInput input;
+  input.reduced_volume = {0.6, 0.8};
+  input.L = {0.03, 0.07, 0.11, 0.13};
+  input.models = {model::Model::SBEH};
+  const std::vector<FoldRow> folds{{axisym::Branch::oblate, 0.6, 0.0706, 0, 0, 0},
+                                   {axisym::Branch::oblate, 0.8, 0.1366, 0, 0, 0}};
+  const std::vector<RimRow> rows = find_beyond_fold(input, folds);
+  input.numerics.elements *= 2;
+  const std::vector<RimRow> finer = find_beyond_fold(input, folds);
+  ASSERT_EQ(rows.size(), finer.size());
+  int known = 0;
+  for (std::size_t k = 0; k < rows.size(); ++k) {
+    using axisym::RimKind;
+    const RimRow& row = rows[k];
+    SCOPED_TRACE(stem(row));
+    const bool is_fold = row.kind == RimKind::fold || row.kind == RimKind::second_fold;
+    ASSERT_EQ(row.modes.negative_directions.has_value(), !is_fold && row.order_rim > 0);
+    if (!row.modes.negative_directions) continue;
+    ++known;
+    EXPECT_EQ(row.modes.unstable.front() == 0, *row.negative_directions > 0);
+    EXPECT_GE(*row.modes.negative_directions, *row.negative_directions + 2);  // m = 1, at the rim
+    EXPECT_LT(row.modes.rigid_residual, 1e-5);
+    constexpr double relative = 1e-5;  // 96 elements and |H| of 22
+    for (std::size_t m = 0; m <= 4; ++m) {
+      const double fine = finer[k].modes.eigenvalue[m];
+      EXPECT_NEAR(row.modes.eigenvalue[m], fine, relative * (1 + std::abs(fine))) << m;
+    }
+  }
+  EXPECT_GE(known, 6);
+}
+
+TEST(BeyondFold, counts_directions_of_every_m) {
+  ScanInput few;
+  few.reduced_volume = {0.6};
+  few.L = {0.03};
+  few.models = {model::Model::SBEH};
+  ScanInput many = few;
+  few.modes = 1, many.modes = axisym::most_modes;
+  const std::vector<FoldRow> folds{{axisym::Branch::oblate, 0.6, 0.0706, 0, 0, 0}};
+  const auto saddle = [&](const ScanInput& input) { return find_beyond_fold(input, folds).at(1); };
+  const RimRow one = saddle(few), all = saddle(many);
+  ASSERT_EQ(one.kind, axisym::RimKind::saddle);
+  EXPECT_GT(one.modes.unstable.back(), 4);
+  EXPECT_EQ(one.modes.unstable, all.modes.unstable);
+  EXPECT_EQ(one.modes.negative_directions, all.modes.negative_directions);
 }
 
 }  // namespace

@@ -1,5 +1,6 @@
 #include "tools/picture/scan/diagram_lines.h"
 
+#include "studies/scan/beyond_fold.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/stability_lines.h"
 #include "tools/picture/scan/chains.h"
@@ -87,14 +88,14 @@ void add_equal_energies(const std::vector<studies::EqualEnergyRow>& rows, const 
   }
 }
 
-void add_sharp_rims(const std::vector<axisym::RimRecord>& states, std::vector<DiagramLine>& lines) {
+void add_sharp_rims(const std::vector<studies::RimRow>& states, std::vector<DiagramLine>& lines) {
   using axisym::RimKind;
   constexpr std::array<std::pair<RimKind, const char*>, 2> wanted{
       {{RimKind::equal_energy, "equal energy, smooth = sharp rim"},
        {RimKind::second_fold, "end of sharp rims"}}};
   for (const auto& [kind, name] : wanted) {
     Points points;
-    for (const axisym::RimRecord& state : states)
+    for (const studies::RimRow& state : states)
       if (state.kind == kind) points.push_back({state.reduced_volume, state.L});
     lines.push_back(
         {name,
