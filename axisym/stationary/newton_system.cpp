@@ -93,9 +93,10 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
     f[i] = 0;
     B.row(i).setZero();
   });
-  const auto solution = model::solve_bordered(derivatives_.hessian, B, C, D, f, border_rhs);
+  auto solution = model::solve_bordered(derivatives_.hessian, B, C, D, f, border_rhs);
   if (solution.x.size() == 0 || !solution.x.allFinite()) return false;
   determinant_sign_ = solution.determinant_sign;
+  for_each_pinned(model_, sector, [&](int i) { solution.x[i] = 0; });  // to the bit
 
   const int nodes = 3 * sector.state_elements + 1;
   for (auto [field, c] : {std::pair{&out.d, node_d},

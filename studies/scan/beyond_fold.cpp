@@ -13,6 +13,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace sbeh::studies {
 
@@ -38,6 +39,18 @@ std::optional<axisym::StationaryState> on_elements(const ScanInput& input, const
   return fine.state;
 }
 
+// All but what rigid motions leave is not known where that is no small share of the least eigenvalue.
+axisym::Stability3d trusted(const axisym::Stability3d& modes) {
+  constexpr double share = 0.01;
+  double least = std::numeric_limits<double>::infinity();
+  for (const double eigenvalue : modes.eigenvalue)
+    if (!std::isnan(eigenvalue)) least = std::min(least, std::abs(eigenvalue));
+  if (modes.rigid_residual <= share * least) return modes;
+  axisym::Stability3d unknown;
+  unknown.rigid_residual = modes.rigid_residual;
+  return unknown;
+}
+
 RimRow with_stability(const ScanInput& input, const RimRecord& record) {
   RimRow row{record};
   const bool has_modes = input.modes > 0 && record.order_rim > 0
@@ -47,7 +60,7 @@ RimRow with_stability(const ScanInput& input, const RimRecord& record) {
   if (const auto state = on_elements(input, record))
     if (const auto modes =
             axisym::stability_3d(input.material.with_L(record.L), Model::SBEH, *state, input.modes))
-      row.modes = *modes;
+      row.modes = trusted(*modes);
   return row;
 }
 

@@ -11,7 +11,8 @@
 namespace sbeh::studies {
 
 /// A state of axisym/rim/beyond_fold.h. Its modes are those of the same state over P3 elements; not known of a kink, which
-/// no elements resolve, at a fold, where an eigenvalue is zero, and of a limit.
+/// no elements resolve, at a fold, where an eigenvalue is zero, and of a limit. Of a rim too sharp for them there is
+/// rigid_residual alone, or nothing.
 struct RimRow : axisym::RimRecord {
   axisym::Stability3d modes{};
 };

@@ -197,11 +197,14 @@ TEST(BeyondFold, says_what_is_stable_in_3D_but_for_kinks) {
     const RimRow& row = rows[k];
     SCOPED_TRACE(stem(row));
     const bool is_fold = row.kind == RimKind::fold || row.kind == RimKind::second_fold;
-    ASSERT_EQ(row.modes.negative_directions.has_value(), !is_fold && row.order_rim > 0);
-    if (!row.modes.negative_directions) continue;
+    if (is_fold || row.order_rim == 0) {
+      EXPECT_FALSE(row.modes.negative_directions);
+    }
+    if (is_fold || row.order_rim < 0.01) continue;  // sharper ones may be resolved or not
+    ASSERT_TRUE(row.modes.negative_directions);
     ++known;
+    ASSERT_GE(*row.modes.negative_directions, *row.negative_directions + 2);  // m = 1, at the rim
     EXPECT_EQ(row.modes.unstable.front() == 0, *row.negative_directions > 0);
-    EXPECT_GE(*row.modes.negative_directions, *row.negative_directions + 2);  // m = 1, at the rim
     EXPECT_LT(row.modes.rigid_residual, 1e-5);
     constexpr double relative = 1e-5;  // 96 elements and |H| of 22
     for (std::size_t m = 0; m <= 4; ++m) {
@@ -215,7 +218,7 @@ TEST(BeyondFold, says_what_is_stable_in_3D_but_for_kinks) {
 TEST(BeyondFold, counts_directions_of_every_m) {
   ScanInput few;
   few.reduced_volume = {0.6};
-  few.L = {0.03};
+  few.L = {0.03, 0.05};
   few.models = {model::Model::SBEH};
   ScanInput many = few;
   few.modes = 1, many.modes = axisym::most_modes;

@@ -60,6 +60,12 @@ TEST(LongTubes, are_resolved) {
   EXPECT_EQ(point.row.status, PointStatus::stationary) << point.row.stop_reason;
 }
 
+TEST(LongTubes, of_SSH_keep_their_order_to_the_bit) {
+  const PointOutcome point = alone(case_of(Branch::prolate, 0.35));
+  ASSERT_TRUE(point.state);
+  EXPECT_TRUE((point.state->beta.array() == model::full_order).all());
+}
+
 // Of shapes that few elements resolve badly: thin necks and long tubes.
 TEST(ErrorColumns, bound_the_errors_whatever_the_elements) {
   for (const auto& [branch, v, H0] : {std::tuple{Branch::stomatocyte, 0.4, 0.},
