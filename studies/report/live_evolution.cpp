@@ -88,8 +88,10 @@ Bundle history(const fs::path& folder, std::size_t states,
   return bundle;
 }
 
-double unit_of_time(const std::optional<ResultUnits>& units) {
-  return units ? units->scales().factor(dimension::time) : 1;
+// As in series.csv, so that the page finds the row of a state.
+std::string shown_time(double time, const std::optional<ResultUnits>& units) {
+  return units ? converted_number(time, units->scales().factor(dimension::time))
+               : fmt::format("{}", time);
 }
 
 struct Film {
@@ -141,12 +143,11 @@ Bundle live_run(const fs::path& folder, const std::optional<ResultUnits>& units)
   const std::vector<FrameEntry> there = entries_there(folder, "frames.csv");
   const Film film = read_film(folder, evenly(there, most_frames(folder, there)));
   Bundle bundle = history(folder, there.size(), units);
-  const double unit = unit_of_time(units);
   std::string shown = "time,file,mesh\n", fields = "name,low,high\n",
               meshes = "triangles,nodes,frames\n";
   for (const Frame& frame : film.frames)
-    shown +=
-        fmt::format("{},{},{}\n", unit * frame.entry.time, csv_field(frame.entry.file), frame.mesh);
+    shown += fmt::format("{},{},{}\n", shown_time(frame.entry.time, units),
+                         csv_field(frame.entry.file), frame.mesh);
   for (std::size_t k = 0; k < field_count; ++k)
     fields +=
         fmt::format("{},{:.8g},{:.8g}\n", field_names[k], film.ranges[k].low, film.ranges[k].high);
@@ -166,7 +167,7 @@ Bundle live_relax(const fs::path& folder, const std::optional<ResultUnits>& unit
   int index = 0;
   for (const FrameEntry& entry : entries) {
     profiles.add(index++, folder / entry.file);
-    shown += fmt::format("{},{}\n", unit_of_time(units) * entry.time, csv_field(entry.file));
+    shown += fmt::format("{},{}\n", shown_time(entry.time, units), csv_field(entry.file));
   }
   bundle.add("shown.csv", shown);
   profiles.put_into(bundle);

@@ -74,7 +74,7 @@ bool needs_energy(const Dimension& d) { return d.energy != 0 || d.time != 0; }
 std::string times(const std::string& field, double factor) {
   double value = 0;
   if (!parse_number(field, value) || !std::isfinite(value)) return field;
-  return fmt::format("{:.15g}", factor * value);
+  return converted_number(value, factor);
 }
 
 std::vector<Dimension> dimensions_of(const CsvTable& table, const fs::path& file) {
@@ -116,6 +116,10 @@ std::vector<fs::path> tables_in(const fs::path& folder, const fs::path& without)
 }
 
 }  // namespace
+
+std::string converted_number(double value, double factor) {
+  return fmt::format("{:.15g}", factor * value);
+}
 
 DescribedUnits described_units(const fs::path& input) {
   switch (kind_of(input)) {

@@ -68,6 +68,9 @@ class ResultUnits {
   Units units_;
 };
 
+/// A number of a table times the factor of its unit, as converted tables have it: 15 digits.
+std::string converted_number(double value, double factor);
+
 struct ConvertedTables {
   int count = 0;
   std::vector<std::string> left;  ///< files that are no tables of results, with the reason
