@@ -100,7 +100,7 @@ TEST(DirectSolver, reads_one_triangle_of_a_symmetric_matrix) {
 TEST(DirectSolver, refuses_an_exactly_singular_matrix_and_goes_on_afterwards) {
   for (const Symmetry symmetry : {Symmetry::general, Symmetry::symmetric}) {
     const SparseMatrix A = saddle_point(symmetry == Symmetry::symmetric, 4);
-    SparseMatrix singular = A;
+    SparseMatrix singular = saddle_point(symmetry == Symmetry::symmetric, 4);
     for (int i = 0; i < n; ++i)
       for (SparseMatrix::InnerIterator entry(singular, i); entry; ++entry)
         if (i == 7 || entry.col() == 7) entry.valueRef() = 0;

@@ -226,7 +226,7 @@ TEST(PathIn3d, finds_where_the_oblate_branches_and_goes_on_to_what_leaves_it) {
   const auto volume_at = [&](double mu) { return 0.76 - 0.02 * mu; };
   const Surface start = revolved(with_axis(first), 320);
   const Path path(
-      *start.mesh, first.model, [&](double) { return material; },
+      *start.mesh, first.model, [&](double) { return paper_material(first.L); },
       [&](double mu) {
         return Target{4 * pi, volume_at(mu) * 4 * pi / 3};
       });
