@@ -46,7 +46,6 @@ std::optional<BranchState> fold_on_elements(const FollowResult& fold, const Bran
 }
 
 constexpr double unknown = std::numeric_limits<double>::infinity();
-constexpr double overestimate = 1. / 16;
 
 Accuracy difference(const Diagnostics& fine, const Diagnostics& coarse) {
   return {.energy = overestimate * std::abs(fine.energy.total() - coarse.energy.total()),

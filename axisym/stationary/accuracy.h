@@ -13,6 +13,9 @@ struct Accuracy {
   double energy, W2, H_pole;
 };
 
+/// An error is estimated as this share of what half as many elements give differently.
+inline constexpr double overestimate = 1. / 16;
+
 /// The errors that are promised: of the energy relatively to 1 + |U|, of W₂ relatively to 1 + |W₂|.
 inline constexpr double promised_energy = 1e-8, promised_W2 = 1e-6;
 

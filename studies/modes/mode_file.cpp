@@ -16,7 +16,7 @@ namespace sbeh::studies {
 
 namespace {
 
-constexpr int triangles_of_file = 320;
+constexpr int fewest_triangles_of_file = 320, most_triangles_of_file = 20480;
 
 // Names of the field data.
 constexpr const char *of_mode = "mode", *of_r = "profile_r", *of_z = "profile_z",
@@ -86,8 +86,24 @@ RevolvedMode revolved(const StateMode& mode, const meshing::Resolution& resoluti
   return result;
 }
 
+namespace {
+
+// With more triangles, smaller ones at narrow necks and sharp rims, where few cannot bend as it does.
+RevolvedMode revolved_for_file(const StateMode& mode) {
+  meshing::Resolution resolution{.triangles = fewest_triangles_of_file};
+  for (; resolution.triangles <= most_triangles_of_file; resolution.triangles *= 4) try {
+      return revolved(mode, resolution);
+    } catch (const std::invalid_argument&) {
+      ++resolution.grading;
+    }
+  throw std::invalid_argument(
+      fmt::format("no {} triangles bend as sharply as the shape", most_triangles_of_file));
+}
+
+}  // namespace
+
 void write_mode(const std::filesystem::path& path, const StateMode& mode) {
-  const RevolvedMode surface = revolved(mode, {.triangles = triangles_of_file});
+  const RevolvedMode surface = revolved_for_file(mode);
   const NodeFields at_nodes{
       {"order", surface.beta.transpose()},
       {"mean_curvature", meshing::node_mean_curvature(surface.mesh).transpose()},

@@ -45,7 +45,7 @@ RevolvedMode revolved(const StateMode& mode, const meshing::Resolution& resoluti
 
 /// VTU with P3 Lagrange triangles of the surface at rest; point data `order`, `mean_curvature`, `displacement` (a vector)
 /// and `order_change`; field data: the mode's key, eigenvalue and rate, the profile with u and b, model and
-/// material. Throws OutputError.
+/// material. Throws OutputError, and std::invalid_argument where the profile cannot be meshed.
 void write_mode(const std::filesystem::path& path, const StateMode& mode);
 
 /// The same bits. Throws InputError when the file is damaged or holds no mode.

@@ -2,10 +2,9 @@
 
 #include "axisym/circles.h"
 #include "axisym/modes/fluctuations.h"
-#include "axisym/modes/growth_rates.h"
-#include "axisym/modes/stability_3d.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
+#include "studies/modes/found_modes.h"
 #include "studies/scan/branch_points.h"
 #include "studies/states/profile_file.h"
 
@@ -14,7 +13,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 #include <set>
 
 namespace sbeh::studies {
@@ -26,11 +24,6 @@ namespace {
 
 // The contour is told up to this m at least: flicker is fitted up to 20 or so.
 constexpr int least_contour_m = 20;
-
-std::string text_of(const axisym::StationaryCase& of) {
-  return fmt::format("{} {}, V_r = {}, L = {}", sbeh::name(of.model), name(of.branch),
-                     of.reduced_volume, of.L());
-}
 
 // ---- the state ----------------------------------------------------------------------------------
 
@@ -54,90 +47,8 @@ StationaryState state_of(const ModesInput& input) {
   return *point.state;
 }
 
-// ---- its modes ----------------------------------------------------------------------------------
-
 void stop_if_interrupted() {
   if (interrupt_signal() != 0) throw Interrupted("interrupted");
-}
-
-// With the eigenfunction of its eigenvalue, ∫(u² + b²) cos² mφ dS = 1.
-struct FoundMode : StateMode {
-  axisym::Field energy_u, energy_b;
-};
-
-struct FoundModes {
-  std::vector<FoundMode> modes;  // by m, parity and number
-  double rigid_residual = 0;
-  std::vector<std::string> warnings;
-};
-
-// Those of one m by their numbers: the lowest `most` of each parity, and all that are negative.
-std::vector<FoundMode> numbered(const axisym::ModeSpectrum& spectrum, const Physics& physics,
-                                const axisym::State& state, int most) {
-  std::map<axisym::Parity, int> count;
-  std::vector<FoundMode> modes;
-  for (const axisym::Eigenmode& of : spectrum.modes) {
-    if (count[of.parity] >= most && of.eigenvalue >= 0) continue;
-    const ModeKey key{of.m, of.parity, ++count[of.parity]};
-    modes.push_back({{physics, state, key, of.eigenvalue, not_known, of.u, of.b}, of.u, of.b});
-  }
-  std::ranges::stable_sort(modes, {}, [](const StateMode& mode) { return mode.key.parity; });
-  return modes;
-}
-
-// The largest rates of m, `count` of each parity or at least half of that; none where they are not found.
-std::vector<axisym::GrowthMode> rates_of(const axisym::LinearFlow& flow, int m, int count) {
-  for (; count > 0; count /= 2)
-    if (auto rates = axisym::growth_rates(flow, m, count)) return *rates;
-  return {};
-}
-
-// The modes of the flow take the place of those of the same number: there are as many that grow as there are
-// negative eigenvalues. Those that are not found leave the energy's, without a rate.
-void take_rates(const axisym::LinearFlow& flow, std::vector<FoundMode>& modes,
-                std::vector<std::string>& warnings) {
-  const int m = modes.front().key.m;
-  int count = 0;
-  for (const StateMode& mode : modes) count = std::max(count, mode.key.number);
-  std::map<axisym::Parity, int> taken;
-  for (const axisym::GrowthMode& growth : rates_of(flow, m, count)) {
-    const int number = ++taken[growth.parity];
-    const auto at = std::ranges::find_if(modes, [&](const StateMode& mode) {
-      return mode.key.parity == growth.parity && mode.key.number == number;
-    });
-    if (at == modes.end()) continue;
-    at->rate = growth.rate;
-    at->u = growth.u;
-    if (has_free_order(at->model)) at->b = growth.b;  // otherwise it is 0 but for rounding
-  }
-  const auto any = [&](auto is) { return std::ranges::any_of(modes, is); };
-  if (any([](const StateMode& mode) { return std::isnan(mode.rate); }))
-    warnings.push_back(fmt::format("m = {}: not all rates are found", m));
-  if (any([](const StateMode& mode) { return mode.rate * mode.eigenvalue > 0; }))
-    warnings.push_back(fmt::format(
-        "m = {}: rates and eigenvalues contradict each other; more elements may tell", m));
-}
-
-FoundModes find_modes(const ModesInput& input, const axisym::SecondVariation& second) {
-  FoundModes found;
-  const Physics physics{input.state.model, input.state.material};
-  const axisym::LinearFlow flow(second, physics.material, physics.model);
-  for (int m = 0; m <= input.largest_m; ++m) {
-    stop_if_interrupted();
-    const auto spectrum = axisym::lowest_and_negative_modes(second, m, input.number);
-    if (!spectrum)
-      throw std::runtime_error(
-          fmt::format("{}: the modes of m = {} are not found: use more elements in [numerics]",
-                      text_of(input.state), m));
-    found.rigid_residual = std::max(found.rigid_residual, spectrum->rigid_residual);
-    std::vector<FoundMode> modes = numbered(*spectrum, physics, second.state, input.number);
-    take_rates(flow, modes, found.warnings);
-    for (FoundMode& mode : modes) {
-      normalise(mode.u, mode.b);
-      found.modes.push_back(std::move(mode));
-    }
-  }
-  return found;
 }
 
 // ---- fluctuations -------------------------------------------------------------------------------
@@ -220,21 +131,28 @@ std::string nodes_of(const FoundMode& mode) {
   return table_text(node_columns(), nodes);
 }
 
-void write_modes(const OutputFolder& folder, const FoundModes& found) {
+void write_modes(const OutputFolder& folder, const FoundModes& found,
+                 std::vector<std::string>& warnings) {
   make_folder(folder / "modes");
   for (const FoundMode& mode : found.modes) {
     stop_if_interrupted();
     const fs::path file = folder / ("modes/" + stem(mode.key));
-    write_mode(fs::path(file).concat(".vtu"), mode);
     write_file(fs::path(file).concat(".csv"), nodes_of(mode));
+    try {
+      write_mode(fs::path(file).concat(".vtu"), mode);
+    } catch (const std::invalid_argument& error) {
+      warnings.push_back(fmt::format("modes/{}.vtu is left out: {}", stem(mode.key), error.what()));
+    }
   }
 }
 
 }  // namespace
 
 bool ModesSummary::is_resolved() const {
-  return std::ranges::all_of(
-      modes, [&](const ModeRow& mode) { return std::abs(mode.eigenvalue) > rigid_residual; });
+  return std::ranges::none_of(modes, [&](const ModeRow& mode) {
+    return std::abs(mode.eigenvalue) <= rigid_residual
+        || std::abs(mode.eigenvalue) <= mode.eigenvalue_error;
+  });
 }
 
 ModesSummary run_modes(const ModesInput& input, const fs::path& path, std::string_view version) {
@@ -248,9 +166,10 @@ ModesSummary run_modes(const ModesInput& input, const fs::path& path, std::strin
   summary.rigid_residual = found.rigid_residual;
   summary.warnings = found.warnings;
   for (const FoundMode& mode : found.modes)
-    summary.modes.push_back({mode.key, mode.eigenvalue, mode.rate});
+    summary.modes.push_back(
+        {mode.key, mode.eigenvalue, mode.rate, mode.eigenvalue_error, mode.rate_error});
   if (input.thermal_energy > 0) add_fluctuations(input, second, summary);
-  write_modes(folder, found);
+  write_modes(folder, found, summary.warnings);
   if (input.thermal_energy > 0) {
     write_file(folder / "fluctuations.csv",
                table_text(fluctuation_columns(), summary.fluctuations));
@@ -268,6 +187,8 @@ const Columns<ModeRow>& mode_columns() {
       column<Row>("number", inside(&Row::key, &ModeKey::number)),
       column("eigenvalue", &Row::eigenvalue),
       known_column("rate", &Row::rate),
+      known_column("eigenvalue_error", &Row::eigenvalue_error, "{:.3g}"),
+      known_column("rate_error", &Row::rate_error, "{:.3g}"),
   };
   return columns;
 }
@@ -300,11 +221,15 @@ std::string number_text(double value) {
   return std::isnan(value) ? "–" : fmt::format("{:.9g}", value);
 }
 
+std::string error_text(double value) {
+  return std::isnan(value) ? "–" : fmt::format("{:.1e}", value);
+}
+
 // What the signs say.
 std::string verdict_on(const ModesInput& input, const ModesSummary& summary) {
   if (!summary.is_resolved())
-    return "unresolved: an eigenvalue is no farther from 0 than a rigid motion's, so that its sign "
-           "is not known; more elements may tell\n";
+    return "unresolved: an eigenvalue is no farther from 0 than its error or a rigid motion's, so "
+           "that its sign is not known; more elements may tell\n";
   std::set<int> unstable;
   int directions = 0;
   for (const ModeRow& mode : summary.modes)
@@ -322,11 +247,13 @@ std::string verdict_on(const ModesInput& input, const ModesSummary& summary) {
 
 std::string table_of(const ModesInput& input, const ModesSummary& summary) {
   std::string text = text_of(input.state) + "\n";
-  text +=
-      fmt::format("{:>3}  {:<7}{:>6}{:>18}{:>18}\n", "m", "parity", "number", "eigenvalue", "rate");
+  text += fmt::format("{:>3}  {:<7}{:>6}{:>18}{:>10}{:>18}{:>10}\n", "m", "parity", "number",
+                      "eigenvalue", "error", "rate", "error");
   for (const ModeRow& mode : summary.modes)
-    text += fmt::format("{:>3}  {:<7}{:>6}{:>18}{:>18}\n", mode.key.m, name(mode.key.parity),
-                        mode.key.number, number_text(mode.eigenvalue), number_text(mode.rate));
+    text += fmt::format("{:>3}  {:<7}{:>6}{:>18}{:>10}{:>18}{:>10}\n", mode.key.m,
+                        name(mode.key.parity), mode.key.number, number_text(mode.eigenvalue),
+                        error_text(mode.eigenvalue_error), number_text(mode.rate),
+                        error_text(mode.rate_error));
   text += verdict_on(input, summary);
   text += fmt::format(
       "rigid motions, whose eigenvalue is 0, have {:.1e}: so large at least is the error\n",

@@ -16,6 +16,8 @@ struct ModeRow {
   ModeKey key;
   double eigenvalue = not_known;  ///< λ: δ²F = λ ∫(u² + b²) cos² mφ dS; < 0: the energy falls
   double rate = not_known;        ///< of the flow; > 0: it grows
+  /// Estimated by half as many elements, which may not have the mode; besides, λ is off by the rigid residual.
+  double eigenvalue_error = not_known, rate_error = not_known;
 };
 const Columns<ModeRow>& mode_columns();
 
@@ -42,7 +44,7 @@ struct ModesSummary {
   double rigid_residual = 0;  ///< largest |λ| of a rigid motion, which is 0 of the exact state
   double largest_radius = 0;  ///< of the widest circle
   std::vector<std::string> warnings;
-  /// Whether all signs are known: otherwise some |λ| is no larger than the residual.
+  /// Whether all signs are known: otherwise some |λ| is no larger than its error or the residual.
   bool is_resolved() const;
 };
 

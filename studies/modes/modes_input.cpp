@@ -80,6 +80,11 @@ ModesInput read_modes(const std::filesystem::path& path) {
   return input;
 }
 
+std::string text_of(const axisym::StationaryCase& of) {
+  return fmt::format("{} {}, V_r = {}, L = {}", sbeh::name(of.model), name(of.branch),
+                     of.reduced_volume, of.L());
+}
+
 ModesCost cost_of(const ModesInput& input) {
   const axisym::StationaryCase& s = input.state;
   const bool parities = s.branch != axisym::Branch::stomatocyte;  // each over half of the state

@@ -39,6 +39,9 @@ void take_from_scan(ModesInput& input);
 /// Throws InputError.
 ModesInput read_modes(const std::filesystem::path& path);
 
+/// The state for people, such as "SSH oblate, V_r = 0.8, L = 0.05".
+std::string text_of(const axisym::StationaryCase& of);
+
 struct ModesCost {
   int modes;       ///< without more unstable ones than are asked for
   double seconds;  ///< of one core

@@ -27,12 +27,14 @@ Columns<Row> with_modes(Columns<Row> columns) {
        [](Row& row, const std::string& field) { return read_unstable_modes(field, row.modes); }});
   columns.push_back(known_column<Row>("rigid_residual",
                                       inside(&Row::modes, &Stability3d::rigid_residual), "{:.3g}"));
-  for (const auto& [name, values] :
-       {std::pair{"eigenvalue", &Stability3d::eigenvalue}, {"rate", &Stability3d::rate}})
+  const auto add = [&](const char* name, auto values) {
     for (std::size_t m = 0; m <= axisym::most_modes; ++m)
       columns.push_back(known_column<Row>(
           fmt::format("{}_m{}", name, m),
           [ m, values ](auto& row) -> auto& { return (row.modes.*values)[m]; }));
+  };
+  add("eigenvalue", &Stability3d::eigenvalue);
+  add("rate", &Stability3d::rate);
   return columns;
 }
 

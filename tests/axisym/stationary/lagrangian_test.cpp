@@ -117,7 +117,9 @@ LagrangianDerivatives assembled(const Material& material, const StationaryState&
 TEST(Lagrangian, gradient_is_the_difference_of_the_value_in_every_block) {
   const StationaryState s = any_state();
   const Nodes n = node_normals(s.X);
-  for (const auto& [name, material] : materials()) {
+  for (const NamedMaterial& of : materials()) {
+    const auto& material = of.material;
+    const auto& name = of.name;
     const LagrangianDerivatives L = assembled(material, s, n);
     for (int block = 0; block < node_unknowns; ++block)
       for (unsigned seed : {1u, 2u, 3u}) {
@@ -135,7 +137,9 @@ TEST(Lagrangian, gradient_is_the_difference_of_the_value_in_every_block) {
 TEST(Lagrangian, hessian_is_the_difference_of_the_gradient_in_every_block) {
   const StationaryState s = any_state();
   const Nodes n = node_normals(s.X);
-  for (const auto& [name, material] : materials()) {
+  for (const NamedMaterial& of : materials()) {
+    const auto& material = of.material;
+    const auto& name = of.name;
     const LagrangianDerivatives L = assembled(material, s, n);
     for (int block = 0; block < node_unknowns; ++block) {
       const Eigen::VectorXd v = random_direction(block, 7);
@@ -157,7 +161,9 @@ TEST(Lagrangian, hessian_is_the_difference_of_the_gradient_in_every_block) {
 TEST(Lagrangian, hessian_is_symmetric) {
   const StationaryState s = any_state();
   const Nodes n = node_normals(s.X);
-  for (const auto& [name, material] : materials()) {
+  for (const NamedMaterial& of : materials()) {
+    const auto& material = of.material;
+    const auto& name = of.name;
     const Eigen::MatrixXd K = densely(assembled(material, s, n).hessian);
     const Eigen::MatrixXd below = K.triangularView<Eigen::StrictlyLower>();
     const double largest = below.cwiseAbs().maxCoeff();
@@ -194,7 +200,9 @@ Eigen::MatrixXd symmetric_changes(const Sector& half) {
 
 TEST(Lagrangian, over_half_a_symmetric_state_is_that_of_symmetric_changes) {
   for (const int count : {12, 11})  // the equator between elements, and within one
-    for (const auto& [name, material] : materials()) {
+    for (const NamedMaterial& of : materials()) {
+      const auto& material = of.material;
+      const auto& name = of.name;
       SCOPED_TRACE(fmt::format("{} elements, {}", count, name));
       const StationaryState s = symmetric_part(any_state(count));
       const Nodes n = node_normals(s.X);

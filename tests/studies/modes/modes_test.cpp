@@ -42,6 +42,43 @@ TEST(Modes, of_the_classical_oblate_of_0_8_are_stable_but_for_one_of_m_2) {
   EXPECT_EQ(read_rows(mode_columns(), path_of("ssh") / "modes.csv").size(), 12u);
 }
 
+// Next to a fold, where eigenvalues are known worst.
+TEST(Modes, have_errors_that_bound_what_many_more_elements_give) {
+  ModesInput input = oblate(model::Model::SBEH, 0.6, 0.07);
+  const ModesSummary summary = run_modes(input, path_of("48"), "test");
+  input.state.numerics.elements = 192;
+  const ModesSummary fine = run_modes(input, path_of("192"), "test");
+  for (const ModeRow& row : summary.modes) {
+    const ModeRow& exact = find(fine, row.key.m, row.key.parity, row.key.number);
+    const double eigenvalue = std::abs(row.eigenvalue - exact.eigenvalue),
+                 rate = std::abs(row.rate - exact.rate);
+    EXPECT_LT(eigenvalue, row.eigenvalue_error) << stem(row.key);
+    EXPECT_LT(rate, row.rate_error) << stem(row.key);
+    EXPECT_LT(row.eigenvalue_error, 3e-5 * std::abs(row.eigenvalue)) << stem(row.key);
+    EXPECT_LT(row.rate_error, 3e-5 * std::abs(row.rate)) << stem(row.key);
+    EXPECT_LT(exact.eigenvalue_error, row.eigenvalue_error / 16) << stem(row.key);
+  }
+}
+
+// Their files take more triangles where few fold over; where none can, the tables are complete nevertheless.
+TEST(Modes, of_narrow_necks_are_told_with_files_where_they_can_be_meshed) {
+  ModesInput input;
+  input.state = {.model = model::Model::SSH,
+                 .branch = axisym::Branch::stomatocyte,
+                 .reduced_volume = 0.55,
+                 .material = input.state.material.with_L(0.05)};
+  input.largest_m = 0;
+  const auto file = [&](const char* folder) { return path_of(folder) / "modes/m0_none_1.vtu"; };
+  EXPECT_TRUE(run_modes(input, path_of("narrow"), "test").warnings.empty());
+  EXPECT_EQ(read_mode(file("narrow")).key.m, 0);
+  input.state.reduced_volume = 0.2;
+  const ModesSummary narrower = run_modes(input, path_of("narrower"), "test");
+  ASSERT_EQ(narrower.warnings.size(), 1u);
+  EXPECT_TRUE(narrower.warnings[0].starts_with("modes/m0_none_1.vtu is left out: no 20480 triang"));
+  EXPECT_FALSE(exists(file("narrower")));
+  EXPECT_EQ(read_rows(mode_columns(), path_of("narrower") / "modes.csv").size(), 1u);
+}
+
 TEST(Modes, of_a_row_of_a_scan_are_those_of_the_branch) {
   ScanInput scan;
   scan.reduced_volume = {0.7};

@@ -23,6 +23,10 @@ ShownUnit shown_in(const Options& options, const studies::Dimension& dimension) 
   return {options.factor(dimension), options.unit_after(dimension)};
 }
 
+std::filesystem::path file_of(const Options& options, const studies::ModeKey& key) {
+  return options.directory / "modes" / (stem(key) + ".vtu");
+}
+
 }  // namespace
 
 double amplitude_of(const studies::StateMode& mode) {
@@ -45,20 +49,20 @@ ShownModes::ShownModes(const Options& options)
   std::set<axisym::Parity> parities;
   std::vector<studies::ModeKey> keys;
   for (const studies::ModeRow& row : studies::read_rows(studies::mode_columns(), table)) {
-    if (row.key.number != 1) continue;
+    if (row.key.number != 1 || !exists(file_of(options, row.key))) continue;
     keys.push_back(row.key);
     ms.insert(row.key.m);
     parities.insert(row.key.parity);
   }
-  if (keys.empty()) throw InputError(table.string() + ": has no rows yet.");
+  if (keys.empty()) throw InputError(table.string() + ": has no rows with a file in modes/.");
   columns = std::clamp<std::size_t>(std::size_t(room / (least_cell * options.text_size())), 1,
                                     std::min(most_columns, ms.size()));
   rows = parities.size() * ((ms.size() + columns - 1) / columns);
   for (const studies::ModeKey& key : keys) {
     const auto at = std::size_t(std::distance(ms.begin(), ms.find(key.m)));
     const auto parity = std::size_t(std::distance(parities.begin(), parities.find(key.parity)));
-    modes.push_back({studies::read_mode(options.directory / "modes" / (stem(key) + ".vtu")),
-                     at % columns, at / columns * parities.size() + parity});
+    modes.push_back({studies::read_mode(file_of(options, key)), at % columns,
+                     at / columns * parities.size() + parity});
   }
   by_order = has_free_order(modes.front().mode.model) && options.field != Field::curvature;
 }

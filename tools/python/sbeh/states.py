@@ -112,7 +112,7 @@ class Modes(InUnits):
 
     @cached_property
     def table(self) -> pandas.DataFrame:
-        """`m`, `parity`, `number`, `eigenvalue` (> 0: stable), `rate` (< 0: stable)."""
+        """`m`, `parity`, `number`, `eigenvalue` (> 0: stable), `rate` (< 0: stable), their estimated errors."""
         return read_table(self.folder / "modes.csv")
 
     @cached_property
