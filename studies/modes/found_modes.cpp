@@ -16,6 +16,8 @@ namespace sbeh::studies {
 
 namespace {
 
+constexpr int most_refined = 4;  // more elements would bring in rounding
+
 // Those of one m by their numbers: the lowest `most` of each parity, and all that are negative.
 std::vector<FoundMode> numbered(const axisym::ModeSpectrum& spectrum, const Physics& physics,
                                 const axisym::State& state, int most) {
@@ -28,13 +30,6 @@ std::vector<FoundMode> numbered(const axisym::ModeSpectrum& spectrum, const Phys
   }
   std::ranges::stable_sort(modes, {}, [](const StateMode& mode) { return mode.key.parity; });
   return modes;
-}
-
-FoundMode* find(std::vector<FoundMode>& modes, axisym::Parity parity, int number) {
-  const auto at = std::ranges::find_if(modes, [&](const StateMode& mode) {
-    return mode.key.parity == parity && mode.key.number == number;
-  });
-  return at == modes.end() ? nullptr : &*at;
 }
 
 // The largest rates of m, `count` of each parity or at least half of that; none where they are not found.
@@ -51,35 +46,13 @@ void take_rates(const axisym::LinearFlow& flow, std::vector<FoundMode>& modes) {
   for (const StateMode& mode : modes) count = std::max(count, mode.key.number);
   std::map<axisym::Parity, int> taken;
   for (const axisym::GrowthMode& growth : rates_of(flow, modes.front().key.m, count)) {
-    FoundMode* mode = find(modes, growth.parity, ++taken[growth.parity]);
-    if (!mode) continue;
+    const auto mode = std::ranges::find(
+        modes, ModeKey{growth.m, growth.parity, ++taken[growth.parity]}, &StateMode::key);
+    if (mode == modes.end()) continue;
     mode->rate = growth.rate;
     mode->u = growth.u;
     if (has_free_order(mode->model)) mode->b = growth.b;  // otherwise it is 0 but for rounding
   }
-}
-
-struct ModesOfM {
-  std::vector<FoundMode> modes;
-  double rigid_residual;
-};
-std::optional<ModesOfM> modes_of(const ModesInput& input, const Physics& physics,
-                                 const axisym::LinearFlow& flow, int m) {
-  if (interrupt_signal() != 0) throw Interrupted("interrupted");
-  const auto spectrum = axisym::lowest_and_negative_modes(flow.second, m, input.number);
-  if (!spectrum) return {};
-  ModesOfM found{numbered(*spectrum, physics, flow.second.state, input.number),
-                 spectrum->rigid_residual};
-  take_rates(flow, found.modes);
-  return found;
-}
-
-void take_errors(std::vector<FoundMode>& modes, std::vector<FoundMode> coarse) {
-  for (FoundMode& mode : modes)
-    if (const FoundMode* half = find(coarse, mode.key.parity, mode.key.number)) {
-      mode.eigenvalue_error = axisym::overestimate * std::abs(mode.eigenvalue - half->eigenvalue);
-      mode.rate_error = axisym::overestimate * std::abs(mode.rate - half->rate);
-    }
 }
 
 void warn(const std::vector<FoundMode>& modes, std::vector<std::string>& warnings) {
@@ -92,41 +65,75 @@ void warn(const std::vector<FoundMode>& modes, std::vector<std::string>& warning
         "m = {}: rates and eigenvalues contradict each other; more elements may tell", m));
 }
 
-// The state over half as many elements, where there is one.
-std::optional<axisym::SecondVariation> coarse_variation(const axisym::StationaryCase& of,
-                                                        const axisym::StationaryState& state) {
-  const auto coarse = axisym::on_elements(of.material, of.model, {state, of.at()},
-                                          axisym::element_count(state.X) / 2, of.numerics.grading);
-  if (!coarse) return {};
-  return axisym::second_variation(of.material, of.model, *coarse);
-}
-
-}  // namespace
-
-FoundModes find_modes(const ModesInput& input, const axisym::SecondVariation& second) {
-  FoundModes found;
+// Without errors; empty where an eigenvalue is not found.
+std::optional<FoundModes> modes_of(const ModesInput& input, const axisym::StationaryState& state) {
   const Physics physics{input.state.model, input.state.material};
-  const axisym::LinearFlow flow(second, physics.material, physics.model);
-  const auto half = coarse_variation(input.state, second.state);
-  std::optional<axisym::LinearFlow> coarse;
-  if (half) coarse.emplace(*half, physics.material, physics.model);
+  FoundModes found{axisym::second_variation(physics.material, physics.model, state), {}, 0, {}};
+  const axisym::LinearFlow flow(found.second, physics.material, physics.model);
   for (int m = 0; m <= input.largest_m; ++m) {
-    auto of_m = modes_of(input, physics, flow, m);
-    if (!of_m)
-      throw std::runtime_error(
-          fmt::format("{}: the modes of m = {} are not found: use more elements in [numerics]",
-                      text_of(input.state), m));
-    if (coarse)
-      if (auto less = modes_of(input, physics, *coarse, m))
-        take_errors(of_m->modes, std::move(less->modes));
-    found.rigid_residual = std::max(found.rigid_residual, of_m->rigid_residual);
-    warn(of_m->modes, found.warnings);
-    for (FoundMode& mode : of_m->modes) {
+    if (interrupt_signal() != 0) throw Interrupted("interrupted");
+    const auto spectrum = axisym::lowest_and_negative_modes(found.second, m, input.number);
+    if (!spectrum) return {};
+    found.rigid_residual = std::max(found.rigid_residual, spectrum->rigid_residual);
+    std::vector<FoundMode> modes = numbered(*spectrum, physics, state, input.number);
+    take_rates(flow, modes);
+    warn(modes, found.warnings);
+    for (FoundMode& mode : modes) {
       normalise(mode.u, mode.b);
       found.modes.push_back(std::move(mode));
     }
   }
   return found;
+}
+
+// From half as many elements.
+void take_errors(std::vector<FoundMode>& modes, const std::vector<FoundMode>& coarse) {
+  for (FoundMode& mode : modes) {
+    const auto half = std::ranges::find(coarse, mode.key, &StateMode::key);
+    if (half == coarse.end()) continue;
+    mode.eigenvalue_error = axisym::overestimate * std::abs(mode.eigenvalue - half->eigenvalue);
+    mode.rate_error = axisym::overestimate * std::abs(mode.rate - half->rate);
+  }
+}
+
+// The first of each m and parity; those that are not known are left as they are.
+bool is_as_promised(const std::vector<FoundMode>& modes) {
+  const auto exceeds = [](double error, double value) {
+    return error > promised_eigenvalue * (1 + std::abs(value));
+  };
+  return std::ranges::none_of(modes, [&](const FoundMode& mode) {
+    return mode.key.number == 1
+        && (exceeds(mode.eigenvalue_error, mode.eigenvalue) || exceeds(mode.rate_error, mode.rate));
+  });
+}
+
+// Over other elements, where there are such modes.
+std::optional<FoundModes> modes_over(const ModesInput& input, const axisym::StationaryState& state,
+                                     int elements) {
+  const axisym::StationaryCase& of = input.state;
+  const auto there =
+      axisym::on_elements(of.material, of.model, {state, of.at()}, elements, of.numerics.grading);
+  return there ? modes_of(input, *there) : std::nullopt;
+}
+
+}  // namespace
+
+FoundModes find_modes(const ModesInput& input, const axisym::StationaryState& state) {
+  auto found = modes_of(input, state);
+  if (!found)
+    throw std::runtime_error(fmt::format(
+        "{}: its modes are not all found: use more elements in [numerics]", text_of(input.state)));
+  const int elements = axisym::element_count(state.X);
+  if (const auto half = modes_over(input, state, elements / 2))
+    take_errors(found->modes, half->modes);
+  for (int more = 2 * elements; !is_as_promised(found->modes) && more <= most_refined * elements;
+       more *= 2) {
+    auto fine = modes_over(input, found->second.state, more);
+    if (!fine) break;
+    take_errors(fine->modes, found->modes);
+    found = std::move(fine);
+  }
+  return *std::move(found);
 }
 
 }  // namespace sbeh::studies

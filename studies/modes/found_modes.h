@@ -19,12 +19,17 @@ struct FoundMode : StateMode {
 };
 
 struct FoundModes {
+  axisym::SecondVariation second;
   std::vector<FoundMode> modes;  // by m, parity and number
   double rigid_residual = 0;     ///< largest |λ| of a rigid motion, which is 0 of the exact state
   std::vector<std::string> warnings;
 };
 
-/// Throws Interrupted, and std::runtime_error where an eigenvalue is not found.
-FoundModes find_modes(const ModesInput& input, const axisym::SecondVariation& second);
+/// The error that is promised of an eigenvalue λ or a rate, relatively to 1 + |λ|.
+inline constexpr double promised_eigenvalue = 1e-6;
+
+/// Doubles the elements, to four times as many at the most, until the errors of the first of each m and parity are as promised. Throws Interrupted, and
+/// std::runtime_error where an eigenvalue is not found.
+FoundModes find_modes(const ModesInput& input, const axisym::StationaryState& state);
 
 }  // namespace sbeh::studies

@@ -16,7 +16,7 @@ namespace sbeh::studies {
 
 namespace {
 
-constexpr int fewest_triangles_of_file = 320, most_triangles_of_file = 20480;
+constexpr int fewest_triangles_of_file = 320, most_triangles_of_file = 5120;
 
 // Names of the field data.
 constexpr const char *of_mode = "mode", *of_r = "profile_r", *of_z = "profile_z",

@@ -16,6 +16,8 @@ struct ModeKey {
   int m = 0;
   axisym::Parity parity = axisym::Parity::none;
   int number = 1;
+
+  bool operator==(const ModeKey&) const = default;
 };
 /// Name of its files without ending, such as m2_even_1.
 std::string stem(const ModeKey& key);

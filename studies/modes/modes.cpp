@@ -159,16 +159,14 @@ ModesSummary run_modes(const ModesInput& input, const fs::path& path, std::strin
   const StationaryState state = state_of(input);
   const OutputFolder folder(path);
   begin_or_continue(folder, describe(input, version), "modes.csv", "modes");
-  const axisym::SecondVariation second =
-      axisym::second_variation(input.state.material, input.state.model, state);
-  const FoundModes found = find_modes(input, second);
+  const FoundModes found = find_modes(input, state);
   ModesSummary summary;
   summary.rigid_residual = found.rigid_residual;
   summary.warnings = found.warnings;
   for (const FoundMode& mode : found.modes)
     summary.modes.push_back(
         {mode.key, mode.eigenvalue, mode.rate, mode.eigenvalue_error, mode.rate_error});
-  if (input.thermal_energy > 0) add_fluctuations(input, second, summary);
+  if (input.thermal_energy > 0) add_fluctuations(input, found.second, summary);
   write_modes(folder, found, summary.warnings);
   if (input.thermal_energy > 0) {
     write_file(folder / "fluctuations.csv",

@@ -74,7 +74,7 @@ TEST(Modes, of_narrow_necks_are_told_with_files_where_they_can_be_meshed) {
   input.state.reduced_volume = 0.2;
   const ModesSummary narrower = run_modes(input, path_of("narrower"), "test");
   ASSERT_EQ(narrower.warnings.size(), 1u);
-  EXPECT_TRUE(narrower.warnings[0].starts_with("modes/m0_none_1.vtu is left out: no 20480 triang"));
+  EXPECT_TRUE(narrower.warnings[0].starts_with("modes/m0_none_1.vtu is left out: no 5120 triang"));
   EXPECT_FALSE(exists(file("narrower")));
   EXPECT_EQ(read_rows(mode_columns(), path_of("narrower") / "modes.csv").size(), 1u);
 }
