@@ -121,13 +121,27 @@ std::string describe(HarmonicStop stop) {
   return "";
 }
 
-HarmonicState minimise_harmonics(const HarmonicSurface& start, double reduced_volume, int degree) {
+namespace {
+
+Vector2d target_of(double reduced_volume, int degree) {
   if (!(reduced_volume > 0 && reduced_volume < 1))
     throw std::invalid_argument(
         fmt::format("reduced volume {}: must lie between 0 and 1", reduced_volume));
   if (degree < 4 || degree > 32)
     throw std::invalid_argument(fmt::format("degree {}: must be in [4, 32]", degree));
-  const Vector2d target(4 * pi, reduced_volume * 4 * pi / 3);
+  return {4 * pi, reduced_volume * 4 * pi / 3};
+}
+
+HarmonicState settled(const HarmonicSurface& start, const Vector2d& target) {
+  HarmonicState shape{.surface = start};
+  shape.stop = settle(HarmonicEnergy(start), target, shape);
+  return shape;
+}
+
+}  // namespace
+
+HarmonicState minimise_harmonics(const HarmonicSurface& start, double reduced_volume, int degree) {
+  const Vector2d target = target_of(reduced_volume, degree);
   HarmonicState shape{.stop = HarmonicStop::degenerate,
                       .surface = refitted(start.with_degree(std::max(start.degree, coarse_degree)))
                                      .with_degree(std::min(degree, coarse_degree))};
@@ -135,9 +149,12 @@ HarmonicState minimise_harmonics(const HarmonicSurface& start, double reduced_vo
   if (!relax(surface, target)) return shape;
   surface = refitted(surface);  // the shape may be another, or have moved
   if (!relax(surface, target)) return shape;
-  surface = surface.with_degree(degree);
-  shape.stop = settle(HarmonicEnergy(surface), target, shape);
-  return shape;
+  return settled(surface.with_degree(degree), target);
+}
+
+HarmonicState stationary_harmonics(const HarmonicSurface& start, double reduced_volume,
+                                   int degree) {
+  return settled(refitted(start.with_degree(degree)), target_of(reduced_volume, degree));
 }
 
 }  // namespace sbeh::surface3d

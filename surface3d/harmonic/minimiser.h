@@ -41,4 +41,8 @@ struct HarmonicState {
 HarmonicState minimise_harmonics(const HarmonicSurface& start, double reduced_volume,
                                  int degree = 16);
 
+/// By Newton's method alone, from a start near the shape, be it a saddle: to go along a branch. The same exceptions.
+HarmonicState stationary_harmonics(const HarmonicSurface& start, double reduced_volume,
+                                   int degree = 16);
+
 }  // namespace sbeh::surface3d
