@@ -144,7 +144,9 @@ std::optional<BranchingPoint> locate_branching(const Path& path, const PathPoint
   };
   if (count == 0) return {};
   constexpr int most_iterations = 12;
-  constexpr double near = 1e-6;  // of ds: nearer, the matrix is singular
+  // Of ds: nearer, the matrix is singular. There the mesh, which has not the symmetry that is lost, may turn the branch
+  // off before.
+  constexpr double near = 1e-6, nearly = 1e-3;
   const auto low = modes_at(start), high = modes_at(beyond);
   if (low.empty() || high.empty()) return {};
   PathPoint before = start;
@@ -154,6 +156,7 @@ std::optional<BranchingPoint> locate_branching(const Path& path, const PathPoint
     const double step = -value / slope;
     if (std::abs(step) < near * std::abs(ds)) return BranchingPoint{before, modes};
     const auto next = arc_step(path, before, step);
+    if (!next && std::abs(step) < nearly * std::abs(ds)) return BranchingPoint{before, modes};
     if (!next) return {};
     modes = modes_at(*next);
     if (modes.empty()) return {};

@@ -260,5 +260,44 @@ TEST(PathIn3d, finds_where_the_oblate_branches_and_goes_on_to_what_leaves_it) {
   EXPECT_NEAR(volumes[0], volumes[1], 1e-6);  // the mesh does not know the two apart
 }
 
+// The stomatocytes' largest volume, by shooting at a tolerance of 1e-16: V_r = 0.66085032652, F/8πκ = 1.9630527849.
+TEST(PathIn3d, turns_back_where_the_stomatocytes_end) {
+  const Place first{Model::SSH, Branch::stomatocyte, 0.655, 0.05};
+  const Material material = paper_material(first.L);
+  const auto volume_at = [&](double mu) { return 0.655 + 0.07 * mu; };
+  const axisym::BranchState exact = with_axis(first);
+  OrderTable volumes("reduced volume of the fold", "h"), energies("energy there", "h");
+  for (const int triangles : {320, 1280}) {
+    const Surface start = revolved(exact, triangles);
+    const Path path(
+        *start.mesh, first.model, [&](double) { return paper_material(first.L); },
+        [&](double mu) {
+          return Target{4 * pi, volume_at(mu) * 4 * pi / 3};
+        });
+    auto at = settled(path, guess_from(*start.mesh, material, first.model, start.state), 0);
+    ASSERT_TRUE(at);
+    double ds = 0.05;
+    std::optional<PathPoint> next = advance(path, *at, ds, 1e-4);
+    for (int steps = 0; steps < 20 && next && next->slope() > 0; ++steps) {
+      at = next;
+      ds *= 1.5;
+      next = advance(path, *at, ds, 1e-4);
+    }
+    ASSERT_TRUE(next && next->slope() < 0);
+    EXPECT_EQ(next->negative_directions, at->negative_directions + 1);
+    const PathPoint fold = locate_fold(path, *at, *next, ds);
+    EXPECT_LT(std::abs(fold.slope()), 1e-4);
+    const Energy e = energy(material, *start.mesh, fold);
+    const double reduced = (e.bending - 4 * pi * material.kappa_gauss(model::full_order))
+                         / (8 * pi * material.kappa(model::full_order));
+    const double h = 1 / std::sqrt(start.mesh->count());
+    volumes.add(h, volume_at(fold.mu) - 0.66085032652);
+    EXPECT_NEAR(volume_at(fold.mu), 0.66085032652, 5e-4);
+    energies.add(h, reduced - 1.9630527849);
+  }
+  EXPECT_GT(volumes.print(), 3.5);
+  EXPECT_GT(energies.print(), 3.5);
+}
+
 }  // namespace
 }  // namespace sbeh::surface3d
