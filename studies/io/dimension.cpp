@@ -17,8 +17,9 @@ const std::vector<std::pair<Dimension, Names>>& all_columns() {
   using namespace dimension;
   static const std::vector<std::pair<Dimension, Names>> all{
       {length,
-       {"arc_length", "r", "z", "x", "radius_equator", "thickness_pole", "W2", "W2_error",
-        "distance", "distance_3d", "distance_from_SSH", "SSH_distance"}},
+       {"arc_length", "r", "z", "x", "length_1", "length_2", "length_3", "radius_equator",
+        "thickness_pole", "W2", "W2_error", "distance", "distance_3d", "distance_from_SSH",
+        "SSH_distance"}},
       {area, {"area", "spectrum", "contour.mean_square"}},
       {volume, {"volume"}},
       {curvature,
@@ -110,6 +111,10 @@ const std::vector<std::pair<Dimension, Names>>& all_columns() {
         "above",
         "harmonics",
         "number",
+        "path",
+        "point",
+        "from",
+        "rigid_motions",
         "mean_square",
         "displacement",
         "order_change",
@@ -135,13 +140,14 @@ const std::vector<std::pair<Dimension, Names>>& all_columns() {
   return all;
 }
 
-// "rate" of "rate_m3".
-std::string_view without_m(std::string_view column) {
+// "rate" of "rate_m3", "eigenvalue" of "eigenvalue_12".
+std::string_view without_number(std::string_view column) {
   const std::size_t digits = column.find_last_not_of("0123456789") + 1;
   const std::string_view name = column.substr(0, digits);
-  constexpr std::string_view of_m = "_m";
-  return digits < column.size() && name.ends_with(of_m) ? name.substr(0, digits - of_m.size())
-                                                        : column;
+  if (digits < column.size())
+    for (const std::string_view end : {"_m", "_"})
+      if (name.ends_with(end)) return name.substr(0, digits - end.size());
+  return column;
 }
 
 }  // namespace
@@ -154,7 +160,8 @@ std::optional<Dimension> dimension_of(std::string_view column, std::string_view 
     return of;
   }();
   auto at = by_name.find(std::string(table) + "." + std::string(column));
-  if (at == by_name.end()) at = by_name.find(without_m(column));
+  if (at == by_name.end()) at = by_name.find(column);
+  if (at == by_name.end()) at = by_name.find(without_number(column));
   if (at == by_name.end()) return {};
   return at->second;
 }

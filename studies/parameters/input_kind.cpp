@@ -10,17 +10,17 @@ InputKind kind_of(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const bool scan = file.has("scan"), relax = file.has("start"), run = file.has("surface"),
              compare = file.has("compare"), stability = file.has("stability"),
-             modes = file.has("modes");
-  const int count = scan + relax + run + compare + stability + modes;
+             modes = file.has("modes"), states = file.has("states");
+  const int count = scan + relax + run + compare + stability + modes + states;
   if (count == 0) {
     for (const char* known : {"model", "surface3d"}) file.has(known);
-    file.refuse_misspelt({"scan", "start", "surface", "compare", "stability", "modes"});
+    file.refuse_misspelt({"scan", "start", "surface", "compare", "stability", "modes", "states"});
   }
   if (count != 1)
     throw InputError(fmt::format(
         "{}: must have {}[scan] (a scan), [start] (one axisymmetric evolution), [surface] (one "
         "3D run), [compare] (one case by several methods), [stability] (axisymmetric states, "
-        "perturbed in 3D) or [modes] (the modes of one state){}",
+        "perturbed in 3D), [modes] (the modes of one state) or [states] (rest states in 3D){}",
         path.string(), count > 1 ? "only one of " : "a table ",
         count > 1 ? "" : "; it has none of them"));
   return scan      ? InputKind::scan
@@ -28,7 +28,8 @@ InputKind kind_of(const std::filesystem::path& path) {
        : run       ? InputKind::run
        : compare   ? InputKind::compare
        : stability ? InputKind::stability
-                   : InputKind::modes;
+       : modes     ? InputKind::modes
+                   : InputKind::states;
 }
 
 }  // namespace sbeh::studies

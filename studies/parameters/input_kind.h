@@ -14,12 +14,13 @@ enum class InputKind {
   run,        ///< has a table [surface]: read_run
   compare,    ///< has a table [compare]: read_compare
   stability,  ///< has a table [stability]: read_stability
-  modes       ///< has a table [modes]: read_modes
+  modes,      ///< has a table [modes]: read_modes
+  states      ///< has a table [states]: read_states
 };
 
 /// Those of the commands.
 constexpr auto names(InputKind) {
-  return std::array{"scan", "relax", "run", "compare", "stability", "modes"};
+  return std::array{"scan", "relax", "run", "compare", "stability", "modes", "states"};
 }
 
 /// Throws InputError if the file cannot be read or has not one of these tables.

@@ -65,6 +65,10 @@ const std::vector<Contents>& all_contents() {
        {{"modes.csv", "Eigenvalues and rates"},
         {"fluctuations.csv", "Mean square amplitudes"},
         {"contour.csv", "The contour's spectrum"}}},
+      {ResultsKind::states,
+       {"states.csv"},
+       {{"surfaces", "The states"}, {"branches", "Branches"}},
+       {{"states.csv", "All states"}}},
       {ResultsKind::seifert,
        {"branches.csv", "points.csv"},
        {{"branches", "Reduced energy of the branches"}},
@@ -94,6 +98,11 @@ bool has_histories(const fs::path& folder) {
   for (const auto& entry : fs::directory_iterator(folder / "points", ignored))
     if (entry.path().string().ends_with(".series.csv")) return true;
   return false;
+}
+
+// Only states that are followed lie on paths.
+bool has_branches(const fs::path& folder) {
+  return read_csv(folder / "states.csv").find("path").has_value();
 }
 
 fs::path picture_file(const fs::path& folder, const std::string& name) {
@@ -257,9 +266,11 @@ std::vector<std::string> missing_pictures(const fs::path& folder, ResultsKind ki
   std::vector<std::string> missing;
   for (const auto& [name, caption] : contents_of(kind).pictures) {
     const std::string_view picture = name;
-    const bool never = (kind == ResultsKind::scan && picture == "energy" && !has_histories(folder))
-                    || (kind == ResultsKind::modes && picture == "contour"
-                        && !fs::exists(folder / "contour.csv"));
+    const bool never =
+        (kind == ResultsKind::scan && picture == "energy" && !has_histories(folder))
+        || (kind == ResultsKind::modes && picture == "contour"
+            && !fs::exists(folder / "contour.csv"))
+        || (kind == ResultsKind::states && picture == "branches" && !has_branches(folder));
     if (!never && picture_file(folder, name).empty()) missing.emplace_back(name);
   }
   return missing;

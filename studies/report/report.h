@@ -13,9 +13,9 @@
 namespace sbeh::studies {
 
 /// What a folder holds, by the command that made it.
-enum class ResultsKind { scan, run, relax, seifert, compare, stability, modes };
+enum class ResultsKind { scan, run, relax, seifert, compare, stability, modes, states };
 constexpr auto names(ResultsKind) {
-  return std::array{"scan", "run", "relax", "seifert", "compare", "stability", "modes"};
+  return std::array{"scan", "run", "relax", "seifert", "compare", "stability", "modes", "states"};
 }
 
 /// Throws InputError where there is no folder.

@@ -3,6 +3,7 @@
 #include "studies/io/toml_reader.h"
 #include "studies/modes/modes.h"
 #include "studies/report/report.h"
+#include "studies/rest_states/rest_row.h"
 #include "studies/scan/branch_lines.h"
 #include "studies/seifert/seifert.h"
 #include "studies/stability/stability.h"
@@ -264,6 +265,28 @@ KeyNumbers of_modes(const fs::path& folder, const ShownUnits& units) {
   return {fmt::format("Modes of the {} {}", sbeh::name(state.model), name(state.branch)), facts};
 }
 
+KeyNumbers of_states(const fs::path& folder, const ShownUnits& units) {
+  const StatesInput input = read_states(folder / "run.toml");
+  const auto rows = rows_of(rest_columns(input), folder / "states.csv");
+  const auto found = [](const RestRow& row) { return row.status == PointStatus::stationary; };
+  std::vector<Fact> facts{count("states", rows, found),
+                          count("without a state, or not resolved", rows, std::not_fn(found)),
+                          count("minima", rows, [&](const RestRow& row) {
+                            return found(row) && row.measures->negative_directions == 0;
+                          })};
+  const RestRow* lowest = nullptr;
+  for (const RestRow& row : rows)
+    if (found(row) && (!lowest || energy_of(row) < energy_of(*lowest))) lowest = &row;
+  if (lowest) {
+    facts.push_back(
+        word("lowest", fmt::format("number {}, {}", lowest->key, lowest->measures->symmetry)));
+    facts.push_back(
+        {"its energy", text_of(factor(units, dimension::energy, lowest->L) * energy_of(*lowest))
+                           + unit_after(units, dimension::energy)});
+  }
+  return {fmt::format("Rest states in 3D: {}", sbeh::name(input.model)), facts};
+}
+
 }  // namespace
 
 KeyNumbers key_numbers(const fs::path& folder, ResultsKind kind, const ShownUnits& units) {
@@ -281,6 +304,8 @@ KeyNumbers key_numbers(const fs::path& folder, ResultsKind kind, const ShownUnit
       return of_stability(folder, units);
     case ResultsKind::modes:
       return of_modes(folder, units);
+    case ResultsKind::states:
+      return of_states(folder, units);
   }
   return {};
 }

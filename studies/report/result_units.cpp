@@ -9,6 +9,7 @@
 #include "studies/modes/modes_input.h"
 #include "studies/parameters/input_kind.h"
 #include "studies/report/report.h"
+#include "studies/rest_states/states_input.h"
 #include "studies/scan/scan_input.h"
 #include "studies/stability/stability_input.h"
 
@@ -133,6 +134,10 @@ DescribedUnits described_units(const fs::path& input) {
       return one_state(read_run(input));
     case InputKind::compare:
       return one_case(read_compare(input));
+    case InputKind::states: {
+      const StatesInput states = read_states(input);
+      return {states.units, {states.model, states.material}, true};
+    }
     case InputKind::modes: {
       const ModesInput modes = read_modes(input);
       DescribedUnits described = one_case(modes);

@@ -24,6 +24,8 @@ void check(const std::string& file) {
       return check_stability(file);
     case studies::InputKind::modes:
       return check_modes(file);
+    case studies::InputKind::states:
+      return check_states(file);
   }
 }
 

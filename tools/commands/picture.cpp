@@ -30,10 +30,11 @@ int draw(const std::vector<std::string>& arguments) {
 }
 
 Command add_picture(CLI::App& program) {
-  CLI::App* app = program.add_subcommand("picture",
-                                         "draw the pictures of a folder again: picture "
-                                         "scan|relax|run|seifert|compare|figures|stability|modes "
-                                         "DIR");
+  CLI::App* app =
+      program.add_subcommand("picture",
+                             "draw the pictures of a folder again: picture "
+                             "scan|relax|run|seifert|compare|figures|stability|modes|states "
+                             "DIR");
   app->prefix_command();
   app->set_help_flag();  // `sbeh picture --help` is the picture program's
   return {app, [app] { return draw(app->remaining()); }};

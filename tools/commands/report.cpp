@@ -69,7 +69,7 @@ Command add_report(CLI::App& program) {
   const auto words = std::make_shared<Words>();
   CLI::App* app = program.add_subcommand("report", "a folder of results as one page of HTML");
   app->add_option("DIR", words->folder,
-                  "folder of a scan, run, relax, seifert, compare, stability or modes")
+                  "folder of a scan, run, relax, seifert, compare, stability, modes or states")
       ->required();
   app->add_flag("--no-pictures", words->no_pictures, "do not draw those that are missing");
   app->add_flag("--units", words->units,

@@ -73,6 +73,10 @@ const Command commands[] = {
       {"surfaces", draw_mode_surfaces},
       {"contour", draw_contour_spectrum}},
      {.fields = true, .views = true}},
+    {"states",
+     "rest states in 3D from DIR/states.csv, frames/",
+     {{"surfaces", draw_rest_surfaces}, {"branches", draw_rest_branches}},
+     {.fields = true, .views = true}},
 };
 
 void draw(const CLI::App& app, const Options& options) {

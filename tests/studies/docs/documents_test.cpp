@@ -5,6 +5,7 @@
 #include "studies/io/csv.h"
 #include "studies/modes/modes_input.h"
 #include "studies/parameters/input_kind.h"
+#include "studies/rest_states/states_input.h"
 #include "studies/scan/scan_input.h"
 #include "studies/stability/stability_input.h"
 #include "studies/states/series_file.h"
@@ -105,6 +106,9 @@ void check_input(const fs::path& path, std::vector<ScanInput>& scans) {
       break;
     case InputKind::modes:
       read_modes(path);
+      break;
+    case InputKind::states:
+      read_states(path);
       break;
   }
 }

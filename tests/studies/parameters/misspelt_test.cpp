@@ -4,6 +4,7 @@
 #include "studies/evolution/run_input.h"
 #include "studies/modes/modes_input.h"
 #include "studies/parameters/input_kind.h"
+#include "studies/rest_states/states_input.h"
 #include "studies/scan/scan_input.h"
 #include "studies/stability/stability_input.h"
 #include "tests/studies/parameters/input_file.h"
@@ -36,6 +37,9 @@ void read(const fs::path& path) {
       break;
     case InputKind::modes:
       read_modes(path);
+      break;
+    case InputKind::states:
+      read_states(path);
       break;
   }
 }

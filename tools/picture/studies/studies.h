@@ -1,4 +1,4 @@
-// The pictures of the classical diagram, of a comparison and of a study of stability, each written as PNG and
+// The pictures of the classical diagram, of a comparison, of a study of stability and of rest states in 3D, each written as PNG and
 // SVG into the folder of its tables. All throw InputError.
 #pragma once
 
@@ -18,5 +18,11 @@ void draw_compared_profiles(Canvas& canvas, const Options& options);
 /// stability: which axisymmetric states are stable in 3D, from stability.csv. Markers over (V_r, L), or rates
 /// over V_r where there is one L.
 void draw_stability(Canvas& canvas, const Options& options);
+
+/// surfaces: the states of states.csv that were found, from their frames, with what is said of each.
+void draw_rest_surfaces(Canvas& canvas, const Options& options);
+
+/// branches: their energy and how far they are from an axis over what [follow] changes, minima solid, saddles dashed.
+void draw_rest_branches(Canvas& canvas, const Options& options);
 
 }  // namespace sbeh::picture

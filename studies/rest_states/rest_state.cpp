@@ -1,0 +1,184 @@
+#include "studies/rest_states/rest_state.h"
+
+#include "studies/evolution/event_log.h"
+#include "studies/evolution/frame_file.h"
+#include "studies/io/interrupt.h"
+#include "studies/mesh_files/mesh_file.h"
+#include "studies/parameters/physics_numbers.h"
+#include "surface3d/mesh/resolution.h"
+#include "surface3d/mesh/self_contact.h"
+#include "surface3d/moments.h"
+#include "surface3d/stationary/symmetry_class.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace sbeh::studies {
+
+namespace fs = std::filesystem;
+using surface3d::Eigenmode;
+using surface3d::NewtonStatus;
+using surface3d::StationaryState;
+using surface3d::Triangulation;
+
+namespace {
+
+// A revolved state that Newton's method moves farther than this, in radii, is another one then.
+constexpr double far_from_start = 0.1;
+
+const char* why(NewtonStatus status) {
+  return status == NewtonStatus::singular
+           ? "Newton's method meets a singular matrix: a bifurcation or a fold is near"
+           : "Newton's method does not converge from this start";
+}
+
+void write_modes(const fs::path& folder, int number, const SeenState& seen,
+                 const std::vector<Eigenmode>& modes, const Physics& physics) {
+  make_folder(folder / "modes");
+  const StationaryState& state = seen.state;
+  const meshing::CurvedMesh surface{
+      .order = 3, .triangles = seen.mesh->triangles, .nodes = state.X};
+  for (std::size_t k = 0; k < modes.size(); ++k) {
+    const NodeFields at_nodes{{"order", state.beta.transpose()},
+                              {"mean_curvature", state.H.transpose()},
+                              {"displacement", seen.normals * modes[k].u.asDiagonal()},
+                              {"order_change", modes[k].b.transpose()}};
+    Globals globals{{"eigenvalue", Eigen::VectorXd::Constant(1, modes[k].eigenvalue)}};
+    write_physics(physics, globals);
+    write_file(folder / fmt::format("modes/state_{:04}_mode_{}.vtu", number, k + 1),
+               vtu_text(surface, at_nodes, globals));
+  }
+}
+
+void write_files(const fs::path& folder, int number, const SeenState& seen,
+                 const std::vector<Eigenmode>& modes, const Physics& physics) {
+  make_folder(folder / "frames");
+  write_frame(frame_of(folder, number),
+              {.mesh = seen.mesh,
+               .state = seen.state,
+               .target = surface3d::area_and_volume(*seen.mesh, seen.state.X)},
+              physics);
+  if (!modes.empty()) write_modes(folder, number, seen, modes, physics);
+}
+
+// What keeps a state from being believed; empty where nothing does.
+std::string doubt_about(const SeenState& seen, const RestMeasures& measures) {
+  const auto curvature = surface3d::curvature_of(*seen.mesh, seen.state.X);
+  if (!curvature) return "the surface is degenerate";
+  const surface3d::Indicators indicators =
+      surface3d::indicators_of(*seen.mesh, seen.state.X, *curvature);
+  if (!surface3d::resolved(indicators))
+    return "the triangles do not resolve the surface: " + passed_limits(indicators);
+  if (measures.self_contact) return "the surface comes near itself: contact is not in the model";
+  return {};
+}
+
+}  // namespace
+
+RestState rest_state_from(const StatesInput& input, const axisym::PlanePoint& at,
+                          const RestStart& start) {
+  RestState result{.mesh = start.mesh, .failure = start.failure};
+  if (!start.mesh) return result;
+  const model::Material material = input.material.with_L(at.L);
+  result.system = std::make_unique<surface3d::NewtonSystem>(*start.mesh, material, input.model);
+  auto found = surface3d::solve_stationary(
+      *result.system, axisym::target_of(at.reduced_volume),
+      surface3d::guess_from(*start.mesh, material, input.model, start.state));
+  if (found.status == NewtonStatus::converged
+      && !result.system->linearise(found.state, found.normals))
+    found.status = NewtonStatus::singular;
+  if (found.status != NewtonStatus::converged) {
+    result.failure = why(found.status);
+    return result;
+  }
+  result.moved = (found.state.X - start.state.X).colwise().norm().maxCoeff();
+  result.state = std::move(found.state);
+  result.normals = std::move(found.normals);
+  return result;
+}
+
+RestMeasures measures_of(const SeenState& seen, const model::Material& material) {
+  const Triangulation& mesh = *seen.mesh;
+  const StationaryState& state = seen.state;
+  const int rigid = seen.system.rigid_count();
+  RestMeasures of{.diagnostics = surface3d::diagnose(mesh, material, state),
+                  .pressure = state.pressure,
+                  .tension = state.tension,
+                  .triangles = mesh.count(),
+                  .negative_directions = seen.system.negative_directions(),
+                  .rigid_motions = rigid};
+  of.diagnostics.energy = surface3d::energy(material, mesh, state);
+  const surface3d::Moments moments = surface3d::moments_of(surface3d::samples_of(mesh, state.X));
+  for (int k = 0; k < 3; ++k) of.lengths[std::size_t(k)] = std::sqrt(moments.principal[k]);
+  of.symmetry = surface3d::symmetry_class(mesh, state, rigid < 6);
+  of.self_contact = !surface3d::self_contacts(mesh, state.X).empty();
+  of.residual = surface3d::residual_of(seen.system, state);
+  return of;
+}
+
+void measure(const StatesInput& input, const SeenState& seen, const fs::path& folder,
+             RestRow& row) {
+  const model::Material material = input.material.with_L(seen.at.L);
+  row.measures = measures_of(seen, material);
+  row.stop_reason = doubt_about(seen, *row.measures);
+  auto modes = surface3d::lowest_modes(seen.system, seen.state, seen.normals, input.eigenpairs);
+  if (row.stop_reason.empty() && !modes) row.stop_reason = "the eigenpairs are not found";
+  row.status = row.stop_reason.empty() ? PointStatus::stationary : PointStatus::unresolved;
+  if (row.stop_reason.empty()) row.stop_reason = "stationary";
+  if (!modes) modes.emplace();
+  modes->resize(std::min(modes->size(), std::size_t(input.eigenpairs)));
+  for (std::size_t k = 0; k < modes->size(); ++k) row.eigenvalues[k] = (*modes)[k].eigenvalue;
+  write_files(folder, row.key, seen, *modes, {input.model, material});
+}
+
+RestRow row_at(const StatesInput& input, const StatePlace& place) {
+  RestRow row;
+  row.key = place.number;
+  row.model = input.model;
+  row.start = brings_its_mesh(input.start) ? name(input.start) : name(input.branch);
+  row.reduced_volume = place.at.reduced_volume;
+  row.L = place.at.L;
+  return row;
+}
+
+double energy_error(const StatesInput& input, const RestRow& row, const RestStart& coarser) {
+  const axisym::PlanePoint at{row.reduced_volume, row.L};
+  const RestState other = rest_state_from(input, at, coarser);
+  if (!other.failure.empty() || !row.measures
+      || other.system->negative_directions() != row.measures->negative_directions
+      || other.system->rigid_count() != row.measures->rigid_motions)
+    return not_known;
+  const double energy =
+      surface3d::energy(input.material.with_L(row.L), *other.mesh, other.state).total();
+  return std::abs(energy - energy_of(row));
+}
+
+RestRow rest_row(const StatesInput& input, const StatePlace& place, const fs::path& folder) {
+  RestRow row = row_at(input, place);
+  const RestState found = rest_state_from(input, place.at, rest_start(input, place.at));
+  if (!found.failure.empty()) {
+    row.stop_reason = found.failure;
+    return row;
+  }
+  measure(input, {*found.system, found.mesh, found.state, found.normals, place.at}, folder, row);
+  const bool has_axis = !brings_its_mesh(input.start) && input.perturbation.empty();
+  if (has_axis && found.moved > far_from_start) {
+    row.status = PointStatus::unresolved;
+    row.stop_reason =
+        fmt::format("Newton's method has left the axisymmetric state by {:.2g}", found.moved);
+  }
+  if (interrupt_signal()) return row;
+  row.energy_error =
+      energy_error(input, row, coarser_start(input, place.at, row.measures->triangles / 4));
+  if (std::isnan(row.energy_error) && row.status == PointStatus::stationary) {
+    row.status = PointStatus::unresolved;
+    row.stop_reason =
+        "a quarter of the triangles has no such state: more of them would show whether it is "
+        "resolved";
+  }
+  return row;
+}
+
+}  // namespace sbeh::studies

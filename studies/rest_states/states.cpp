@@ -1,0 +1,132 @@
+#include "studies/rest_states/states.h"
+
+#include "meshing/resolution.h"
+#include "studies/io/growing_table.h"
+#include "studies/io/interrupt.h"
+#include "studies/io/progress.h"
+#include "studies/io/stopwatch.h"
+#include "studies/rest_states/rest_branch.h"
+#include "studies/rest_states/rest_state.h"
+#include "surface3d/mesh/remesh.h"
+
+#include <fmt/format.h>
+
+namespace sbeh::studies {
+
+namespace {
+
+using RestTable = GrowingTable<RestRow>;
+
+void compute_places(const StatesInput& input, const OutputFolder& folder, RestTable& table,
+                    StatesSummary& summary) {
+  const std::vector<StatePlace> places = places_of(input);
+  Progress progress("states", int(places.size()), int(table.rows().size()));
+  for (const StatePlace& place : places) {
+    if (interrupt_signal()) break;
+    if (table.find(place.number)) continue;
+    const RestRow row = rest_row(input, place, folder.path());
+    if (interrupt_signal()) break;  // what it is made of may be cut short
+    table.append(row);
+    ++summary.computed;
+    progress.advance();
+  }
+  progress.finish();
+}
+
+// The same surface with a quarter of the triangles.
+RestStart remeshed_start(const surface3d::Triangulation& mesh, const surface3d::State& state,
+                         const model::Material& material) {
+  const int triangles = mesh.count() / 4;
+  if (triangles < meshing::fewest_triangles) return {{}, {}, "there are too few triangles"};
+  auto made = surface3d::remesh(mesh, state, material,
+                                {.triangles = triangles, .largest_energy_change = 1});
+  return {made.mesh, made.state, made.refusal};
+}
+
+// Rows in the order in which they are found. Those that are there are gone through again, but not measured.
+class FollowedRows {
+ public:
+  FollowedRows(const StatesInput& input, const OutputFolder& folder, RestTable& table,
+               StatesSummary& summary, std::shared_ptr<const surface3d::Triangulation> mesh)
+      : input_(input), folder_(folder), table_(table), summary_(summary), mesh_(std::move(mesh)) {}
+
+  int next() const { return number_; }
+
+  std::string take(const FoundState& found) {
+    const axisym::PlanePoint at = place_on_way(input_, found.point.mu);
+    line_.show(fmt::format(
+        "path {}: state {}, {} = {:.6g}", found.path, number_, name(input_.follow->parameter),
+        input_.follow->parameter == FollowedParameter::L ? at.L : at.reduced_volume));
+    const int number = number_++;
+    if (const RestRow* there = table_.find(number)) return doubt(*there);
+    RestRow row = row_at(input_, {number, at});
+    row.path = found.path;
+    row.point = found.kind;
+    if (found.from > 0) row.from = found.from;
+    const model::Material material = input_.material.with_L(at.L);
+    surface3d::NewtonSystem system(*mesh_, material, input_.model);
+    if (system.linearise(found.point, found.point.normals)) {
+      measure(input_, {system, mesh_, found.point, found.point.normals, at}, folder_.path(), row);
+      row.energy_error = energy_error(input_, row, remeshed_start(*mesh_, found.point, material));
+    } else {
+      row.stop_reason = "the matrix is singular";
+    }
+    if (interrupt_signal()) return "interrupted";
+    table_.append(row);
+    ++summary_.computed;
+    return doubt(row);
+  }
+
+ private:
+  static std::string doubt(const RestRow& row) {
+    return row.status == PointStatus::unresolved ? row.stop_reason : "";
+  }
+
+  const StatesInput& input_;
+  const OutputFolder& folder_;
+  RestTable& table_;
+  StatesSummary& summary_;
+  std::shared_ptr<const surface3d::Triangulation> mesh_;
+  ProgressLine line_;
+  int number_ = 1;
+};
+
+void compute_branches(const StatesInput& input, const OutputFolder& folder, RestTable& table,
+                      StatesSummary& summary) {
+  const StatePlace place = places_of(input).front();
+  const RestState first = rest_state_from(input, place.at, rest_start(input, place.at));
+  std::string failure = first.failure;
+  if (failure.empty()) {
+    FollowedRows rows(input, folder, table, summary, first.mesh);
+    failure = follow_branches(
+        input, *first.mesh, first.state, [&] { return rows.next(); },
+        [&](const FoundState& found) { return rows.take(found); });
+  }
+  if (failure.empty() || interrupt_signal() || table.find(place.number)) return;
+  RestRow row = row_at(input, place);
+  row.stop_reason = failure;
+  table.append(row);
+  ++summary.computed;
+}
+
+}  // namespace
+
+StatesSummary run_states(const StatesInput& input, const std::filesystem::path& path,
+                         std::string_view version) {
+  const Stopwatch watch;
+  const OutputFolder folder(path);
+  begin_or_continue(folder, describe(input, version), "states.csv", "states");
+  const Columns<RestRow> columns = rest_columns(input);
+  RestTable table(folder / "states.csv", columns, "states", "that state computed again");
+  StatesSummary summary;
+  if (input.follow)
+    compute_branches(input, folder, table, summary);
+  else
+    compute_places(input, folder, table, summary);
+  for (const auto& [number, row] : table.rows()) summary.rows.push_back(row);
+  summary.interrupted = interrupt_signal() != 0;
+  summary.seconds = watch.seconds();
+  return summary;
+}
+
+}  // namespace sbeh::studies

@@ -1,0 +1,100 @@
+// Inputs of states: what is read, and what is refused with which words.
+#include "studies/rest_states/states_input.h"
+
+#include "studies/parameters/input_kind.h"
+#include "tests/studies/parameters/input_file.h"
+
+namespace sbeh::studies {
+namespace {
+
+using namespace test;
+
+const std::string small_states = "[states]\nreduced_volume = 0.7\nL = 0.03\n";
+
+StatesInput states_of(const std::string& text) { return read_states(written(text)); }
+
+TEST(StatesInput, has_the_documented_defaults) {
+  const StatesInput input = states_of(small_states);
+  EXPECT_EQ(kind_of(written(small_states)), InputKind::states);
+  EXPECT_EQ(input.model, model::Model::SBEH);
+  EXPECT_EQ(input.start, StatesStart::branch);
+  EXPECT_EQ(input.branch, axisym::Branch::oblate);
+  EXPECT_EQ(input.reduced_volume, std::vector{0.7});
+  EXPECT_EQ(input.L, std::vector{0.03});
+  EXPECT_EQ(input.triangles, 320);
+  EXPECT_EQ(input.eigenpairs, 6);
+  EXPECT_EQ(input.material, model::Material{});
+  EXPECT_EQ(input.numerics, axisym::Numerics{});
+}
+
+TEST(StatesInput, has_a_place_for_each_combination) {
+  const auto places =
+      places_of(states_of("[states]\nreduced_volume = [0.8, 0.7]\nL = [0.03, 0.05]\n"));
+  ASSERT_EQ(places.size(), 4u);
+  for (int k = 0; k < 4; ++k) {
+    EXPECT_EQ(places[std::size_t(k)].number, k + 1);
+    EXPECT_EQ(places[std::size_t(k)].at.reduced_volume, k % 2 == 0 ? 0.7 : 0.8);
+    EXPECT_EQ(places[std::size_t(k)].at.L, k < 2 ? 0.03 : 0.05);
+  }
+}
+
+TEST(StatesInput, reads_back_from_its_description_as_the_same_input) {
+  const std::string from_scan =
+      "scan = \"" + scan_folder("[material]\nspontaneous_curvature = -2.7\n") + "\"\n";
+  for (const std::string& text :
+       {small_states, small_states + from_scan,
+        small_states
+            + "perturbation = [[2, 2, 0.1]]\n[follow]\nparameter = 'L'\nto = 0.1\nswitch = false\n"
+              "[units]\nradius_um = 10\nbending_rigidity_kT = 20\n",
+        small_states + "mesh = \"a.stl\"\nmodel = 'SSH'\neigenpairs = 0\n",
+        small_states
+            + "branch = 'prolate'\ntriangles = 1280\n[material]\nresidual_stiffness = 0.01\n"
+              "[numerics]\nelements = 96\n"}) {
+    const StatesInput input = states_of(text);
+    const std::string description = describe(input, "1.2.3");
+    EXPECT_EQ(input, states_of(description));
+    EXPECT_EQ(describe(states_of(description), "1.2.3"), description);
+  }
+  EXPECT_EQ(states_of(small_states + from_scan).material.spontaneous_curvature, -2.7);
+}
+
+TEST(StatesInput, that_is_wrong_is_refused_with_line_key_and_value) {
+  expect_messages(read_states, "[states]\n",
+                  {{"L = 1",
+                    ":1: [states] reduced_volume: missing; must be a number, a list of numbers, or "
+                    "a range { from, to, count }"},
+                   {"reduced_volume = 1\nL = 1",
+                    ":2: [states] reduced_volume = 1: must be < 1: on the sphere area and volume "
+                    "are one condition, not two"},
+                   {"reduced_volume = 0.8",
+                    ":1: [states] L: missing; must be a number, a list of numbers, or a range { "
+                    "from, to, count }"}});
+  expect_messages(
+      read_states, small_states,
+      {{"eigenpairs = 51", ":4: [states] eigenpairs = 51: must be >= 0 and <= 50"},
+       {"[follow]\nparameter = 'H0'",
+        ":5: [follow] parameter = 'H0': must be one of 'reduced_volume', 'L'"},
+       {"[follow]", ":4: [follow] to: missing; must be a number"},
+       {"[follow]\nto = 0.7",
+        ":5: [follow] to = 0.7: must not be the reduced_volume of the first state"},
+       {"[follow]\nto = 1",
+        ":5: [follow] to = 1: must be < 1: on the sphere area and volume are one condition, not "
+        "two"},
+       {"[follow]\nto = 0.6\nlongest_step = 2",
+        ":6: [follow] longest_step = 2: must be > 0 and <= 1"},
+       {"triangles = 10", ":4: [states] triangles = 10: must be >= 20 and <= 200000"},
+       {"model = 'Helfrich-local'",
+        ":4: [states] model = 'Helfrich-local': must be one of 'SBEH', 'SSH'"},
+       {"mesh = 'a.stl'\ntriangles = 320",
+        ":5: [states] triangles = 320: must not be given: the surface of a file keeps its "
+        "triangles"},
+       {"frame = 'a.vtu'\nbranch = 'oblate'",
+        ":5: [states] branch = 'oblate': must not be given together with frame: a state has one "
+        "start"},
+       {"frame = 'a.vtu'\nmesh = 'a.stl'",
+        ":5: [states] mesh = 'a.stl': must not be given together with frame: a state has one "
+        "start"}});
+}
+
+}  // namespace
+}  // namespace sbeh::studies

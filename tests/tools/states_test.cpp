@@ -1,0 +1,159 @@
+// Rest states in 3D as their user sees them: table, files, what goes on, refusals.
+#include "model/material.h"
+#include "tests/tools/workplace.h"
+
+#include <fmt/format.h>
+
+#include <cmath>
+
+namespace sbeh::tools::test {
+namespace {
+
+using States = Workplace;
+
+const std::string two_states =
+    "[states]\nmodel = \"SSH\"\nreduced_volume = [0.8, 0.85]\nL = 0.05\neigenpairs = 3\n";
+
+TEST_F(States,
+       leave_a_row_a_frame_and_their_modes_and_say_in_how_many_directions_the_energy_falls) {
+  write("in.toml", two_states);
+  const Ended ended = sbeh({"states", "in.toml", "-o", "out", "--no-pictures"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("2 states in out/states.csv; 2 computed in "), std::string::npos)
+      << ended.out;
+  const Table states = table("out/states.csv");
+  ASSERT_EQ(states.rows.size(), 2u);
+  for (std::size_t row = 0; row < 2; ++row) {
+    const std::string number = std::to_string(row + 1);
+    EXPECT_EQ(states.text(row, "number"), number);
+    EXPECT_EQ(states.text(row, "model"), "SSH");
+    EXPECT_EQ(states.text(row, "branch"), "oblate");
+    EXPECT_EQ(states.text(row, "status"), "stationary") << states.text(row, "stop_reason");
+    EXPECT_EQ(states.text(row, "class"), "Dooh");
+    EXPECT_EQ(states.text(row, "negative_directions"), "2");  // towards the prolate
+    EXPECT_LT(states.number(row, "eigenvalue_2"), 0);
+    EXPECT_GT(states.number(row, "eigenvalue_3"), 0);
+    EXPECT_TRUE(exists(path("out/frames/state_000" + number + ".vtu")));
+    EXPECT_TRUE(exists(path("out/modes/state_000" + number + "_mode_3.vtu")));
+  }
+  // As the axisymmetric solver has it, to what 320 triangles give.
+  EXPECT_NEAR(states.number(0, "energy"), -10.17238, 1e-5);
+  EXPECT_LT(states.number(0, "energy_error"), 5e-4);
+}
+
+TEST_F(States, that_are_there_are_not_computed_again) {
+  write("in.toml", two_states);
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  const Contents first = contents("out");
+  std::string text = read("out/states.csv");
+  write("out/states.csv", text.substr(0, text.rfind("\n2,") + 1));
+  const Ended ended = sbeh({"states", "in.toml", "-o", "out", "--no-pictures"});
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  EXPECT_NE(ended.out.find("2 states in out/states.csv; 1 computed in "), std::string::npos)
+      << ended.out;
+  EXPECT_TRUE(contents("out") == first);
+}
+
+TEST_F(States, start_from_a_frame_too) {
+  write("in.toml", two_states);
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  write("frame.toml",
+        "[states]\nmodel = \"SSH\"\nframe = \"out/frames/state_0001.vtu\"\nreduced_volume = 0.81\n"
+        "L = 0.05\neigenpairs = 2\n");
+  must({"states", "frame.toml", "-o", "more", "--no-pictures"});
+  const Table states = table("more/states.csv");
+  ASSERT_EQ(states.rows.size(), 1u);
+  // Without numbers of its own it is the state of the frame, once more, as far as Newton's method has gone: 1e-8.
+  write("same.toml", "[states]\nframe = \"out/frames/state_0001.vtu\"\neigenpairs = 0\n");
+  must({"states", "same.toml", "-o", "same", "--no-pictures"});
+  const Table first = table("out/states.csv"), same = table("same/states.csv");
+  EXPECT_EQ(same.text(0, "model"), "SSH");
+  EXPECT_EQ(same.text(0, "L"), "0.05");
+  for (const char* column : {"energy", "volume", "pressure", "tension"})
+    EXPECT_NEAR(same.number(0, column), first.number(0, column), 1e-8) << column;
+  EXPECT_EQ(states.text(0, "branch"), "frame");
+  EXPECT_EQ(states.text(0, "status"), "stationary") << states.text(0, "stop_reason");
+  EXPECT_NEAR(states.number(0, "volume"), 0.81 * 4 * M_PI / 3, 1e-8);
+}
+
+TEST_F(States, that_triangles_do_not_resolve_or_that_are_not_there_say_so) {
+  write("in.toml",
+        "[states]\nmodel = \"SSH\"\nbranch = \"prolate\"\nreduced_volume = 0.5\nL = 0.05\n"
+        "triangles = 80\neigenpairs = 1\n");
+  EXPECT_EQ(sbeh({"states", "in.toml", "-o", "coarse", "--no-pictures"}).exit_code, 0);
+  // These have two negative directions where there are none.
+  EXPECT_EQ(table("coarse/states.csv").text(0, "status"), "unresolved");
+  write("in.toml", "[states]\nreduced_volume = 0.6\nL = 0.2\ntriangles = 80\n");
+  EXPECT_EQ(sbeh({"states", "in.toml", "-o", "none", "--no-pictures"}).exit_code, 0);
+  const Table none = table("none/states.csv");
+  EXPECT_EQ(none.text(0, "status"), "failed");
+  EXPECT_TRUE(none.text(0, "stop_reason").starts_with("there is no axisymmetric state"))
+      << none.text(0, "stop_reason");
+}
+
+// An independent spectral calculation has F/8πκ = 1.5996134933 for the triaxial saddle; F as in a classical diagram,
+// without Gauss's energy, κ = 4 L at full order.
+TEST_F(States, without_an_axis_are_found_from_a_perturbed_one) {
+  write("in.toml",
+        "[states]\nmodel = \"SSH\"\nreduced_volume = 0.74\nL = 0.05\n"
+        "perturbation = [[2, 2, 0.15]]\neigenpairs = 2\n");
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  const Table states = table("out/states.csv");
+  EXPECT_EQ(states.text(0, "status"), "stationary");
+  EXPECT_EQ(states.text(0, "class"), "D2h");
+  EXPECT_EQ(states.text(0, "negative_directions"), "1");
+  EXPECT_EQ(states.text(0, "rigid_motions"), "6");
+  const model::Material material = model::Material{}.with_L(0.05);
+  const double kappa = material.kappa(model::full_order),
+               gauss = 4 * M_PI * material.kappa_gauss(model::full_order);
+  const double reduced = (states.number(0, "energy_bending") - gauss) / (8 * M_PI * kappa);
+  EXPECT_NEAR(reduced, 1.5996134933, 1e-5);
+  const double error = std::abs(reduced - 1.5996134933) * 8 * M_PI * kappa;
+  EXPECT_LT(error, states.number(0, "energy_error"));
+  EXPECT_LT(states.number(0, "energy_error"), 1e-3);
+}
+
+// The oblate of SSH loses its stability to m = 2 at V_r = 0.74973; what leaves it there are saddles towards smaller V_r.
+TEST_F(States, on_a_branch_are_followed_with_what_leaves_it) {
+  write("in.toml",
+        "[states]\nmodel = \"SSH\"\nreduced_volume = 0.755\nL = 0.05\neigenpairs = 2\n"
+        "[follow]\nto = 0.742\nlongest_step = 0.5\n");
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  const Table states = table("out/states.csv");
+  std::string branching;
+  bool left = false;
+  for (std::size_t row = 0; row < states.rows.size(); ++row) {
+    const bool first_path = states.text(row, "path") == "1";
+    const double V = states.number(row, "reduced_volume");
+    if (states.text(row, "point") == "branching") {
+      branching = states.text(row, "number");
+      EXPECT_NEAR(V, 0.74973, 1e-4);
+      EXPECT_NEAR(states.number(row, "eigenvalue_1"), 0, 1e-4);
+      continue;
+    }
+    EXPECT_EQ(states.text(row, "class"), first_path ? "Dooh" : "D2h");
+    EXPECT_EQ(states.text(row, "negative_directions"), !first_path ? "1" : V > 0.7497 ? "2" : "0");
+    if (first_path) continue;
+    left = true;
+    EXPECT_EQ(states.text(row, "from"), branching);
+    EXPECT_LT(V, 0.7497);
+  }
+  EXPECT_TRUE(left);
+  EXPECT_EQ(states.number(states.rows.size() - 1, "reduced_volume"), 0.742);
+  EXPECT_EQ(states.text(states.rows.size() - 1, "point"), "last");
+}
+
+TEST_F(States, on_a_branch_that_was_cut_short_are_completed_as_if_it_had_not_been) {
+  write("in.toml",
+        "[states]\nmodel = \"SSH\"\nreduced_volume = 0.85\nL = 0.05\ntriangles = 80\n"
+        "eigenpairs = 1\n[follow]\nto = 0.8\nlongest_step = 0.5\n[numerics]\nelements = 24\n");
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  const Contents whole = contents("out");
+  const std::string text = read("out/states.csv");
+  write("out/states.csv", text.substr(0, text.find("\n2,") + 1));
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  EXPECT_TRUE(contents("out") == whole);
+}
+
+}  // namespace
+}  // namespace sbeh::tools::test
