@@ -2,6 +2,9 @@
 
 #include "axisym/stationary/stationary_case.h"
 #include "studies/io/interrupt.h"
+#include "studies/io/progress.h"
+
+#include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
@@ -133,7 +136,7 @@ class Branches {
     std::optional<double> other;
     for (const double side : {1., -1.}) {
       if (count_ + int(waiting_.size()) >= int(most_paths)) return;
-      for (const double amplitude : {begins, begins / 3, 2 * begins}) {
+      for (const double amplitude : {begins, begins / 3, 2 * begins, begins / 10}) {
         const auto first = switched(path_, at.at, at.modes.front(), side * amplitude);
         if (!first) continue;
         if (other && std::abs(*other - first->mu) < alike) break;
@@ -141,8 +144,11 @@ class Branches {
         other = first->mu;
         break;
       }
-      if (at.modes.size() > 1) return;
+      if (at.modes.size() > 1) break;
     }
+    if (!other)
+      tell(
+          fmt::format("sbeh: number {}: no state is found on the branch that leaves there\n", row));
   }
 
   const StatesInput& input_;
