@@ -186,7 +186,7 @@ TEST(Tables, have_these_columns) {
          "wall_seconds,stop_reason");
   expect(perturbed_columns(), "time,time_step,energy,amplitude,normal_speed,order_speed");
   expect(threshold_columns(), "model,L,branch,l,m,reduced_volume,error,below,above,harmonics");
-  expect(mode_columns(), "m,parity,number,eigenvalue,rate");
+  expect(mode_columns(), "m,parity,number,eigenvalue,rate,eigenvalue_error,rate_error");
   expect(fluctuation_columns(), "m,parity,number,eigenvalue,mean_square");
   expect(contour_columns(), "m,mean_square,spectrum");
   expect(figures::energy_columns(), "solver,model,reduced_volume,L,triangles,at_rest,time,energy");
