@@ -104,31 +104,13 @@ void add_fluctuations(const ModesInput& input, const axisym::SecondVariation& se
 
 // ---- files --------------------------------------------------------------------------------------
 
-struct ModeNode {
-  double arc_length, r, z, order, displacement, order_change;
-  double energy_displacement, energy_order_change;  ///< of the eigenfunction of λ
-};
-const Columns<ModeNode>& node_columns() {
-  static const Columns<ModeNode> columns{
-      column("arc_length", &ModeNode::arc_length),
-      column("r", &ModeNode::r),
-      column("z", &ModeNode::z),
-      column("order", &ModeNode::order),
-      column("displacement", &ModeNode::displacement),
-      column("order_change", &ModeNode::order_change),
-      column("energy_displacement", &ModeNode::energy_displacement),
-      column("energy_order_change", &ModeNode::energy_order_change),
-  };
-  return columns;
-}
-
 std::string nodes_of(const FoundMode& mode) {
   const axisym::Field s = arc_lengths(mode.state.X);
   std::vector<ModeNode> nodes;
   for (Eigen::Index i = 0; i < s.size(); ++i)
     nodes.push_back({s[i], mode.state.X(0, i), mode.state.X(1, i), mode.state.beta[i], mode.u[i],
                      mode.b[i], mode.energy_u[i], mode.energy_b[i]});
-  return table_text(node_columns(), nodes);
+  return table_text(mode_node_columns(), nodes);
 }
 
 void write_modes(const OutputFolder& folder, const FoundModes& found,
@@ -187,6 +169,20 @@ const Columns<ModeRow>& mode_columns() {
       known_column("rate", &Row::rate),
       known_column("eigenvalue_error", &Row::eigenvalue_error, "{:.3g}"),
       known_column("rate_error", &Row::rate_error, "{:.3g}"),
+  };
+  return columns;
+}
+
+const Columns<ModeNode>& mode_node_columns() {
+  static const Columns<ModeNode> columns{
+      column("arc_length", &ModeNode::arc_length),
+      column("r", &ModeNode::r),
+      column("z", &ModeNode::z),
+      column("order", &ModeNode::order),
+      column("displacement", &ModeNode::displacement),
+      column("order_change", &ModeNode::order_change),
+      column("energy_displacement", &ModeNode::energy_displacement),
+      column("energy_order_change", &ModeNode::energy_order_change),
   };
   return columns;
 }

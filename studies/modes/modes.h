@@ -21,6 +21,13 @@ struct ModeRow {
 };
 const Columns<ModeRow>& mode_columns();
 
+/// A row of a mode's table, modes/m2_even_1.csv: a node.
+struct ModeNode {
+  double arc_length, r, z, order, displacement, order_change;
+  double energy_displacement, energy_order_change;  ///< of the eigenfunction of λ
+};
+const Columns<ModeNode>& mode_node_columns();
+
 /// A row of fluctuations.csv.
 struct FluctuationRow {
   ModeKey key;

@@ -20,6 +20,11 @@ void read_state(const TomlTable& table, ModesInput& input) {
   state.material = state.material.with_L(table.number("L", above(0)));
 }
 
+model::Material read_material(const TomlTable& table, const ModesInput& input) {
+  return read_material_without_L(table, "modes, where L comes from [modes]")
+      .with_L(input.state.L());
+}
+
 // A description names both; they may differ in what does not move the state.
 void require_material_of_scan(const TomlTable& table, const ModesInput& input,
                               const model::Material& asked) {
@@ -60,9 +65,7 @@ ModesInput read_modes(const std::filesystem::path& path) {
   modes.has("fluctuations");
   modes.reject_unknown_keys();
   material.measured_by(lengths_of(input.units));
-  const model::Material asked =
-      read_material_without_L(material, "modes, where L comes from [modes]")
-          .with_L(input.state.L());
+  const model::Material asked = read_material(material, input);
   if (input.scan.empty()) {
     input.state.material = asked;
     input.state.numerics = read_numerics<axisym::Numerics>(numerics);
@@ -78,6 +81,14 @@ ModesInput read_modes(const std::filesystem::path& path) {
   }
   read_thermal_energy(file, modes, input);
   return input;
+}
+
+axisym::StationaryCase described_state(const std::filesystem::path& description) {
+  const TomlTable file = TomlFile::parse(description);
+  ModesInput input;
+  read_state(file.table("modes"), input);
+  input.state.material = read_material(file.table("material"), input);
+  return input.state;
 }
 
 std::string text_of(const axisym::StationaryCase& of) {

@@ -39,6 +39,9 @@ void take_from_scan(ModesInput& input);
 /// Throws InputError.
 ModesInput read_modes(const std::filesystem::path& path);
 
+/// The state alone that a run.toml of modes describes, the scan it may be from not being looked at. Throws InputError.
+axisym::StationaryCase described_state(const std::filesystem::path& description);
+
 /// The state for people, such as "SSH oblate, V_r = 0.8, L = 0.05".
 std::string text_of(const axisym::StationaryCase& of);
 

@@ -51,6 +51,8 @@ Bundle live_data(const std::filesystem::path& folder, ResultsKind kind,
       return live_relax(folder, units);
     case ResultsKind::modes:
       return live_modes(folder, units);
+    case ResultsKind::states:
+      return live_states(folder, units);
     default:
       return {};
   }
@@ -58,7 +60,7 @@ Bundle live_data(const std::filesystem::path& folder, ResultsKind kind,
 
 bool has_live_page(ResultsKind kind) {
   using enum ResultsKind;
-  return kind == scan || kind == run || kind == relax || kind == modes;
+  return kind == scan || kind == run || kind == relax || kind == modes || kind == states;
 }
 
 std::string too_many_for_a_page(const std::filesystem::path& folder, ResultsKind kind) {

@@ -1,18 +1,32 @@
 // Profiles of a live page, in 16 bits.
 #pragma once
 
-#include "studies/report/bundle.h"
-#include "studies/states/profile_file.h"
+#include "studies/report/packed_fields.h"
 
 #include <array>
 #include <filesystem>
+#include <string>
+#include <utility>
 #include <vector>
 
 namespace sbeh::studies {
 
-/// Becomes two parts of the data:
-///   profiles.csv   a row per profile: what it belongs to, the nodes, the ranges of the fields
-///   profiles       r, z, order and mean curvature of each, as differences from node to node
+/// How many nodes a profile may have on a page of so many.
+std::size_t most_profile_nodes(std::size_t profiles);
+
+/// Of each field at all nodes.
+template <class Node, std::size_t fields>
+std::vector<std::vector<double>> values_of(const std::vector<Node>& nodes,
+                                           const std::array<double Node::*, fields>& members) {
+  std::vector<std::vector<double>> values;
+  for (const auto member : members) {
+    std::vector<double>& field = values.emplace_back();
+    for (const Node& node : nodes) field.push_back(node.*member);
+  }
+  return values;
+}
+
+/// The parts `profiles` (packed_fields.h): r, z, order and H.
 class PackedProfiles {
  public:
   /// Where many are expected each has fewer nodes.
@@ -20,16 +34,11 @@ class PackedProfiles {
 
   /// The profile in a file, thinned where it has more nodes than a picture needs. Throws OutputError where it is damaged.
   void add(int index, const std::filesystem::path& file);
-  void put_into(Bundle& bundle) const;
+  void put_into(Bundle& bundle) const { fields_.put_into(bundle); }
 
  private:
-  struct Line {
-    int index, nodes;
-    std::array<NumberRange, 4> ranges{};
-  };
   std::size_t most_nodes_;
-  std::vector<Line> lines_;
-  std::vector<std::uint16_t> numbers_;
+  PackedFields fields_;
 };
 
 }  // namespace sbeh::studies

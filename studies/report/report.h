@@ -45,7 +45,7 @@ struct ReportSummary {
 };
 
 /// Writes report.html into the folder: title, key numbers, pictures and charts, tables, the resolved input
-/// and how to run it again. With the `script` of tools/page the page of a scan or a 3D run can be explored. With `units` all numbers but those of the input are
+/// and how to run it again. With the `script` of tools/page a page of a kind that has one can be explored (live_data.h). With `units` all numbers but those of the input are
 /// physical; the pictures are those of the folder. Replaces an earlier report; throws OutputError when a file of that name is
 /// something else, or cannot be written, and what kind_of_results() and key_numbers() throw.
 ReportSummary write_report(const std::filesystem::path& folder, std::string_view version,

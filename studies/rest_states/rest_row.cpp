@@ -15,6 +15,10 @@ std::filesystem::path frame_of(const std::filesystem::path& folder, int number) 
   return folder / fmt::format("frames/state_{:04}.vtu", number);
 }
 
+std::filesystem::path mode_of(const std::filesystem::path& folder, int number, int eigenpair) {
+  return folder / fmt::format("modes/state_{:04}_mode_{}.vtu", number, eigenpair);
+}
+
 Columns<RestRow> rest_columns(const StatesInput& input) {
   using Row = RestRow;
   using Measures = RestMeasures;

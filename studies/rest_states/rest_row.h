@@ -64,6 +64,8 @@ double energy_of(const RestRow& row);
 
 /// Of the state of that number, in the folder of states.csv.
 std::filesystem::path frame_of(const std::filesystem::path& folder, int number);
+/// One of its eigenpairs, 1 …
+std::filesystem::path mode_of(const std::filesystem::path& folder, int number, int eigenpair);
 
 /// The rows and what they say, for people.
 std::string table_of(const StatesInput& input, const std::vector<RestRow>& rows);

@@ -47,8 +47,7 @@ void write_modes(const fs::path& folder, int number, const SeenState& seen,
                               {"order_change", modes[k].b.transpose()}};
     Globals globals{{"eigenvalue", Eigen::VectorXd::Constant(1, modes[k].eigenvalue)}};
     write_physics(physics, globals);
-    write_file(folder / fmt::format("modes/state_{:04}_mode_{}.vtu", number, k + 1),
-               vtu_text(surface, at_nodes, globals));
+    write_file(mode_of(folder, number, int(k) + 1), vtu_text(surface, at_nodes, globals));
   }
 }
 

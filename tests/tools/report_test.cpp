@@ -144,6 +144,21 @@ TEST_F(Report, of_a_comparison_and_of_the_classical_diagram_has_their_numbers) {
   expect_numbers(page_of("seifert"), "seifert/points.csv");
 }
 
+TEST_F(Report, of_rest_states_has_their_numbers_and_says_which_frame_is_damaged) {
+  write("in.toml",
+        "[states]\nmodel = \"SSH\"\nbranch = \"oblate\"\nreduced_volume = [0.8, 0.85]\nL = 0.05\n"
+        "triangles = 180\neigenpairs = 1\n");
+  must(into("out", "states"));
+  const std::string page = page_of("out");
+  expect_numbers(page, "out/states.csv");
+  expect_input(page, "out/run.toml");
+  EXPECT_NE(page.find("<h1>Rest states in 3D: SSH</h1>"), std::string::npos);
+  write("out/frames/state_0002.vtu", "");
+  EXPECT_THROW(studies::write_report(path("out"), "0", "begin()"), studies::InputError);
+  fs::remove(path("out/frames/state_0002.vtu"));
+  EXPECT_TRUE(studies::write_report(path("out"), "0", "begin()").live);
+}
+
 TEST_F(Report, can_be_explored_with_a_script_and_says_how_to_have_it_without) {
   write("in.toml", "[scan]\nreduced_volume = 0.8\nL = 0.05\nmodels = [\"SSH\"]\n");
   must(into("out", "scan"));

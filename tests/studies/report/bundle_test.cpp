@@ -1,12 +1,15 @@
 // What a live page is given: numbers in 16 bits and back, the order of their bytes, and the packing of all.
 #include "studies/report/bundle.h"
 
+#include "studies/report/packed_fields.h"
+
 #include <gtest/gtest.h>
 #include <vtkBase64Utilities.h>
 #include <vtkNew.h>
 #include <vtkZLibDataCompressor.h>
 
 #include <cmath>
+#include <numeric>
 #include <string>
 #include <vector>
 
@@ -66,6 +69,16 @@ std::string unpacked(const std::string& element, std::size_t size) {
                                 packed.size(), reinterpret_cast<unsigned char*>(bytes.data()),
                                 bytes.size()));
   return bytes;
+}
+
+TEST(Evenly, chooses_the_first_the_last_and_between_them_at_equal_steps) {
+  std::vector<int> all(101);
+  std::iota(all.begin(), all.end(), 0);
+  EXPECT_EQ(evenly(all, 5), (std::vector{0, 25, 50, 75, 100}));
+  EXPECT_EQ(evenly(all, 2), (std::vector{0, 100}));
+  EXPECT_EQ(evenly(all, 1), (std::vector{0}));
+  EXPECT_EQ(evenly(all, 101), all);
+  EXPECT_EQ(evenly(all, 1000), all);
 }
 
 TEST(Bundle, has_an_index_and_the_parts_by_their_bytes) {

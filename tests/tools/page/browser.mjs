@@ -4,6 +4,7 @@ import { mkdtempSync, readFileSync, rmSync, writeFileSync } from "node:fs";
 import { createRequire } from "node:module";
 import { tmpdir } from "node:os";
 import { join } from "node:path";
+import { inflateSync } from "node:zlib";
 
 const { chromium } = createRequire(`${process.env.SBEH_PAGE_FOLDER}/`)("playwright-core");
 
@@ -59,6 +60,24 @@ export function table_of(text) {
   const columns = header.split(",");
   return lines.map((line) => Object.fromEntries(columns.map((name, k) => [name, fields(line)[k]])));
 }
+
+// The parts of the data, read without the code of the page.
+export function parts_of(text) {
+  const [, packed] = text.match(/id="sbeh-data">([^<]*)</);
+  const bytes = inflateSync(Buffer.from(packed, "base64"));
+  const end = bytes.indexOf("\n\n");
+  let from = end + 2;
+  const parts = {};
+  for (const { name, bytes: size } of table_of(bytes.subarray(0, end).toString())) {
+    parts[name] = bytes.subarray(from, from + Number(size));
+    from += Number(size);
+  }
+  return parts;
+}
+export const numbers_of = (bytes, places) => {
+  const count = bytes.length / places;
+  return Array.from({ length: count }, (_, i) => Array.from({ length: places }, (__, p) => bytes[p * count + i] * 256 ** p).reduce((a, b) => a + b));
+};
 
 export class Browser {
   static async start(...more) {

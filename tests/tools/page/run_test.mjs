@@ -2,8 +2,7 @@
 import assert from "node:assert/strict";
 import { copyFileSync } from "node:fs";
 import { after, before, test } from "node:test";
-import { inflateSync } from "node:zlib";
-import { Browser, colours_in, comes_to_be_told, numbers_in, picture_of, reported, table_of, vesicle } from "./browser.mjs";
+import { Browser, colours_in, comes_to_be_told, numbers_in, numbers_of, parts_of, picture_of, reported, table_of, vesicle } from "./browser.mjs";
 
 const input = `model = "SBEH"
 [surface]
@@ -33,24 +32,6 @@ after(async () => {
 
 const canvas = ".explore-run .surface canvas";
 const slide_to = (index, on = page) => on.locator("input[type=range]").fill(String(index));
-
-// The parts of the data, read without the code of the page.
-function parts_of(text) {
-  const [, packed] = text.match(/id="sbeh-data">([^<]*)</);
-  const bytes = inflateSync(Buffer.from(packed, "base64"));
-  const end = bytes.indexOf("\n\n");
-  let from = end + 2;
-  const parts = {};
-  for (const { name, bytes: size } of table_of(bytes.subarray(0, end).toString())) {
-    parts[name] = bytes.subarray(from, from + Number(size));
-    from += Number(size);
-  }
-  return parts;
-}
-const numbers_of = (bytes, places) => {
-  const count = bytes.length / places;
-  return Array.from({ length: count }, (_, i) => Array.from({ length: places }, (__, p) => bytes[p * count + i] * 256 ** p).reduce((a, b) => a + b));
-};
 
 test("the surfaces of the frames have the area and volume of the run, the order its range", () => {
   const parts = parts_of(run.read("report.html"));

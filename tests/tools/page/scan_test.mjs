@@ -1,5 +1,6 @@
 // The page of a scan as its reader uses it.
 import assert from "node:assert/strict";
+import { renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
 import { Browser, colours_in, comes_to_be_told, numbers_in, picture_of, reported, table_of, vesicle } from "./browser.mjs";
@@ -66,17 +67,48 @@ test("a click shows the shape of the point, as its profile has it", async () => 
   for (const picture of pictures) assert.ok((await colours_in(page, picture)) > 100);
 });
 
-test("the command for the modes of a point, as it is told, shows them", async () => {
-  await click(row_of("SBEH", "oblate", "0.7", "0.03"));
+test("the command for the modes of a point, as it is told, brings their shapes into the page", async () => {
+  const index = row_of("SBEH", "oblate", "0.7", "0.03"), row = rows[index], report = scan.read("report.html");
+  await click(index);
   const [, ...words] = (await page.locator(".modes code").textContent()).split(" ");
-  assert.equal(words.at(-1), "NEW_FOLDER");
-  const other = scan.made([...words.slice(0, -1), join(scan.folder, "..", "modes"), "--no-pictures"]);
-  const shown = await browser.open_live(other);
-  const row = rows[row_of("SBEH", "oblate", "0.7", "0.03")];
-  const of_m2 = await shown.$$eval("tr[data-mode^=m2]", (lines) => lines.map((line) => Number(line.querySelectorAll("td")[4].textContent)));
+  scan.made([...words, "--no-pictures"]);
+  const name = "modes/SBEH_oblate_v0.7_L0.03", modes = scan.table(`${name}/modes.csv`);
+  const of_m2 = modes.filter(({ m }) => m === "2").map(({ eigenvalue }) => Number(eigenvalue));
   // Computed from the profile, the same state to rounding: 1e-6 is far below what tells modes apart.
   assert.ok(Math.abs(Math.min(...of_m2) - Number(row.eigenvalue_m2)) < 1e-6);
-  await shown.close();
+  scan.report();
+  const there = await browser.open_live(scan.file);
+  await click(index, there);
+  const shown = await there.$$eval(".modes tr[data-mode]", (lines) => lines.slice(1).map((line) => [...line.querySelectorAll("td")].slice(1).map((cell) => cell.textContent)));
+  assert.deepEqual(shown, modes.map((mode) => Object.values(mode)));
+  const section = () => there.$$eval(".profile path[stroke]", (paths) => paths.map((path) => path.getAttribute("d").match(/-?[\d.e-]+/g).map(Number)));
+  const before_it = await section(), at_rest = await picture_of(there, ".point canvas"), pictures = new Set([at_rest]);
+  for (const { m, parity, number } of modes) {
+    await there.locator(`tr[data-mode=m${m}_${parity}_${number}]`).click();
+    await there.locator("input[type=range]").fill("0");
+    const rest = await section();
+    await there.locator("input[type=range]").fill("0.2");
+    pictures.add(await picture_of(there, ".point canvas"));
+    const far = (await section()).map(([x, y], k) => Math.hypot(x - rest[k][0], y - rest[k][1]));
+    const u = scan.table(`${name}/modes/m${m}_${parity}_${number}.csv`).map((node) => Math.abs(node.displacement));
+    // Every second node or so is drawn, at whose neighbours u is less by a fiftieth at most; the last one of a half has no piece.
+    assert.ok(Math.abs(Math.max(...far) - 0.2 * Math.max(...u)) < 0.02 * 0.2, `m = ${m}, ${parity}, ${number}`);
+  }
+  assert.equal(pictures.size, 1 + modes.length);
+  await there.locator("tr[data-mode=rest]").click();
+  assert.equal(await picture_of(there, ".point canvas"), at_rest);
+  assert.deepEqual(await section(), before_it);
+  await click(row_of("SBEH", "oblate", "0.8", "0.03"), there);
+  assert.equal(await there.locator("tr[data-mode]").count(), 0);
+  await there.setViewportSize({ width: 380, height: 900 });
+  await click(index, there);
+  assert.equal(await there.evaluate(() => document.documentElement.scrollWidth), 380);
+  assert.deepEqual(there.faults, []);
+  await there.close();
+  renameSync(join(scan.folder, name), join(scan.folder, "modes/SBEH_oblate_v0.8_L0.03"));
+  assert.throws(() => scan.report(), /SBEH_oblate_v0\.8_L0\.03: holds the modes of SBEH oblate, V_r = 0\.7, L = 0\.03, not of SBEH oblate, V_r = 0\.8, L = 0\.03/);
+  rmSync(join(scan.folder, "modes"), { recursive: true });
+  scan.written("report.html", report);
 });
 
 test("the pointer over a point tells its numbers", async () => {

@@ -5,10 +5,12 @@ import { element } from "./dom.js";
 import { ModesPage } from "./modes/page.js";
 import { RunPage } from "./run/page.js";
 import { ScanPage } from "./scan/page.js";
+import { StatesPage } from "./states/page.js";
 import style from "./style.css";
 
 function page_of(parts, size) {
   if (parts.has("scan.csv")) return new ScanPage(parts);
+  if (parts.has("states.csv")) return new StatesPage(parts);
   return parts.has("modes.csv") ? new ModesPage(parts) : new RunPage(parts, size);
 }
 

@@ -1,11 +1,10 @@
-// The frames of a 3D run, as studies/report/live_run.cpp packs them.
+// Curved surfaces with their fields, as studies/report/packed_film.h has them: the frames of a 3D run, states at rest.
 import { dequantised, summed } from "../data.js";
 
 const unknown = 65535;
 
 export class Film {
   constructor(parts) {
-    this.states = Number(parts.get("states"));
     this.fields = parts.table("fields.csv").map(({ name, low, high }) => ({ name, low: Number(low), high: Number(high) }));
     this.meshes = parts.table("meshes.csv").map(({ triangles, nodes }, k) => ({
       curved: Number(triangles),
@@ -14,10 +13,10 @@ export class Film {
       numbers: summed(parts.get(`frames/${k}`), this.fields.length * Number(nodes)),
     }));
     const seen = this.meshes.map(() => 0);
-    this.frames = parts.table("shown.csv").map(({ time, file, mesh }) => {
+    this.frames = parts.table("shown.csv").map(({ mesh, ...frame }) => {
       const of = this.meshes[Number(mesh)];
       const size = this.fields.length * of.nodes, from = size * seen[Number(mesh)]++;
-      return { time, file, mesh: of, numbers: of.numbers.subarray(from, from + size) };
+      return { ...frame, mesh: of, numbers: of.numbers.subarray(from, from + size) };
     });
     this.ranges = new Map();
     const triangles = [...new Set(this.meshes.map((mesh) => mesh.curved))].join(", ");

@@ -1,9 +1,8 @@
 // The live page of an evolution.
-import { colour_bytes, colour_map_choices } from "../colours.js";
-import { colour_bar } from "../colour_bar.js";
 import { Units } from "../data.js";
-import { choice, element } from "../dom.js";
-import { SurfaceView } from "../surface/view.js";
+import { element } from "../dom.js";
+import { number_lines } from "../numbers.js";
+import { FilmView } from "../surface/film_view.js";
 import { Charts } from "./charts.js";
 import { Film } from "./film.js";
 import { ProfileFilm } from "./profile_film.js";
@@ -15,7 +14,6 @@ const fields = [
 ]; // and the part of the nodes whose values may lie beyond the colours
 const frame_milliseconds = 80;
 const told = ["energy", "order_min", "order_mean", "order_max", "H_abs_max", "speed_max", "reduced_volume"];
-const least_width = 1e-6; // of the largest value: less is quantisation
 
 const megabytes = (bytes) => `${(1e-6 * bytes).toFixed(1)} MB`;
 
@@ -25,9 +23,16 @@ export class RunPage {
     if (!this.film.frames.length) throw new Error("none of its states is in the folder");
     this.series = parts.table("series.csv");
     this.units = new Units(parts);
-    this.view = new SurfaceView("the surface");
+    this.states = Number(parts.get("states"));
+    this.view = new FilmView(this.film, {
+      label: "the surface",
+      fields: fields.filter(([name]) => this.film.has(name)),
+      all: "all frames",
+      one: "this frame",
+      units: this.units,
+      on_choice: () => this.show(this.index),
+    });
     this.charts = new Charts(this.series, parts.table("charts.csv"), this.units.titled("time", "t"), (time) => this.show(this.nearest(time)));
-    this.choices = { field: "order", colours: "viridis", range: "all" };
     this.slider = element("input", {
       type: "range",
       min: "0",
@@ -38,46 +43,23 @@ export class RunPage {
     });
     this.play_button = element("button", { type: "button", onclick: () => this.play() }, "Play");
     this.time = element("output", { class: "time" });
-    this.bar = element("div");
     this.numbers = element("table", { class: "numbers" });
     this.element = element(
       "div",
       { class: "explore-run" },
-      this.controls(),
-      element("div", { class: "two" }, element("div", {}, this.view.element, this.bar), element("div", {}, this.numbers)),
+      this.view.controls,
+      element("div", { class: "two" }, this.view.element, element("div", {}, this.numbers)),
       element("div", { class: "slide" }, this.play_button, this.slider, this.time),
       element("p", { class: "note" }, this.about(size)),
       this.charts.element,
     );
-    if (is_uniform(this.film.whole_range("order", 0))) this.choose("field", "H");
     this.show(this.film.frames.length - 1);
   }
 
   about(size) {
-    const { frames, states, about } = this.film;
-    const shown = frames.length === states ? states : `${frames.length} of ${states}`;
+    const { frames, about } = this.film;
+    const shown = frames.length === this.states ? this.states : `${frames.length} of ${this.states}`;
     return `${shown} ${about}; their data take ${megabytes(size)} of this page.`;
-  }
-
-  controls() {
-    const select = (key, label, options) => {
-      const made = choice(label, options, this.choices[key], (value) => this.choose(key, value));
-      made.querySelector("select").name = key;
-      return made;
-    };
-    this.form = element(
-      "div",
-      { class: "controls" },
-      select("field", "colour by", fields.filter(([name]) => this.film.has(name)).map(([name, title]) => [name, title])),
-      select("range", "from", [["all", "all frames"], ["one", "this frame"]]),
-      select("colours", "colours", colour_map_choices),
-    );
-    return this.form;
-  }
-  choose(key, value) {
-    this.choices[key] = value;
-    this.form.querySelector(`[name=${key}]`).value = value;
-    if (this.index !== undefined) this.show(this.index);
   }
 
   nearest(time) {
@@ -87,13 +69,8 @@ export class RunPage {
 
   show(index) {
     this.index = index;
-    const frame = this.film.frames[index], { field, colours, range } = this.choices;
-    const [name, title, clipped] = fields.find(([key]) => key === field);
-    const ends = range === "all" ? this.film.whole_range(name, clipped) : this.film.range([frame], name, clipped);
-    const bytes = colour_bytes(colours, is_uniform(ends) ? [ends[0], ends[0]] : ends, this.film.values(frame, name));
-    this.view.show(this.film.surface(frame), bytes);
-    const shown = this.units.shown(name, is_uniform(ends) ? [ends[0], ends[0]] : ends);
-    this.bar.replaceChildren(colour_bar(this.units.titled(name, title), colours, shown, clipped > 0));
+    const frame = this.film.frames[index];
+    this.view.show(frame);
     this.slider.value = String(index);
     this.time.textContent = `t = ${this.units.after("time", frame.time)}`;
     this.slider.setAttribute("aria-valuetext", this.time.textContent);
@@ -104,8 +81,8 @@ export class RunPage {
   // Of the row of series.csv at the time of the frame, or the last before it.
   show_numbers(frame) {
     const row = this.series.findLast((one) => Number(one.time) <= Number(frame.time)) ?? this.series[0];
-    const line = (name) => element("tr", { "data-column": name }, element("th", { scope: "row" }, this.units.titled(name)), element("td", {}, row[name]));
-    this.numbers.replaceChildren(element("tbody", {}, ...["time", ...told].filter((name) => row[name] !== undefined).map(line)));
+    const columns = ["time", ...told].filter((name) => row[name] !== undefined);
+    this.numbers.replaceChildren(element("tbody", {}, ...number_lines(columns, this.units, row)));
   }
 
   play() {
@@ -123,8 +100,4 @@ export class RunPage {
       if (this.index === last) stop();
     }, frame_milliseconds);
   }
-}
-
-function is_uniform([low, high]) {
-  return high - low <= least_width * Math.max(Math.abs(low), Math.abs(high));
 }

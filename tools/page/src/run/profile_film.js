@@ -1,11 +1,10 @@
 // The profiles of an axisymmetric evolution as surfaces: what film.js is for a 3D run.
-import { Profiles } from "../profiles.js";
+import { PackedFields } from "../packed_fields.js";
 import { revolved } from "../surface/revolved.js";
 
 export class ProfileFilm {
   constructor(parts) {
-    const profiles = new Profiles(parts);
-    this.states = Number(parts.get("states"));
+    const profiles = new PackedFields(parts, "profiles");
     this.frames = parts.table("shown.csv").map(({ time, file }, k) => ({ time, file, profile: profiles.get(k) }));
     this.about = "profiles, turned about their axis";
   }

@@ -1,6 +1,7 @@
 // Axes of a diagram over the values of a grid.
-import { bisectRight, scaleLinear, scaleLog } from "d3";
+import { bisectRight, scaleLinear, scaleLog, scalePoint } from "d3";
 import { svg } from "../dom.js";
+import { number_of } from "./table.js";
 
 export const margin = { left: 72, right: 14, top: 10, bottom: 46 };
 const most_named_ticks = 8;
@@ -61,4 +62,14 @@ export class Axis {
   at(place) {
     return this.values[bisectRight(this.borders, this.scale.invert(place)) - 1];
   }
+}
+
+// Of a quantity that has these values: numbers, or classes.
+export function scale_of(quantity, texts, range) {
+  if (quantity.classes) return scalePoint(quantity.classes.filter((name) => texts.includes(name)), range).padding(0.5);
+  const values = texts.map(number_of).filter(Number.isFinite);
+  if (!values.length) return scaleLinear([0, 1], range);
+  const low = Math.min(...values), high = Math.max(...values);
+  const room = high > low ? 0.05 * (high - low) : 0.1 * (Math.abs(high) || 1);
+  return scaleLinear([low - room, high + room], range);
 }

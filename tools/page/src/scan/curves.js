@@ -1,13 +1,11 @@
 // The diagram of a scan over one parameter: a quantity of all branches of a model as curves, and the chosen point.
-import { axisBottom, axisLeft, line, scaleLinear, scalePoint, select } from "d3";
+import { axisBottom, axisLeft, line, select } from "d3";
 import { class_colours } from "../colours.js";
 import { colour_list } from "../colour_bar.js";
 import { element, svg } from "../dom.js";
-import { Axis, axis_titles, height_for, margin, short } from "./axis.js";
-import { drawing_for, label_of } from "./drawing.js";
+import { Axis, axis_titles, height_for, margin, scale_of, short } from "./axis.js";
+import { drawing_for, label_of, nearest_point, ring_at } from "./drawing.js";
 import { number_of } from "./table.js";
-
-const reach = 40; // pixels from a point within which it is meant
 
 export class Curves {
   constructor(scan, on) {
@@ -45,7 +43,8 @@ export class Curves {
     const { quantity, model } = this.shown;
     this.points = this.scan.points.filter((p) => p.model === model).sort((a, b) => a.V - b.V || a.L - b.L);
     this.x.fit(margin.left, width - margin.right);
-    this.y = y_scale(quantity, this.points, [bottom, margin.top + 6]);
+    const texts = this.points.filter((p) => p.rests).map((p) => p.row[quantity.name]);
+    this.y = scale_of(quantity, texts, [bottom, margin.top + 6]);
     this.bottom = bottom;
     this.drawing.setAttribute("viewBox", `0 0 ${width} ${height}`);
     const across = svg("g", { class: "axis", transform: `translate(0 ${bottom})` });
@@ -100,23 +99,9 @@ export class Curves {
     if (!this.ring) return;
     this.ring.replaceChildren();
     if (!this.chosen || this.chosen.model !== this.shown.model) return;
-    const [cx, cy] = this.place(this.chosen);
-    for (const name of ["outer", "inner"]) this.ring.append(svg("circle", { class: name, cx, cy, r: 8 }));
+    this.ring.append(...ring_at(this.place(this.chosen)));
   }
   nearest(x, y) {
-    if (!this.points) return null;
-    const distance = (point) => Math.hypot(this.place(point)[0] - x, this.place(point)[1] - y);
-    const found = this.points.reduce((a, b) => (distance(b) < distance(a) ? b : a));
-    return distance(found) < reach ? found : null;
+    return this.points ? nearest_point(this.points, (point) => this.place(point), x, y) : null;
   }
-}
-
-function y_scale(quantity, points, range) {
-  const texts = points.filter((p) => p.rests).map((p) => p.row[quantity.name]);
-  if (quantity.classes) return scalePoint(quantity.classes.filter((name) => texts.includes(name)), range).padding(0.5);
-  const values = texts.map(number_of).filter(Number.isFinite);
-  if (!values.length) return scaleLinear([0, 1], range);
-  const low = Math.min(...values), high = Math.max(...values);
-  const room = high > low ? 0.05 * (high - low) : 0.1 * (Math.abs(high) || 1);
-  return scaleLinear([low - room, high + room], range);
 }

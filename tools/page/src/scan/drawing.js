@@ -29,4 +29,15 @@ export function drawing_for(on, point_at) {
   return drawing;
 }
 
+const reach = 40; // pixels from a point within which it is meant
+
+// The point that is drawn next to (x, y), if it is near; place(point): where it is.
+export function nearest_point(points, place, x, y) {
+  const distance = (point) => Math.hypot(place(point)[0] - x, place(point)[1] - y);
+  const found = points.reduce((a, b) => (distance(b) < distance(a) ? b : a));
+  return distance(found) < reach ? found : null;
+}
+
+export const ring_at = ([cx, cy]) => ["outer", "inner"].map((name) => svg("circle", { class: name, cx, cy, r: 8 }));
+
 export const label_of = (title) => `${title}: arrow keys go from point to point, Enter goes to the shape`;

@@ -2,13 +2,12 @@
 import { class_colours, colour_map_choices, colour_scale, not_known } from "../colours.js";
 import { colour_bar, colour_list } from "../colour_bar.js";
 import { choice, element } from "../dom.js";
+import { Tip } from "../tip.js";
 import { Curves } from "./curves.js";
 import { Diagram } from "./diagram.js";
 import { lines_of } from "./lines.js";
 import { name_of, PointPanel } from "./point.js";
 import { lowest_branch, map_of, neighbour, number_of, read_scan } from "./table.js";
-
-const beyond = 16; // pixels between the pointer and what is told of the point
 
 function colouring(quantity, map, colours, title) {
   const text = (point) => point.row[quantity.name];
@@ -45,8 +44,7 @@ export class ScanPage {
       enter: () => this.panel.view.canvas.focus(),
     });
     this.panel = new PointPanel(this.scan, () => this.choices.colours, { choose: (point) => this.go_to(point) });
-    this.tip = element("div", { class: "tip", hidden: true });
-    this.diagram.element.append(this.tip);
+    this.tip = new Tip(this.diagram.element);
     this.legend = element("div");
     this.said = element("output", { class: "said", "aria-live": "polite" });
     this.element = element(
@@ -139,17 +137,11 @@ export class ScanPage {
     return `${name_of(point)}: ${this.quantity.name} = ${value === "" ? "not known" : this.scan.units.after(this.quantity.name, value)}`;
   }
   hover(point, event) {
-    this.tip.hidden = !point;
-    if (!point) return;
+    if (!point) return this.tip.hide();
     const { row } = point;
     const lines = [`V_r = ${row.reduced_volume}, L = ${row.L}`, `${point.model} ${point.branch}, ${row.status}`];
     for (const name of new Set([this.quantity.name, "energy", "order_min", "class"]))
       if (row[name]) lines.push(`${name} = ${this.scan.units.after(name, row[name])}`);
-    this.tip.replaceChildren(...lines.map((line) => element("div", {}, line)));
-    const box = this.diagram.element.getBoundingClientRect();
-    const x = event.clientX - box.left, y = event.clientY - box.top;
-    const left = x + beyond + this.tip.offsetWidth > box.width ? x - beyond - this.tip.offsetWidth : x + beyond;
-    this.tip.style.left = `${Math.max(0, Math.min(left, box.width - this.tip.offsetWidth))}px`;
-    this.tip.style.top = `${y + beyond}px`;
+    this.tip.show(event, lines);
   }
 }

@@ -1,6 +1,8 @@
 // The points of a scan, its grid, and what a point has.
 import { Units } from "../data.js";
-import { Profiles } from "../profiles.js";
+import { with_normals } from "../modes/revolved_mode.js";
+import { label_of_mode, name_of_mode } from "../modes/table.js";
+import { PackedFields } from "../packed_fields.js";
 
 const resting = new Set(["stationary", "limit"]);
 const keys = new Set(["model", "reduced_volume", "L", "branch", "stop_reason"]);
@@ -11,7 +13,8 @@ const ascending = (values) => [...new Set(values)].sort((a, b) => a - b);
 
 export function read_scan(parts) {
   const rows = parts.table("scan.csv");
-  const profiles = new Profiles(parts);
+  const profiles = new PackedFields(parts, "profiles"), shapes = new PackedFields(parts, "mode_shapes");
+  const modes = modes_by_row(parts, shapes);
   const points = rows.map((row, index) => ({
     row,
     index,
@@ -21,6 +24,7 @@ export function read_scan(parts) {
     branch: row.branch,
     rests: resting.has(row.status),
     profile: () => profiles.get(index),
+    modes: modes.get(index) ?? [],
   }));
   return {
     points,
@@ -39,11 +43,22 @@ export function read_scan(parts) {
   };
 }
 
+// What sbeh modes has left of the points, by their rows.
+function modes_by_row(parts, shapes) {
+  const modes = new Map();
+  for (const { row: index, ...row } of parts.table("point_modes.csv")) {
+    const name = name_of_mode(row), key = `${index}/${name}`;
+    const mode = { name, label: label_of_mode(row), row, has_shape: shapes.has(key), shape: () => with_normals(shapes.get(key)) };
+    modes.set(Number(index), [...(modes.get(Number(index)) ?? []), mode]);
+  }
+  return modes;
+}
+
 // Columns that can be drawn: numbers, or classes where there are few.
-function quantities_of(rows) {
+export function quantities_of(rows, left_out = keys) {
   const quantities = [];
   for (const name of rows.columns) {
-    if (keys.has(name)) continue;
+    if (left_out.has(name)) continue;
     const texts = [...new Set(rows.map((row) => row[name]))].filter((text) => text !== "" && text !== "nan");
     if (texts.length === 0) continue;
     const numeric = texts.every((text) => Number.isFinite(Number(text)));

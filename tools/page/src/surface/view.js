@@ -34,12 +34,12 @@ export class SurfaceView {
     new ResizeObserver(() => this.resize()).observe(this.element);
   }
 
-  // `colours`: three bytes for each corner.
-  show(surface, colours) {
+  // `colours`: three bytes for each corner; `reach`: of what moves, so that it is seen from one distance.
+  show(surface, colours, reach = null) {
     this.painter.set_surface(surface);
     this.painter.set_colours(colours);
     this.has_surface = true;
-    const radius = Math.max(least_radius, radius_of(surface.positions));
+    const radius = Math.max(least_radius, reach ?? radius_of(surface.positions));
     if (Math.abs(radius - this.radius) > 0.02 * this.radius) this.look_from(this.angles() ?? start, radius);
     this.paint_soon();
   }
@@ -94,7 +94,7 @@ export class SurfaceView {
   }
 }
 
-function radius_of(positions) {
+export function radius_of(positions) {
   let largest = 0;
   for (let i = 0; i < positions.length; i += 3)
     largest = Math.max(largest, Math.hypot(positions[i], positions[i + 1], positions[i + 2]));
