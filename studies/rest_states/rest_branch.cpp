@@ -20,13 +20,20 @@ namespace {
 
 constexpr double shortest = 1e-3,
                  begins = 0.03;  // steps, in the length of surface3d/stationary/path.h
+// A first step of so many amplitudes does not fall back to the branch that is left.
+constexpr double growth = 10;
 constexpr std::size_t most_paths = 12;
 
 // A path that is still to be followed.
 struct Begin {
   PathPoint first;
-  int from;  // the branching point's row
+  int from;     // the branching point's row
+  double step;  // the first
 };
+
+model::Material material_of(const StatesInput& input) {
+  return input.material.with_L(input.L.front());
+}
 
 class Branches {
  public:
@@ -36,16 +43,15 @@ class Branches {
         number_(number),
         take_(take),
         path_(
-            mesh, input.model,
-            [&input](double mu) { return input.material.with_L(place_on_way(input, mu).L); },
+            mesh, input.model, [&input](double mu) { return material_of(input_on_way(input, mu)); },
             [&input](double mu) {
-              return axisym::target_of(place_on_way(input, mu).reduced_volume);
+              return axisym::target_of(input_on_way(input, mu).reduced_volume.front());
             }) {}
 
   std::string run(const surface3d::StationaryState& start) {
     const auto first = settled(path_, start, 0);
     if (!first) return "there is no branch through the first state: a fold is there";
-    waiting_.push_back({*first, 0});
+    waiting_.push_back({*first, 0, input_.follow->longest_step});
     while (!waiting_.empty() && !interrupt_signal()) {
       const Begin begin = waiting_.front();
       waiting_.pop_front();
@@ -65,7 +71,7 @@ class Branches {
     PathPoint at = begin.first;
     if (!take(RestPoint::first, at)) return;
     const double longest = input_.follow->longest_step;
-    double ds = std::min(longest, begin.from == 0 ? 1. : begins);
+    double ds = std::min(longest, begin.step);
     for (int states = 1; states < input_.follow->most_states && !interrupt_signal();) {
       const auto next = advance(path_, at, ds, shortest);
       if (!next) return;
@@ -76,7 +82,7 @@ class Branches {
       }
       if (!take_between(between)) return;
       if (next->mu > 1 || next->mu < 0) {
-        if (const auto end = settled(path_, *next, next->mu > 1 ? 1 : 0))
+        if (const auto end = settled(path_, *next, next->mu > 1 ? 1 : 0, next->phase))
           take(RestPoint::last, *end);
         return;
       }
@@ -102,7 +108,7 @@ class Branches {
     if (at.slope() * next.slope() < 0) {
       const PathPoint fold = locate_fold(path_, at, next, ds);
       // The other half of what has left a state with an axis is the same once more, turned.
-      between.joins = rigid_count(fold) < 6 && rigid_count(at) == 6;
+      between.joins = has_axis(fold) && !has_axis(at);
       between.is_clear = between.joins || change == 1;
       if (in_range(fold)) between.fold = fold;
     } else if (change > 0) {
@@ -124,10 +130,8 @@ class Branches {
     return true;
   }
 
-  int rigid_count(const PathPoint& p) {
-    path_.system->set_material(path_.material(p.mu));
-    path_.system->linearise(p, p.normals);
-    return path_.system->rigid_count();
+  bool has_axis(const PathPoint& p) {
+    return rigid_motions(path_.system->layout(), p, p.normals).loads.cols() < 6;
   }
 
   // Two modes alike are one, turned. Of one mode both sides are different states, unless a symmetry makes them alike.
@@ -136,11 +140,11 @@ class Branches {
     std::optional<double> other;
     for (const double side : {1., -1.}) {
       if (count_ + int(waiting_.size()) >= int(most_paths)) return;
-      for (const double amplitude : {begins, begins / 3, 2 * begins, begins / 10}) {
-        const auto first = switched(path_, at.at, at.modes.front(), side * amplitude);
+      for (const double amplitude : {begins, begins / 3, begins / 10, begins / 30, begins / 100}) {
+        const auto first = switched(path_, at, side * amplitude);
         if (!first) continue;
         if (other && std::abs(*other - first->mu) < alike) break;
-        waiting_.push_back({*first, row});
+        waiting_.push_back({*first, row, std::min(begins, growth * amplitude)});
         other = first->mu;
         break;
       }
@@ -161,11 +165,13 @@ class Branches {
 
 }  // namespace
 
-axisym::PlanePoint place_on_way(const StatesInput& input, double mu) {
-  axisym::PlanePoint at{input.reduced_volume.front(), input.L.front()};
-  double& moves = input.follow->parameter == FollowedParameter::L ? at.L : at.reduced_volume;
-  moves += mu * (input.follow->to - moves);
-  return at;
+double value_on_way(const StatesInput& input, double mu) {
+  const double first = value_of(input, input.follow->parameter);
+  return first + mu * (input.follow->to - first);
+}
+
+StatesInput input_on_way(const StatesInput& input, double mu) {
+  return at_value(input, input.follow->parameter, value_on_way(input, mu));
 }
 
 std::string follow_branches(const StatesInput& input, const surface3d::Triangulation& mesh,

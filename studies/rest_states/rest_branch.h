@@ -26,7 +26,8 @@ std::string follow_branches(const StatesInput& input, const surface3d::Triangula
                             const surface3d::StationaryState& start,
                             const std::function<int()>& number, const TakeState& take);
 
-/// Where on the way from the input's place to `to` a state lies; its material.
-axisym::PlanePoint place_on_way(const StatesInput& input, double mu);
+/// The parameter's value where a state lies on the way from the input's place to `to`, and the input there.
+double value_on_way(const StatesInput& input, double mu);
+StatesInput input_on_way(const StatesInput& input, double mu);
 
 }  // namespace sbeh::studies

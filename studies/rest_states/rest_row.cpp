@@ -7,6 +7,15 @@
 
 namespace sbeh::studies {
 
+namespace {
+
+// Neither V_r nor L, which have their columns.
+bool is_other(const StatesInput& input) {
+  return input.follow && input.follow->parameter > FollowedParameter::L;
+}
+
+}  // namespace
+
 double energy_of(const RestRow& row) {
   return row.measures ? row.measures->diagnostics.energy.total() : not_known;
 }
@@ -76,6 +85,10 @@ Columns<RestRow> rest_columns(const StatesInput& input) {
         fmt::format("eigenvalue_{}", k + 1), [k](auto& row) -> auto& {
           return row.eigenvalues[k];
         }));
+  if (is_other(input)) {
+    const std::string parameter = name(input.follow->parameter);
+    columns.insert(columns.begin() + 5, column(parameter, &Row::followed));
+  }
   if (input.follow)
     columns.insert(columns.begin() + 3, {column("path", &Row::path), column("point", &Row::point),
                                          column("from", &Row::from)});
@@ -83,10 +96,14 @@ Columns<RestRow> rest_columns(const StatesInput& input) {
 }
 
 std::string table_of(const StatesInput& input, const std::vector<RestRow>& rows) {
-  std::string text = fmt::format("{:>6} {:>8} {:>8} {:>14} {:>9} {:>6}  {}\n", "number", "V_r", "L",
-                                 "energy", "negative", "class", "lowest eigenvalues");
+  const bool other = is_other(input);
+  std::string text = fmt::format("{:>6} {:>8} {:>8} ", "number", "V_r", "L");
+  if (other) text += fmt::format("{:>11} ", name(input.follow->parameter));
+  text +=
+      fmt::format("{:>14} {:>9} {:>6}  {}\n", "energy", "negative", "class", "lowest eigenvalues");
   for (const RestRow& row : rows) {
     text += fmt::format("{:>6} {:>8.6g} {:>8.6g} ", row.key, row.reduced_volume, row.L);
+    if (other) text += fmt::format("{:>11.6g} ", row.followed);
     if (row.measures)
       text += fmt::format("{:>14.9g} {:>9} {:>6} ", row.measures->diagnostics.energy.total(),
                           row.measures->negative_directions, row.measures->symmetry);

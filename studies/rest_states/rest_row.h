@@ -50,6 +50,7 @@ struct RestRow {
   RestPoint point = RestPoint::first;
   std::optional<int> from;  ///< the number of the state where its path leaves another
   double reduced_volume = 0, L = 0;
+  double followed = 0;                              ///< the value of [follow]'s parameter
   PointStatus status = PointStatus::failed;         ///< stationary, unresolved or failed
   std::optional<RestMeasures> measures;             ///< none where it failed
   double energy_error = not_known;                  ///< estimated

@@ -111,7 +111,7 @@ RestMeasures measures_of(const SeenState& seen, const model::Material& material)
   of.diagnostics.energy = surface3d::energy(material, mesh, state);
   const surface3d::Moments moments = surface3d::moments_of(surface3d::samples_of(mesh, state.X));
   for (int k = 0; k < 3; ++k) of.lengths[std::size_t(k)] = std::sqrt(moments.principal[k]);
-  of.symmetry = surface3d::symmetry_class(mesh, state, rigid < 6);
+  of.symmetry = surface3d::symmetry_class(mesh, state);
   of.self_contact = !surface3d::self_contacts(mesh, state.X).empty();
   of.residual = surface3d::residual_of(seen.system, state);
   return of;

@@ -53,21 +53,23 @@ class FollowedRows {
   int next() const { return number_; }
 
   std::string take(const FoundState& found) {
-    const axisym::PlanePoint at = place_on_way(input_, found.point.mu);
-    line_.show(fmt::format(
-        "path {}: state {}, {} = {:.6g}", found.path, number_, name(input_.follow->parameter),
-        input_.follow->parameter == FollowedParameter::L ? at.L : at.reduced_volume));
+    const StatesInput here = input_on_way(input_, found.point.mu);
+    const axisym::PlanePoint at = places_of(here).front().at;
+    const double value = value_on_way(input_, found.point.mu);
+    line_.show(fmt::format("path {}: state {}, {} = {:.6g}", found.path, number_,
+                           name(input_.follow->parameter), value));
     const int number = number_++;
     if (const RestRow* there = table_.find(number)) return doubt(*there);
-    RestRow row = row_at(input_, {number, at});
+    RestRow row = row_at(here, {number, at});
+    row.followed = value;
     row.path = found.path;
     row.point = found.kind;
     if (found.from > 0) row.from = found.from;
-    const model::Material material = input_.material.with_L(at.L);
+    const model::Material material = here.material.with_L(at.L);
     surface3d::NewtonSystem system(*mesh_, material, input_.model);
-    if (system.linearise(found.point, found.point.normals)) {
-      measure(input_, {system, mesh_, found.point, found.point.normals, at}, folder_.path(), row);
-      row.energy_error = energy_error(input_, row, remeshed_start(*mesh_, found.point, material));
+    if (system.linearise(found.point, found.point.normals, {{}, found.point.phase})) {
+      measure(here, {system, mesh_, found.point, found.point.normals, at}, folder_.path(), row);
+      row.energy_error = energy_error(here, row, remeshed_start(*mesh_, found.point, material));
     } else {
       row.stop_reason = "the matrix is singular";
     }

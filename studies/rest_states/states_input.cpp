@@ -71,17 +71,51 @@ void read_places(const TomlTable& table, const Absent& absent, StatesInput& inpu
   input.L = table.grid("L", above(0), absent.L);
 }
 
+std::size_t power_of(FollowedParameter parameter) {
+  return std::size_t(parameter) - std::size_t(FollowedParameter::potential_1) + 1;
+}
+
+Interval range_of(FollowedParameter parameter) {
+  switch (parameter) {
+    case FollowedParameter::reduced_volume:
+      return reduced_volumes;
+    case FollowedParameter::L:
+      return above(0);
+    case FollowedParameter::k0:
+      return at_least(0);
+    default:
+      return model::any_number;
+  }
+}
+
+// Both ends are materials: what lies between is one then, too, since all bounds are linear.
+void check_end(const TomlTable& table, const StatesInput& input, const FollowInput& follow) {
+  const model::Material end = at_value(input, follow.parameter, follow.to).material;
+  const auto& powers = end.potential.coefficients();
+  std::size_t degree = powers.size();
+  while (degree > 0 && powers[degree - 1] == 0) --degree;
+  if (degree > 1 && (degree % 2 == 0 || powers[degree - 1] < 0))
+    table.fail("to",
+               "the potential must be bounded below: its highest power even, with a "
+               "coefficient > 0");
+}
+
 FollowInput read_follow(const TomlTable& table, const StatesInput& input) {
   if (places_of(input).size() != 1)
     table.fail("parameter",
                "belongs to one state: reduced_volume and L of [states] must be one value each");
   FollowInput follow;
   read_value(table, "parameter", follow.parameter);
-  const bool by_volume = follow.parameter == FollowedParameter::reduced_volume;
-  follow.to = table.number("to", by_volume ? reduced_volumes : above(0));
-  if (by_volume && follow.to == 1) table.fail("to", no_sphere_here);
-  if (follow.to == (by_volume ? input.reduced_volume : input.L).front())
+  follow.to = table.number("to", range_of(follow.parameter));
+  if (follow.parameter == FollowedParameter::reduced_volume && follow.to == 1)
+    table.fail("to", no_sphere_here);
+  if (follow.to == value_of(input, follow.parameter))
     table.fail("to", fmt::format("must not be the {} of the first state", name(follow.parameter)));
+  if (follow.parameter >= FollowedParameter::potential_1) {
+    if (!has_free_order(input.model))
+      table.fail("parameter", "belongs to model = 'SBEH': the order of SSH is 2/3 everywhere");
+    check_end(table, input, follow);
+  }
   follow.switches = table.boolean("switch", follow.switches);
   follow.longest_step = table.number(
       "longest_step", Interval{.low = 0, .high = 1, .low_open = true}, follow.longest_step);
@@ -118,6 +152,49 @@ std::vector<StatePlace> places_of(const StatesInput& input) {
   return places;
 }
 
+double value_of(const StatesInput& input, FollowedParameter parameter) {
+  switch (parameter) {
+    case FollowedParameter::reduced_volume:
+      return input.reduced_volume.front();
+    case FollowedParameter::L:
+      return input.L.front();
+    case FollowedParameter::H0:
+      return input.material.spontaneous_curvature;
+    case FollowedParameter::k0:
+      return input.material.residual_stiffness;
+    default: {
+      const auto& powers = input.material.potential.coefficients();
+      const std::size_t power = power_of(parameter);
+      return power < powers.size() ? powers[power] : 0;
+    }
+  }
+}
+
+StatesInput at_value(StatesInput input, FollowedParameter parameter, double value) {
+  switch (parameter) {
+    case FollowedParameter::reduced_volume:
+      input.reduced_volume = {value};
+      break;
+    case FollowedParameter::L:
+      input.L = {value};
+      break;
+    case FollowedParameter::H0:
+      input.material.spontaneous_curvature = value;
+      break;
+    case FollowedParameter::k0:
+      input.material.residual_stiffness = value;
+      break;
+    default: {
+      auto powers = input.material.potential.coefficients();
+      const std::size_t power = power_of(parameter);
+      powers.resize(std::max(powers.size(), power + 1));
+      powers[power] = value;
+      input.material.potential = model::Potential(powers);
+    }
+  }
+  return input;
+}
+
 ScanRow row_of(const StatesInput& input, const axisym::PlanePoint& at) {
   return {{at.reduced_volume, at.L, input.model, input.branch}, input.file};
 }
@@ -146,12 +223,12 @@ StatesInput read_states(const std::filesystem::path& path) {
                                      meshing::most_triangles, input.triangles);
   input.eigenpairs = states.integer("eigenpairs", 0, most_eigenpairs, input.eigenpairs);
   states.reject_unknown_keys();
-  if (file.has("follow")) input.follow = read_follow(follow, input);
   material.measured_by(lengths_of(input.units));
   input.material = read_material_without_L(material, "states, where L comes from [states]");
   if (input.start == StatesStart::scan)
     absent.material = origin_of(row_of(input, places_of(input).front().at)).physics->material;
   if (absent.material) take_material(file, material, *absent.material, input);
+  if (file.has("follow")) input.follow = read_follow(follow, input);
   if (input.start == StatesStart::branch)
     input.numerics = read_numerics<axisym::Numerics>(numerics);
   else if (file.has("numerics"))

@@ -25,9 +25,22 @@ enum class StatesStart {
 };
 constexpr auto names(StatesStart) { return std::array{"branch", "scan", "frame", "mesh"}; }
 
-/// What changes along a branch.
-enum class FollowedParameter { reduced_volume, L };
-constexpr auto names(FollowedParameter) { return std::array{"reduced_volume", "L"}; }
+/// What changes along a branch: V_r, L, and the numbers of [material] on which rest states depend, the coefficients of the
+/// potential one by one.
+enum class FollowedParameter {
+  reduced_volume,
+  L,
+  H0,  ///< spontaneous_curvature
+  k0,  ///< residual_stiffness
+  potential_1,
+  potential_2,
+  potential_3,
+  potential_4
+};
+constexpr auto names(FollowedParameter) {
+  return std::array{"reduced_volume", "L",           "H0",          "k0",
+                    "potential_1",    "potential_2", "potential_3", "potential_4"};
+}
 
 /// Table [follow]: the branch of the one state.
 struct FollowInput {
@@ -72,6 +85,11 @@ struct StatePlace {
 };
 /// By L, then by V_r, numbered from 1.
 std::vector<StatePlace> places_of(const StatesInput& input);
+
+/// The parameter's value at the one place of an input.
+double value_of(const StatesInput& input, FollowedParameter parameter);
+/// The input at this value, in place of its own.
+StatesInput at_value(StatesInput input, FollowedParameter parameter, double value);
 
 /// Of the scan from which a state starts.
 ScanRow row_of(const StatesInput& input, const axisym::PlanePoint& at);

@@ -44,14 +44,22 @@ NewtonSystem::NewtonSystem(const Triangulation& mesh, const model::Material& mat
                            model::Model model)
     : material_(material), layout_(mesh, model) {}
 
-bool NewtonSystem::linearise(const StationaryState& state, const Nodes& normals) {
+bool NewtonSystem::linearise(const StationaryState& state, const Nodes& normals,
+                             const Holds& holds) {
   assemble(material_, layout_, state, normals, derivatives_);
   const int before = borders();
   rigid_ = rigid_motions(layout_, state, normals);
+  has_amplitude_ = holds.amplitude.size() > 0;
+  if (holds.phase.size() > 0 && rigid_count() == 5) {
+    rigid_.loads.conservativeResize(Eigen::NoChange, 6);
+    rigid_.loads.col(5) = holds.phase;
+  }
   if (!derivatives_.gradient.allFinite()) return false;
   if (bordered_.rows() > 0 && borders() != before) solver_ = DirectSolver(Symmetry::symmetric);
   Eigen::MatrixXd B(layout_.size(), borders());
-  B << derivatives_.constraints, rigid_.loads;
+  B.leftCols(2) = derivatives_.constraints;
+  B.middleCols(2, rigid_count()) = rigid_.loads;
+  if (has_amplitude_) B.rightCols<1>() = holds.amplitude;
   set_bordered(derivatives_.hessian, B, bordered_);
   return solver_.factor(bordered_);
 }
@@ -98,6 +106,7 @@ bool NewtonSystem::solve(Eigen::VectorXd rhs, const Eigen::Vector2d& miss, Incre
                                  : Field(Field::Zero(layout_.mesh.nodes));
   step.tension = rhs[n];
   step.pressure = rhs[n + 1];
+  step.hold = has_amplitude_ ? rhs[n + borders() - 1] : 0;
   return true;
 }
 

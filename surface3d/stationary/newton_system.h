@@ -10,6 +10,14 @@ namespace sbeh::surface3d {
 struct Increment {
   Field d, Lambda, H, beta;
   double tension = 0, pressure = 0;
+  double hold = 0;  ///< the force on what `Holds::amplitude` prescribes
+};
+
+/// What is kept besides area, volume and place: loads on the unknowns, orthogonal to which a state may move; empty: none.
+struct Holds {
+  Eigen::VectorXd amplitude{};
+  /// Of the turn about an axis that a state has just left, as long as errors of the normals hide its own turn.
+  Eigen::VectorXd phase{};
 };
 
 /// Largest displacement or change of order in a step.
@@ -26,7 +34,7 @@ class NewtonSystem {
   /// From the next linearisation on.
   void set_material(const model::Material& material) { material_ = material; }
   /// Assembles at a state that moves along these normals, and factors. False when the matrix is singular or not finite.
-  bool linearise(const StationaryState& state, const Nodes& normals);
+  bool linearise(const StationaryState& state, const Nodes& normals, const Holds& holds = {});
 
   /// The Newton step towards `target`.
   bool newton_step(const Target& target, Increment& step) const;
@@ -44,6 +52,7 @@ class NewtonSystem {
 
   /// In how many directions that keep area and volume, rigid motions apart, the energy falls.
   int negative_directions() const;
+  /// What is held as the turn about an axis included.
   int rigid_count() const { return int(rigid_.loads.cols()); }
   const RigidMotions& rigid() const { return rigid_; }
   const LagrangianDerivatives& derivatives() const { return derivatives_; }
@@ -54,12 +63,13 @@ class NewtonSystem {
 
  private:
   bool solve(Eigen::VectorXd rhs, const Eigen::Vector2d& miss, Increment& step) const;
-  int borders() const { return 2 + rigid_count(); }
+  int borders() const { return 2 + rigid_count() + (has_amplitude_ ? 1 : 0); }
 
   model::Material material_;
   StationaryLayout layout_;
   LagrangianDerivatives derivatives_, others_;
   RigidMotions rigid_{};
+  bool has_amplitude_ = false;
   SparseMatrix bordered_;
   DirectSolver solver_{Symmetry::symmetric};
 };

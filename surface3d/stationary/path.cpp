@@ -22,6 +22,8 @@ Direction scaled(Direction t, double factor) {
   return t;
 }
 
+Direction unit(const Direction& t) { return scaled(t, 1 / std::sqrt(product(t, t))); }
+
 // a + factor b
 Direction sum(Direction a, double factor, const Direction& b) {
   a.d += factor * b.d;
@@ -53,9 +55,18 @@ std::optional<Direction> along_mu(const Path& path, const PathSolution& x) {
   return b;
 }
 
-bool linearise(const Path& path, const PathSolution& x) {
+bool linearise(const Path& path, const PathSolution& x, const Eigen::VectorXd& amplitude = {}) {
   path.system->set_material(path.material(x.mu));
-  return path.system->linearise(x, x.normals);
+  return path.system->linearise(x, x.normals, {amplitude, x.phase});
+}
+
+// On the unknowns: what a perturbation is orthogonal to in ∫ (u u' + b b') dS.
+Eigen::VectorXd load_of(const Path& path, const PathSolution& x, const Eigenmode& mode) {
+  const StationaryLayout& layout = path.system->layout();
+  Eigen::VectorXd unknowns = Eigen::VectorXd::Zero(layout.size());
+  unknowns(layout.all(node_d)) = mode.u;
+  if (layout.free_order) unknowns(layout.all(node_beta)) = mode.b;
+  return perturbation_mass(layout, x, x.normals) * unknowns;
 }
 
 void move(PathSolution& x, const Direction& step, double scale) {
@@ -111,19 +122,20 @@ std::optional<PathPoint> with_tangent(const Path& path, const PathSolution& x,
   const auto b = along_mu(path, x);
   if (!b) return {};
   const double sign = forward && product(*forward, *b) < 0 ? -1 : 1;
-  return PathPoint{x, scaled(*b, sign / std::sqrt(product(*b, *b))),
-                   path.system->negative_directions()};
+  return PathPoint{x, scaled(unit(*b), sign), path.system->negative_directions()};
 }
 
 bool continues(const Path& /*path*/, const PathPoint& from, const PathPoint& next, double /*ds*/) {
   return product(from.tangent, next.tangent) > model::least_cosine;
 }
 
-std::optional<PathPoint> settled(const Path& path, const StationaryState& guess, double mu) {
+std::optional<PathPoint> settled(const Path& path, const StationaryState& guess, double mu,
+                                 const Eigen::VectorXd& phase) {
   path.system->set_material(path.material(mu));
-  const NewtonResult found = solve_stationary(*path.system, path.target(mu), guess);
+  const NewtonResult found =
+      solve_stationary(*path.system, path.target(mu), guess, {.phase = phase});
   if (found.status != NewtonStatus::converged) return {};
-  return with_tangent(path, {found.state, mu, found.normals});
+  return with_tangent(path, {found.state, mu, found.normals, phase});
 }
 
 std::optional<BranchingPoint> locate_branching(const Path& path, const PathPoint& start,
@@ -169,21 +181,65 @@ std::optional<BranchingPoint> locate_branching(const Path& path, const PathPoint
   return {};
 }
 
-std::optional<PathPoint> switched(const Path& path, const PathPoint& at, const Eigenmode& mode,
-                                  double amplitude) {
-  PathPoint from = at;
-  const int nodes = path.system->layout().mesh.nodes;
+namespace {
+
+// Newton's step at the amplitude that a load prescribes: μ so that no force is needed for it.
+std::optional<double> step_at_amplitude(const Path& path, PathSolution& x,
+                                        const Eigen::VectorXd& amplitude) {
+  Direction a;
+  if (!linearise(path, x, amplitude) || !path.system->newton_step(path.target(x.mu), a)) return {};
+  const auto b = along_mu(path, x);
+  if (!b) return {};
+  const Direction step = sum(a, -a.hold / b->hold, *b);
+  if (!(largest(step) < Path::limits.far)) return {};
+  move(x, step, 1);
+  return largest(step);
+}
+
+Direction direction_of(const Eigenmode& mode) {
   Direction along;
   along.d = mode.u;
   along.beta = mode.b;
-  along.Lambda = along.H = Field::Zero(nodes);
-  from.tangent = scaled(along, 1 / std::sqrt(product(along, along)));
-  auto x = predicted(path, from, amplitude);
-  if (!x || !model::converges(*x, Path::limits, [&](auto& s) {
-        return step_across(path, s, from.tangent, Path::limits.far);
-      }))
+  along.Lambda = along.H = Field::Zero(mode.u.size());
+  return unit(along);
+}
+
+// What is left of x beyond a step from a branching point along its branch and an amplitude of the first mode.
+double off(const BranchingPoint& branching, double amplitude, const PathSolution& x) {
+  const PathPoint& from = branching.at;
+  // Where a matrix is nearly singular a tangent has any amount of what it nearly maps to 0.
+  Direction tangent = from.tangent;
+  for (const Eigenmode& mode : branching.modes) {
+    const Direction along = direction_of(mode);
+    tangent = sum(tangent, -product(tangent, along), along);
+  }
+  tangent = unit(tangent);
+  Direction way;
+  way.d = (x.X - from.X).cwiseProduct(from.normals).colwise().sum().transpose();
+  way.beta = x.beta - from.beta;
+  way.Lambda = way.H = Field::Zero(way.d.size());
+  way.mu = x.mu - from.mu;
+  way = sum(way, -amplitude, direction_of(branching.modes.front()));
+  way = sum(way, -product(way, tangent), tangent);
+  return std::sqrt(product(way, way));
+}
+
+}  // namespace
+
+std::optional<PathPoint> switched(const Path& path, const BranchingPoint& from, double amplitude) {
+  // Of the amplitude. What is beyond it is of second order near the branching point; where two branch next to each other, other
+  // states have as much of the first mode, and more of the second.
+  constexpr double most = 1;
+  PathPoint start = from.at;
+  start.tangent = direction_of(from.modes.front());
+  auto x = predicted(path, start, amplitude);
+  if (!x) return {};
+  const Eigen::VectorXd load = load_of(path, from.at, from.modes.front());
+  if (from.modes.size() > 1) x->phase = load_of(path, from.at, from.modes.back());
+  if (!model::converges(*x, Path::limits, [&](auto& s) { return step_at_amplitude(path, s, load); })
+      || off(from, amplitude, *x) > most * std::abs(amplitude))
     return {};
-  Direction forward = scaled(from.tangent, amplitude < 0 ? -1 : 1);
+  const Direction forward = scaled(start.tangent, amplitude < 0 ? -1 : 1);
   return with_tangent(path, *x, &forward);
 }
 

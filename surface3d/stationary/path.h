@@ -17,7 +17,8 @@ namespace sbeh::surface3d {
 /// Of a branch: the state at μ.
 struct PathSolution : StationaryState {
   double mu = 0;
-  Nodes normals{};  ///< along which its nodes move
+  Nodes normals{};          ///< along which its nodes move
+  Eigen::VectorXd phase{};  ///< of what has left a state with an axis: see Holds
 };
 
 /// With the unit tangent of its branch.
@@ -58,7 +59,8 @@ bool continues(const Path& path, const PathPoint& from, const PathPoint& next, d
 using model::advance, model::arc_step, model::locate_fold;
 
 /// The state at μ by Newton's method from a guess; empty where it fails.
-std::optional<PathPoint> settled(const Path& path, const StationaryState& guess, double mu);
+std::optional<PathPoint> settled(const Path& path, const StationaryState& guess, double mu,
+                                 const Eigen::VectorXd& phase = {});
 
 /// Where one or two eigenvalues that are negative at one of two points ds apart, and not at the other, are 0, no fold lying
 /// between them: a branching point, with the modes that vanish there.
@@ -70,9 +72,8 @@ struct BranchingPoint {
 std::optional<BranchingPoint> locate_branching(const Path& path, const PathPoint& before,
                                                const PathPoint& after, double ds);
 
-/// The point of the branch that leaves along a mode, `amplitude` away in the length of directions; < 0: the other way. Empty where
-/// Newton's method fails or falls back to the first branch.
-std::optional<PathPoint> switched(const Path& path, const PathPoint& at, const Eigenmode& mode,
-                                  double amplitude);
+/// The point of the branch that leaves along the first of the modes, `amplitude` away in the length of directions; < 0: the other way.
+/// Empty where Newton's method fails, or leads to states that do not lead back there.
+std::optional<PathPoint> switched(const Path& path, const BranchingPoint& from, double amplitude);
 
 }  // namespace sbeh::surface3d

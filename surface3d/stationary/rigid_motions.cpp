@@ -1,5 +1,6 @@
 #include "surface3d/stationary/rigid_motions.h"
 
+#include "surface3d/curvature.h"
 #include "surface3d/moments.h"
 #include "surface3d/parallel.h"
 
@@ -60,11 +61,13 @@ RigidMotions rigid_motions(const StationaryLayout& layout, const StationaryState
                            const Nodes& normals) {
   const Triangulation& mesh = layout.mesh;
   const Eigen::Vector3d centre = moments_of(samples_of(mesh, state.X)).centre;
+  const Nodes own_normals = node_normals(mesh, state.X);
   Eigen::MatrixXd loads = Eigen::MatrixXd::Zero(layout.size(), 6);
   std::vector<Eigen::Matrix<double, 6, 6>> squares(std::size_t(mesh.count()));
   Eigen::VectorXd noises(mesh.count());
   for_each_by_colour(mesh, [&](int e) {
     const ElementNodes X = on_element(mesh, e, state.X), n = on_element(mesh, e, normals);
+    const ElementNodes own = on_element(mesh, e, own_normals);
     const ElementField beta = on_element(mesh, e, state.beta);
     MotionSums sums;
     for (const ShapeValues& s : assembly_points()) {
@@ -77,7 +80,7 @@ RigidMotions rigid_motions(const StationaryLayout& layout, const StationaryState
       sums.squares += p.dS * at.u * at.u.transpose();
       if (layout.free_order) sums.squares += p.dS * at.b * at.b.transpose();
       sums.noise += p.dS * (p.x - centre).squaredNorm()
-                  * (value_at(n, s).normalized() - p.nu()).squaredNorm();
+                  * (value_at(own, s).normalized() - p.nu()).squaredNorm();
     }
     squares[std::size_t(e)] = sums.squares;
     noises[e] = sums.noise;

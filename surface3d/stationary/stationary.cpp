@@ -60,7 +60,8 @@ NewtonResult solve_stationary(NewtonSystem& system, const Target& target,
   bool renews = options.renews_normals;
   while (int(result.changes.size()) < options.most_iterations) {
     if (renews) normals = node_normals(system.layout().mesh, state.X);
-    if (!system.linearise(state, normals) || !system.newton_step(target, step)) {
+    if (!system.linearise(state, normals, {{}, options.phase})
+        || !system.newton_step(target, step)) {
       result.status = NewtonStatus::singular;
       return result;
     }

@@ -20,6 +20,7 @@ struct NewtonOptions {
   double far = 3;              ///< a larger change leads nowhere
   /// Nodes move along the normals of the surface as it is, as long as changes fall fast; otherwise along those of the guess.
   bool renews_normals = true;
+  Eigen::VectorXd phase{};  ///< of what has left a state with an axis: see Holds
 };
 
 struct NewtonResult {

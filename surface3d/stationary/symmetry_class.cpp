@@ -37,14 +37,15 @@ class Symmetries {
   bool has(const Operation& operation) const {
     constexpr Eigen::Index tried = 200;
     const Eigen::Index every = std::max<Eigen::Index>(1, X_.cols() / tried);
-    for (Eigen::Index i = 0; i < X_.cols(); i += every) {
+    double distances = 0, changes = 0;  // squares of them
+    int count = 0;
+    for (Eigen::Index i = 0; i < X_.cols(); i += every, ++count) {
       const Eigen::Vector3d x = operation * X_.col(i);
       const meshing::SurfacePlace place = surface_(x);
-      if ((surface_.point(place) - x).norm() > symmetry_tolerance
-          || std::abs(surface_.value(beta_, place) - beta_[i]) > symmetry_tolerance)
-        return false;
+      distances += (surface_.point(place) - x).squaredNorm();
+      changes += std::pow(surface_.value(beta_, place) - beta_[i], 2);
     }
-    return true;
+    return std::sqrt(std::max(distances, changes) / count) < symmetry_tolerance;
   }
   // Where mirrors through an axis, and horizontal axes, of n turns can be: the phase of ∫ (x + iy)ⁿ.
   Eigen::Vector3d direction_across(const Eigen::Vector3d& axis, int n) const {
@@ -70,6 +71,10 @@ struct Axis {
   Eigen::Vector3d direction;
   int turns;
 };
+// Of a surface of revolution: turns by an angle that no other axis has.
+bool is_axis_of_revolution(const Symmetries& symmetries, const Eigen::Vector3d& axis) {
+  return symmetries.has(turn(axis, 1)) && symmetries.has(turn(axis, 2));
+}
 std::optional<Axis> main_axis(const Symmetries& symmetries) {
   for (int n = most_turns; n >= 2; --n)
     for (int k = 0; k < 3; ++k) {
@@ -97,10 +102,11 @@ std::string class_about(const Symmetries& symmetries, const Axis& axis) {
 
 }  // namespace
 
-std::string symmetry_class(const Triangulation& mesh, const State& state, bool is_axisymmetric) {
+std::string symmetry_class(const Triangulation& mesh, const State& state) {
   const Symmetries symmetries(mesh, state);
-  if (is_axisymmetric)
-    return symmetries.has(mirror(symmetries.moments().distinct_axis())) ? "Dooh" : "Coov";
+  const Eigen::Vector3d distinct = symmetries.moments().distinct_axis();
+  if (is_axis_of_revolution(symmetries, distinct))
+    return symmetries.has(mirror(distinct)) ? "Dooh" : "Coov";
   if (const auto axis = main_axis(symmetries)) return class_about(symmetries, *axis);
   for (int k = 0; k < 3; ++k)
     if (symmetries.has(mirror(symmetries.moments().axes.col(k)))) return "Cs";

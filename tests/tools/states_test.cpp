@@ -143,6 +143,26 @@ TEST_F(States, on_a_branch_are_followed_with_what_leaves_it) {
   EXPECT_EQ(states.text(states.rows.size() - 1, "point"), "last");
 }
 
+TEST_F(States, on_a_branch_in_a_number_of_the_material_have_its_value) {
+  write("in.toml",
+        "[states]\nreduced_volume = 0.8\nL = 0.05\ntriangles = 80\neigenpairs = 0\n"
+        "[follow]\nparameter = \"H0\"\nto = -0.2\nlongest_step = 0.6\n[numerics]\nelements = 24\n"
+        "[material]\nspontaneous_curvature = -0.1\n");
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  const Table states = table("out/states.csv");
+  ASSERT_GT(states.rows.size(), 2u);
+  const std::size_t last = states.rows.size() - 1;
+  EXPECT_EQ(states.text(0, "H0"), "-0.1");
+  EXPECT_EQ(states.number(last, "H0"), -0.2);
+  EXPECT_EQ(states.text(last, "point"), "last");
+  // With the material of its row, which the frame holds, it is the same state once more, as far as 80 triangles tell (3e-5): H0 of
+  // the start would make a tenth.
+  write("same.toml", "[states]\nframe = \"out/frames/state_000" + std::to_string(last + 1)
+                         + ".vtu\"\neigenpairs = 0\n");
+  must({"states", "same.toml", "-o", "same", "--no-pictures"});
+  EXPECT_NEAR(table("same/states.csv").number(0, "energy"), states.number(last, "energy"), 1e-5);
+}
+
 TEST_F(States, on_a_branch_that_was_cut_short_are_completed_as_if_it_had_not_been) {
   write("in.toml",
         "[states]\nmodel = \"SSH\"\nreduced_volume = 0.85\nL = 0.05\ntriangles = 80\n"

@@ -72,8 +72,15 @@ TEST(StatesInput, that_is_wrong_is_refused_with_line_key_and_value) {
   expect_messages(
       read_states, small_states,
       {{"eigenpairs = 51", ":4: [states] eigenpairs = 51: must be >= 0 and <= 50"},
-       {"[follow]\nparameter = 'H0'",
-        ":5: [follow] parameter = 'H0': must be one of 'reduced_volume', 'L'"},
+       {"[follow]\nparameter = 'viscosity'",
+        ":5: [follow] parameter = 'viscosity': must be one of 'reduced_volume', 'L', 'H0', 'k0', "
+        "'potential_1', 'potential_2', 'potential_3', 'potential_4'"},
+       {"[follow]\nparameter = 'k0'\nto = -1", ":6: [follow] to = -1: must be >= 0"},
+       {"[follow]\nparameter = 'H0'\nto = 0",
+        ":6: [follow] to = 0: must not be the H0 of the first state"},
+       {"[follow]\nparameter = 'potential_4'\nto = -1",
+        ":6: [follow] to = -1: the potential must be bounded below: its highest power even, with a "
+        "coefficient > 0"},
        {"[follow]", ":4: [follow] to: missing; must be a number"},
        {"[follow]\nto = 0.7",
         ":5: [follow] to = 0.7: must not be the reduced_volume of the first state"},

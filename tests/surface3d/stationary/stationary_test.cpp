@@ -4,49 +4,15 @@
 
 #include "axisym/diagnostics.h"
 #include "axisym/modes/eigenmodes.h"
-#include "axisym/stationary/ssh_branch.h"
-#include "meshing/revolution.h"
 #include "surface3d/stationary/eigenmodes.h"
-#include "surface3d/stationary/path.h"
-#include "surface3d/stationary/symmetry_class.h"
-#include "tests/surface3d/cases.h"
+#include "tests/surface3d/stationary/places.h"
 
 #include <algorithm>
-#include <optional>
 
 namespace sbeh::surface3d {
 namespace {
 
 using namespace test;
-using axisym::Branch;
-
-struct Place {
-  Model model;
-  Branch branch;
-  double reduced_volume, L;
-  Target target() const { return {4 * pi, reduced_volume * 4 * pi / 3}; }
-};
-const Place ordered_oblate{Model::SBEH, Branch::oblate, 0.8, 0.05};
-
-axisym::BranchState with_axis(const Place& place) {
-  axisym::Numerics numerics;
-  numerics.elements = 96;
-  axisym::SshBranch branch(place.branch, {}, numerics);
-  const double v = place.reduced_volume;
-  const auto ssh = branch.at(v);
-  EXPECT_TRUE(ssh && ssh->arrival == axisym::Arrival::reached);
-  if (place.model == Model::SSH)
-    return *axisym::solve_at({}, place.model, {v, place.L}, ssh->state);
-  const auto first = axisym::solve_at({}, place.model, {v, 1e-4}, ssh->state);
-  const auto there = axisym::follow({}, place.model, *first, {v, place.L}, numerics);
-  EXPECT_EQ(there.arrival, axisym::Arrival::reached);
-  return there.state;
-}
-
-Surface revolved(const axisym::State& state, int triangles) {
-  const meshing::RevolvedMesh made = meshing::revolved(state, {.triangles = triangles});
-  return {std::make_shared<const Triangulation>(made.mesh), {made.mesh.nodes, made.beta}};
-}
 
 // A state found from a surface, with the system linearised at it.
 struct Found {
@@ -217,86 +183,6 @@ TEST(NewtonIn3d, finds_the_classical_triaxial_saddle) {
   EXPECT_NEAR(scaled(saddle), 1.5996134933, 1e-6);
   EXPECT_EQ(saddle.result.negative_directions, 1);
   EXPECT_EQ(saddle.result.rigid_motions, 6);
-}
-
-// The oblate gives way to m = 2: on either side of its branch the same triaxial states leave, towards smaller volumes.
-TEST(PathIn3d, finds_where_the_oblate_branches_and_goes_on_to_what_leaves_it) {
-  const Place first{Model::SSH, Branch::oblate, 0.76, 0.05};
-  const Material material = paper_material(first.L);
-  const auto volume_at = [&](double mu) { return 0.76 - 0.02 * mu; };
-  const Surface start = revolved(with_axis(first), 320);
-  const Path path(
-      *start.mesh, first.model, [&](double) { return paper_material(first.L); },
-      [&](double mu) {
-        return Target{4 * pi, volume_at(mu) * 4 * pi / 3};
-      });
-  const auto before = settled(path, guess_from(*start.mesh, material, first.model, start.state), 0);
-  ASSERT_TRUE(before);
-  double ds = 0.8;
-  const auto beyond = advance(path, *before, ds, 0.1);
-  ASSERT_TRUE(beyond);
-  EXPECT_EQ(before->negative_directions, 2);
-  EXPECT_EQ(beyond->negative_directions, 0);
-  const auto found = locate_branching(path, *before, *beyond, ds);
-  ASSERT_TRUE(found);
-  ASSERT_EQ(found->modes.size(), 2u);
-  // The axisymmetric solver's eigenvalue of m = 2 is 0 there: those of 320 triangles are some 1e-4 off.
-  Place there = first;
-  there.reduced_volume = volume_at(found->at.mu);
-  const auto modes =
-      axisym::lowest_modes(axisym::second_variation(material, there.model, with_axis(there)), 2, 1);
-  ASSERT_TRUE(modes);
-  EXPECT_NEAR(modes->modes.front().eigenvalue, 0, 5e-4);
-  std::vector<double> volumes;
-  for (const double amplitude : {0.03, -0.03}) {
-    const auto left = switched(path, found->at, found->modes.front(), amplitude);
-    ASSERT_TRUE(left);
-    EXPECT_EQ(left->negative_directions, 1);
-    EXPECT_EQ(path.system->rigid_count(), 6);
-    EXPECT_EQ(symmetry_class(*start.mesh, *left, false), "D2h");
-    volumes.push_back(volume_at(left->mu));
-    EXPECT_LT(volumes.back(), there.reduced_volume - 1e-3);  // subcritical
-  }
-  EXPECT_NEAR(volumes[0], volumes[1], 1e-6);  // the mesh does not know the two apart
-}
-
-// The stomatocytes' largest volume, by shooting at a tolerance of 1e-16: V_r = 0.66085032652, F/8πκ = 1.9630527849.
-TEST(PathIn3d, turns_back_where_the_stomatocytes_end) {
-  const Place first{Model::SSH, Branch::stomatocyte, 0.655, 0.05};
-  const Material material = paper_material(first.L);
-  const auto volume_at = [&](double mu) { return 0.655 + 0.07 * mu; };
-  const axisym::BranchState exact = with_axis(first);
-  OrderTable volumes("reduced volume of the fold", "h"), energies("energy there", "h");
-  for (const int triangles : {320, 1280}) {
-    const Surface start = revolved(exact, triangles);
-    const Path path(
-        *start.mesh, first.model, [&](double) { return paper_material(first.L); },
-        [&](double mu) {
-          return Target{4 * pi, volume_at(mu) * 4 * pi / 3};
-        });
-    auto at = settled(path, guess_from(*start.mesh, material, first.model, start.state), 0);
-    ASSERT_TRUE(at);
-    double ds = 0.05;
-    std::optional<PathPoint> next = advance(path, *at, ds, 1e-4);
-    for (int steps = 0; steps < 20 && next && next->slope() > 0; ++steps) {
-      at = next;
-      ds *= 1.5;
-      next = advance(path, *at, ds, 1e-4);
-    }
-    ASSERT_TRUE(next && next->slope() < 0);
-    EXPECT_EQ(next->negative_directions, at->negative_directions + 1);
-    const PathPoint fold = locate_fold(path, *at, *next, ds);
-    EXPECT_LT(std::abs(fold.slope()), 1e-4);
-    const Energy e = energy(material, *start.mesh, fold);
-    const double reduced = (e.bending - 4 * pi * material.kappa_gauss(model::full_order))
-                         / (8 * pi * material.kappa(model::full_order));
-    const double h = 1 / std::sqrt(start.mesh->count());
-    volumes.add(h, volume_at(fold.mu) - 0.66085032652);
-    EXPECT_NEAR(volume_at(fold.mu), 0.66085032652, 5e-4);
-    energies.add(h, reduced - 1.9630527849);
-  }
-  EXPECT_GT(volumes.print(), 3.5);
-  EXPECT_GT(energies.print(), 3.5);
 }
 
 }  // namespace

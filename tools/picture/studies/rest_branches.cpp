@@ -112,6 +112,30 @@ std::vector<LegendEntry> legend_of(const Paths& paths, const std::vector<Colour>
   return entries;
 }
 
+Quantity parameter_of(const Options& options, studies::FollowedParameter parameter) {
+  using studies::FollowedParameter;
+  switch (parameter) {
+    case FollowedParameter::reduced_volume:
+      return {"reduced volume Vᵣ", [](const RestRow& row) { return row.reduced_volume; }};
+    case FollowedParameter::L:
+      return {"elastic constant L", [](const RestRow& row) { return row.L; }};
+    case FollowedParameter::H0:
+      return {options.titled("spontaneous curvature H₀", studies::dimension::curvature),
+              [&](const RestRow& row) {
+                return options.factor(studies::dimension::curvature) * row.followed;
+              }};
+    case FollowedParameter::k0:
+      return {options.titled("residual stiffness k₀", studies::dimension::energy),
+              [&](const RestRow& row) {
+                return options.factor(studies::dimension::energy, row.L) * row.followed;
+              }};
+    default:
+      return {fmt::format("coefficient of the potential's power {}",
+                          int(parameter) - int(FollowedParameter::potential_1) + 1),
+              [](const RestRow& row) { return row.followed; }};
+  }
+}
+
 }  // namespace
 
 void draw_rest_branches(Canvas& canvas, const Options& options) {
@@ -123,10 +147,7 @@ void draw_rest_branches(Canvas& canvas, const Options& options) {
   const Paths paths = read_paths(options.directory, input);
   if (paths.empty())
     throw InputError((options.directory / "states.csv").string() + ": has no state");
-  const bool by_L = input.follow->parameter == studies::FollowedParameter::L;
-  const Quantity x{by_L ? "elastic constant L" : "reduced volume Vᵣ",
-                   by_L ? std::function([](const RestRow& row) { return row.L; })
-                        : [](const RestRow& row) { return row.reduced_volume; }};
+  const Quantity x = parameter_of(options, input.follow->parameter);
   const std::array<Quantity, 2> quantities{
       Quantity{options.titled("energy U", studies::dimension::energy),
                [&](const RestRow& row) {

@@ -5,8 +5,17 @@ import { PackedFields } from "../packed_fields.js";
 import { Film } from "../run/film.js";
 import { number_of, quantities_of } from "../scan/table.js";
 
-const keys = new Set(["number", "model", "branch", "path", "point", "from", "reduced_volume", "L", "triangles", "stop_reason"]);
-const parameters = [["reduced_volume", "reduced volume V_r"], ["L", "elastic constant L"], ["number", "number"]];
+// Of the material; columns of [follow] in one of them.
+const of_material = [
+  ["H0", "spontaneous curvature H0"],
+  ["k0", "residual stiffness k0"],
+  ...[1, 2, 3, 4].map((power) => [`potential_${power}`, `the potential's coefficient of β^${power}`]),
+];
+const keys = new Set([
+  ...["number", "model", "branch", "path", "point", "from", "reduced_volume", "L", "triangles", "stop_reason"],
+  ...of_material.map(([name]) => name),
+]);
+const parameters = [["reduced_volume", "reduced volume V_r"], ["L", "elastic constant L"], ...of_material, ["number", "number"]];
 
 export function read_states(parts) {
   const rows = parts.table("states.csv"), film = new Film(parts), shapes = new PackedFields(parts, "mode_shapes");
