@@ -6,7 +6,8 @@
 
 #include <fmt/format.h>
 
-#include <algorithm>
+#include <string>
+#include <vector>
 
 namespace sbeh::studies {
 
@@ -15,7 +16,7 @@ namespace fs = std::filesystem;
 namespace {
 
 const std::vector<std::string> film_fields{"order", "H"};
-constexpr std::size_t mode_fields = 2;
+const std::vector<std::string> mode_fields{"u", "b"};
 
 CurvedFile read_state_frame(const fs::path& path) {
   return read_surface(path, {"order", "mean_curvature", "normal"}, "frame of a state");
@@ -29,19 +30,12 @@ std::vector<int> frames_there(const fs::path& folder) {
   return numbers;
 }
 
-// As many as a page can hold when all have as many nodes as the last, modes of each included.
-struct Room {
-  std::size_t frames = 0, modes = 0;
-};
-Room room_for(const fs::path& folder, const std::vector<int>& numbers) {
+// When all have as many nodes as the last.
+FilmRoom room_for(const fs::path& folder, const std::vector<int>& numbers) {
   if (numbers.empty()) return {};
   const auto nodes =
       std::size_t(read_state_frame(frame_of(folder, numbers.back())).mesh.node_count());
-  const std::size_t of_frame = (3 + film_fields.size()) * nodes;
-  const std::size_t frames =
-      std::clamp<std::size_t>(most_film_numbers / of_frame, 1, numbers.size());
-  const std::size_t left = most_film_numbers - std::min(frames * of_frame, most_film_numbers);
-  return {frames, left / (frames * mode_fields * nodes)};
+  return film_room(numbers.size(), (3 + film_fields.size()) * nodes, mode_fields.size() * nodes);
 }
 
 std::vector<double> numbers_of(const Eigen::VectorXd& field) {
@@ -72,9 +66,9 @@ Bundle live_states(const fs::path& folder, const std::optional<ResultUnits>& uni
   add_table(bundle, folder, "states.csv", units);
   add_units(bundle, units, read_csv(folder / "states.csv").columns);
   const std::vector<int> there = frames_there(folder);
-  const Room room = room_for(folder, there);
+  const FilmRoom room = room_for(folder, there);
   PackedFilm film(film_fields);
-  PackedFields shapes("mode_shapes", {"u", "b"});
+  PackedFields shapes("mode_shapes", mode_fields);
   std::string shown = "number,mesh\n";
   for (const int number : evenly(there, room.frames)) {
     const CurvedFile frame = read_state_frame(frame_of(folder, number));

@@ -9,6 +9,13 @@
 
 namespace sbeh::studies {
 
+FilmRoom film_room(std::size_t frames, std::size_t of_frame, std::size_t of_mode) {
+  if (frames == 0) return {};
+  const std::size_t held = std::clamp<std::size_t>(most_film_numbers / of_frame, 1, frames);
+  const std::size_t left = most_film_numbers - std::min(held * of_frame, most_film_numbers);
+  return {held, left / (held * of_mode)};
+}
+
 CurvedFile read_surface(const std::filesystem::path& path, const std::vector<std::string>& fields,
                         std::string_view what) {
   if (auto file = read_curved_mesh(path))

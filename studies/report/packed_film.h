@@ -12,6 +12,13 @@ namespace sbeh::studies {
 /// A page with more numbers in its frames would be larger than some 40 MB.
 inline constexpr std::size_t most_film_numbers = 24'000'000;
 
+/// How many frames of so many a page holds, and how many modes of each.
+struct FilmRoom {
+  std::size_t frames = 0, modes = 0;
+};
+/// A frame and a mode having so many numbers; one frame at least.
+FilmRoom film_room(std::size_t frames, std::size_t of_frame, std::size_t of_mode);
+
 /// The curved surface in a file with these fields. Throws InputError, saying that it is no `what`.
 CurvedFile read_surface(const std::filesystem::path& path, const std::vector<std::string>& fields,
                         std::string_view what);

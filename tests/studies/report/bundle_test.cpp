@@ -2,6 +2,7 @@
 #include "studies/report/bundle.h"
 
 #include "studies/report/packed_fields.h"
+#include "studies/report/packed_film.h"
 
 #include <gtest/gtest.h>
 #include <vtkBase64Utilities.h>
@@ -69,6 +70,23 @@ std::string unpacked(const std::string& element, std::size_t size) {
                                 packed.size(), reinterpret_cast<unsigned char*>(bytes.data()),
                                 bytes.size()));
   return bytes;
+}
+
+TEST(FilmRoom, is_for_all_frames_where_they_fit_and_for_modes_in_what_they_leave) {
+  const auto expect_room = [](std::size_t frames, std::size_t of_frame, std::size_t of_mode) {
+    const FilmRoom room = film_room(frames, of_frame, of_mode);
+    const std::size_t all = room.frames * (of_frame + room.modes * of_mode);
+    EXPECT_LE(all, most_film_numbers);
+    EXPECT_GT(all + room.frames * of_mode, most_film_numbers);  // no room for one mode more of each
+    return room;
+  };
+  EXPECT_EQ(expect_room(60, 5 * 1442, 2 * 1442).frames, 60u);
+  EXPECT_GE(expect_room(60, 5 * 1442, 2 * 1442).modes, 50u);
+  EXPECT_EQ(expect_room(10'000, 5 * 1442, 2 * 1442).frames, most_film_numbers / (5 * 1442));
+  EXPECT_EQ(film_room(3, most_film_numbers / 3, 1).modes, 0u);
+  EXPECT_EQ(film_room(3, 2 * most_film_numbers, 1).frames, 1u);
+  EXPECT_EQ(film_room(3, 2 * most_film_numbers, 1).modes, 0u);
+  EXPECT_EQ(film_room(0, 5, 2).frames, 0u);
 }
 
 TEST(Evenly, chooses_the_first_the_last_and_between_them_at_equal_steps) {
