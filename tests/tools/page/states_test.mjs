@@ -307,6 +307,31 @@ eigenpairs = 0
   grid.remove();
 });
 
+test("a branch in a number of the material is drawn over that", async () => {
+  const follow = reported("states", `[states]
+model = "SSH"
+branch = "oblate"
+reduced_volume = 0.8
+L = 0.05
+triangles = 180
+eigenpairs = 0
+[follow]
+parameter = "H0"
+to = -0.2
+switch = false
+`);
+  const { file, table } = follow.in_units(vesicle), [first, second] = table("states.csv");
+  const physical = await browser.open_live(file);
+  assert.equal(await physical.locator("select[name=parameter]").inputValue(), "H0");
+  assert.match(await physical.locator(".branches text.title").first().textContent(), /spontaneous curvature H0 \(1\/µm\)/);
+  await click(second, physical);
+  assert.match(await physical.locator(".point h3").textContent(), new RegExp(`L = 0.05, H0 = ${second.H0_per_um} 1/µm$`));
+  const [a, b] = await Promise.all([first, second].map(({ number }) => physical.locator(`.mark[data-number="${number}"]`).getAttribute("transform")));
+  assert.ok(Number(b.match(/-?[\d.]+/)[0]) < Number(a.match(/-?[\d.]+/)[0])); // it goes to lower values
+  assert.deepEqual(physical.faults, []);
+  follow.remove();
+});
+
 test("a file that was cut off or damaged says so; nothing is asked of a network, and no error is left", async () => {
   const text = states.read("report.html"), at = text.indexOf('id="sbeh-data"') + 3000;
   const cut = await browser.open(states.written("cut.html", text.slice(0, at)));

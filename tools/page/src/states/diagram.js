@@ -54,7 +54,7 @@ export class BranchDiagram {
     const ticks = this.x.ticks(Math.min(8, Math.floor(width / 70))).filter((value) => parameter[0] !== "number" || Number.isInteger(value));
     select(across).call(axisBottom(this.x).tickValues(ticks).tickFormat(short));
     select(up).call(quantity.classes ? axisLeft(this.y) : axisLeft(this.y).ticks(6).tickFormat(short));
-    const titles = axis_titles(width, height, parameter[1], this.states.units.titled(quantity.name));
+    const { units } = this.states, titles = axis_titles(width, height, units.titled(...parameter), units.titled(quantity.name));
     this.ring = svg("g", { class: "chosen" });
     const lines = this.states.follows ? paths.map((path) => this.line(path)) : [];
     this.drawing.replaceChildren(...lines, ...paths.map((path) => this.marks(path)), across, up, ...titles, this.ring);

@@ -87,12 +87,12 @@ export class StatesPage {
   }
   told(point) {
     const value = point.row[this.quantity.name];
-    return `${name_of(point)}: ${this.quantity.name} = ${value === "" ? "not known" : this.states.units.after(this.quantity.name, value)}`;
+    return `${name_of(point, this.states.units)}: ${this.quantity.name} = ${value === "" ? "not known" : this.states.units.after(this.quantity.name, value)}`;
   }
   hover(point, event) {
     if (!point) return this.tip.hide();
     const { row } = point;
-    const lines = [name_of(point), row.path ? `path ${row.path}, ${row.point}; ${row.status}` : row.status];
+    const lines = [name_of(point, this.states.units), row.path ? `path ${row.path}, ${row.point}; ${row.status}` : row.status];
     for (const name of new Set([this.quantity.name, "energy", "class", "negative_directions"]))
       if (row[name]) lines.push(`${name} = ${this.states.units.after(name, row[name])}`);
     this.tip.show(event, lines);

@@ -14,7 +14,10 @@ const fields = [
 ]; // and the part of the nodes whose values may lie beyond the colours
 const told = ["energy", "energy_error", "class", "negative_directions", "residual"];
 
-export const name_of = ({ row }) => `state ${row.number}: ${row.model} ${row.branch}, V_r = ${row.reduced_volume}, L = ${row.L}`;
+export function name_of({ row, followed }, units) {
+  const other = followed ? `, ${followed} = ${units.after(followed, row[followed])}` : "";
+  return `state ${row.number}: ${row.model} ${row.branch}, V_r = ${row.reduced_volume}, L = ${row.L}${other}`;
+}
 
 // `element` and, to be placed elsewhere, `eigenpairs` and `numbers`.
 export class StatePanel {
@@ -54,7 +57,7 @@ export class StatePanel {
   show(point, neighbours) {
     this.point = point;
     const { columns, units } = this.states, { row, modes, frame } = point;
-    this.heading.textContent = name_of(point);
+    this.heading.textContent = name_of(point, units);
     this.remark.textContent = remark_on(point);
     this.near.replaceChildren(...neighbours.map(([text, to]) => element("button", { type: "button", disabled: !to, onclick: () => this.on.choose(to) }, text)));
     this.told.replaceChildren(element("tbody", {}, ...number_lines(told, units, row)));

@@ -24,6 +24,7 @@ export function read_states(parts) {
     row,
     index,
     rests: row.status === "stationary",
+    followed: of_material.map(([name]) => name).find((name) => row[name] !== undefined),
     frame: frames.get(row.number) ?? null,
     modes: modes_of(row, shapes),
   }));
