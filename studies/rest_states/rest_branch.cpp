@@ -3,6 +3,8 @@
 #include "axisym/stationary/stationary_case.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
+#include "studies/rest_states/rest_state.h"
+#include "surface3d/mesh/remesh.h"
 
 #include <fmt/format.h>
 
@@ -15,18 +17,21 @@ namespace sbeh::studies {
 using surface3d::Eigenmode;
 using surface3d::Path;
 using surface3d::PathPoint;
+using Mesh = std::shared_ptr<const surface3d::Triangulation>;
 
 namespace {
 
-constexpr double shortest = 1e-3,
+constexpr double shortest = 2e-4,
                  begins = 0.03;  // steps, in the length of surface3d/stationary/path.h
 // A first step of so many amplitudes does not fall back to the branch that is left.
 constexpr double growth = 10;
 constexpr std::size_t most_paths = 12;
+constexpr int most_refined = 5;  // fewer than so many times the triangles of the first state
 
 // A path that is still to be followed.
 struct Begin {
   PathPoint first;
+  Mesh mesh;
   int from;     // the branching point's row
   double step;  // the first
 };
@@ -37,21 +42,19 @@ model::Material material_of(const StatesInput& input) {
 
 class Branches {
  public:
-  Branches(const StatesInput& input, const surface3d::Triangulation& mesh,
-           const std::function<int()>& number, const TakeState& take)
+  Branches(const StatesInput& input, Mesh mesh, const std::function<int()>& number,
+           const TakeState& take)
       : input_(input),
         number_(number),
         take_(take),
-        path_(
-            mesh, input.model, [&input](double mu) { return material_of(input_on_way(input, mu)); },
-            [&input](double mu) {
-              return axisym::target_of(input_on_way(input, mu).reduced_volume.front());
-            }) {}
+        mesh_(std::move(mesh)),
+        fewest_(mesh_->count()),
+        path_(path_on(*mesh_)) {}
 
   std::string run(const surface3d::StationaryState& start) {
     const auto first = settled(path_, start, 0);
     if (!first) return "there is no branch through the first state: a fold is there";
-    waiting_.push_back({*first, 0, input_.follow->longest_step});
+    waiting_.push_back({*first, mesh_, 0, input_.follow->longest_step});
     while (!waiting_.empty() && !interrupt_signal()) {
       const Begin begin = waiting_.front();
       waiting_.pop_front();
@@ -63,17 +66,26 @@ class Branches {
 
  private:
   bool take(RestPoint kind, const PathPoint& point) {
-    return take_({count_, kind, from_, point}).empty() && !interrupt_signal();
+    return take_({count_, kind, from_, point, mesh_}).empty() && !interrupt_signal();
   }
 
   void follow(const Begin& begin) {
     from_ = begin.from;
+    use(begin.mesh);
     PathPoint at = begin.first;
+    int triangles = mesh_->count();  // of the next ones
     if (!take(RestPoint::first, at)) return;
     const double longest = input_.follow->longest_step;
     double ds = std::min(longest, begin.step);
     for (int states = 1; states < input_.follow->most_states && !interrupt_signal();) {
       const auto next = advance(path_, at, ds, shortest);
+      if (triangles < (next ? most_refined : 2) * fewest_ && !(next && resolved_by(*mesh_, next->X))
+          && renew(at, triangles)) {
+        if (!take(RestPoint::renewed, at)) return;
+        triangles = 2 * mesh_->count();
+        ds = std::min(longest, begins);
+        continue;
+      }
       if (!next) return;
       const Between between = what_is_between(at, *next, ds);
       if (!between.is_clear && ds > 2 * shortest) {  // two in one step
@@ -88,9 +100,40 @@ class Branches {
       }
       if (!take(RestPoint::step, *next)) return;
       ++states;
+      triangles = mesh_->count();
       at = *next;
       ds = std::min(1.5 * ds, longest);
     }
+  }
+
+  Path path_on(const surface3d::Triangulation& mesh) const {
+    const StatesInput& input = input_;
+    return {mesh, input.model, [&input](double mu) { return material_of(input_on_way(input, mu)); },
+            [&input](double mu) {
+              return axisym::target_of(input_on_way(input, mu).reduced_volume.front());
+            }};
+  }
+  void use(const Mesh& mesh) {
+    if (mesh == mesh_) return;
+    path_ = path_on(*mesh);
+    mesh_ = mesh;
+  }
+
+  // New triangles for a state, about so many, or up to twice as many where Newton's method does not find it on these; false where there
+  // are none that resolve it.
+  bool renew(PathPoint& at, int triangles) {
+    for (const double more : {1., 1.25, 1.5, 2.}) {
+      const auto made =
+          surface3d::remesh(*mesh_, at, path_.material(at.mu),
+                            {.triangles = int(more * triangles), .largest_energy_change = 1});
+      if (!made.mesh) continue;
+      const auto there = on_other_triangles(path_on(*made.mesh), made.state, at, begins);
+      if (!there || !resolved_by(*made.mesh, there->X)) continue;
+      at = *there;
+      use(made.mesh);
+      return true;
+    }
+    return false;
   }
 
   // What a step has gone past, in its range.
@@ -144,7 +187,7 @@ class Branches {
         const auto first = switched(path_, at, side * amplitude);
         if (!first) continue;
         if (other && std::abs(*other - first->mu) < alike) break;
-        waiting_.push_back({*first, row, std::min(begins, growth * amplitude)});
+        waiting_.push_back({*first, mesh_, row, std::min(begins, growth * amplitude)});
         other = first->mu;
         break;
       }
@@ -158,6 +201,8 @@ class Branches {
   const StatesInput& input_;
   const std::function<int()>& number_;
   const TakeState& take_;
+  Mesh mesh_;
+  int fewest_;  // triangles
   Path path_;
   std::deque<Begin> waiting_;
   int count_ = 0, from_ = 0;
@@ -174,10 +219,10 @@ StatesInput input_on_way(const StatesInput& input, double mu) {
   return at_value(input, input.follow->parameter, value_on_way(input, mu));
 }
 
-std::string follow_branches(const StatesInput& input, const surface3d::Triangulation& mesh,
+std::string follow_branches(const StatesInput& input, Mesh mesh,
                             const surface3d::StationaryState& start,
                             const std::function<int()>& number, const TakeState& take) {
-  return Branches(input, mesh, number, take).run(start);
+  return Branches(input, std::move(mesh), number, take).run(start);
 }
 
 }  // namespace sbeh::studies

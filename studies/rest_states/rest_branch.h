@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <string>
 
 namespace sbeh::studies {
@@ -16,13 +17,16 @@ struct FoundState {
   RestPoint kind;
   int from;  ///< number of the branching point at which its path leaves; 0: none
   const surface3d::PathPoint& point;
+  std::shared_ptr<const surface3d::Triangulation> mesh;
 };
 /// Takes the states one after the other; returns why a path must not be followed any further, empty where it may.
 using TakeState = std::function<std::string(const FoundState&)>;
 
 /// Follows the state of the input's one place, and with `switches` what leaves it, until all paths have left the range, or end, or
-/// an interrupt. `number` of the row that is to come is asked for. Empty, or why there is nothing to follow.
-std::string follow_branches(const StatesInput& input, const surface3d::Triangulation& mesh,
+/// an interrupt. Where the triangles cease to resolve a path, the last state gets new ones, and more of them where these do not do. `number` of
+/// the row that is to come is asked for. Empty, or why there is nothing to follow.
+std::string follow_branches(const StatesInput& input,
+                            std::shared_ptr<const surface3d::Triangulation> mesh,
                             const surface3d::StationaryState& start,
                             const std::function<int()>& number, const TakeState& take);
 

@@ -35,10 +35,11 @@ enum class RestPoint {
   fold,       ///< where the parameter turns back
   branching,  ///< where others leave
   joins,      ///< where it ends in a state with an axis
+  renewed,    ///< the one before on new triangles
   last        ///< at the end of the range
 };
 constexpr auto names(RestPoint) {
-  return std::array{"first", "step", "fold", "branching", "joins", "last"};
+  return std::array{"first", "step", "fold", "branching", "joins", "renewed", "last"};
 }
 
 /// A row of states.csv.

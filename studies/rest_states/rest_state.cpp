@@ -27,6 +27,7 @@ namespace {
 
 // A revolved state that Newton's method moves farther than this, in radii, is another one then.
 constexpr double far_from_start = 0.1;
+constexpr double same_on_path = 0.03;
 
 const char* why(NewtonStatus status) {
   return status == NewtonStatus::singular
@@ -98,6 +99,11 @@ RestState rest_state_from(const StatesInput& input, const axisym::PlanePoint& at
   return result;
 }
 
+bool resolved_by(const Triangulation& mesh, const surface3d::Nodes& X) {
+  const auto curvature = surface3d::curvature_of(mesh, X);
+  return curvature && surface3d::resolved(surface3d::indicators_of(mesh, X, *curvature));
+}
+
 RestMeasures measures_of(const SeenState& seen, const model::Material& material) {
   const Triangulation& mesh = *seen.mesh;
   const StationaryState& state = seen.state;
@@ -142,13 +148,17 @@ RestRow row_at(const StatesInput& input, const StatePlace& place) {
   return row;
 }
 
-double energy_error(const StatesInput& input, const RestRow& row, const RestStart& coarser) {
+double energy_error(const StatesInput& input, const RestRow& row, const RestStart& coarser,
+                    bool on_path) {
   const axisym::PlanePoint at{row.reduced_volume, row.L};
   const RestState other = rest_state_from(input, at, coarser);
-  if (!other.failure.empty() || !row.measures
-      || other.system->negative_directions() != row.measures->negative_directions
-      || other.system->rigid_count() != row.measures->rigid_motions)
-    return not_known;
+  if (!other.failure.empty() || !row.measures) return not_known;
+  // Near a branching point the energies of two branches differ by the fourth power of their distance.
+  const bool same = on_path
+                      ? other.moved < same_on_path
+                      : other.system->negative_directions() == row.measures->negative_directions
+                            && other.system->rigid_count() == row.measures->rigid_motions;
+  if (!same) return not_known;
   const double energy =
       surface3d::energy(input.material.with_L(row.L), *other.mesh, other.state).total();
   return std::abs(energy - energy_of(row));

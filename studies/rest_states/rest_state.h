@@ -32,6 +32,9 @@ struct SeenState {
   axisym::PlanePoint at;
 };
 
+/// Whether the triangles do for the surface.
+bool resolved_by(const surface3d::Triangulation& mesh, const surface3d::Nodes& X);
+
 RestMeasures measures_of(const SeenState& seen, const model::Material& material);
 
 /// The row's values and status, but for the error; its files in a folder, under its number.
@@ -42,8 +45,10 @@ void measure(const StatesInput& input, const SeenState& seen, const std::filesys
 RestRow row_at(const StatesInput& input, const StatePlace& place);
 
 /// The difference from the state that `coarser`, with a quarter of the triangles, leads to: errors of fourth order are a
-/// fifteenth of it, but now and then its own errors are no larger. Not known where that is no state, or another.
-double energy_error(const StatesInput& input, const RestRow& row, const RestStart& coarser);
+/// fifteenth of it, but now and then its own errors are no larger. Not known where that is no state, or another one: one with other negative
+/// directions, or, `on_path`, farther away than another branch next to its branching point would be.
+double energy_error(const StatesInput& input, const RestRow& row, const RestStart& coarser,
+                    bool on_path = false);
 
 /// The whole row of a place, and its files.
 RestRow rest_row(const StatesInput& input, const StatePlace& place,

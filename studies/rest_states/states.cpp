@@ -11,6 +11,8 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
+
 namespace sbeh::studies {
 
 namespace {
@@ -33,10 +35,9 @@ void compute_places(const StatesInput& input, const OutputFolder& folder, RestTa
   progress.finish();
 }
 
-// The same surface with a quarter of the triangles.
+// The same surface with about so many triangles.
 RestStart remeshed_start(const surface3d::Triangulation& mesh, const surface3d::State& state,
-                         const model::Material& material) {
-  const int triangles = mesh.count() / 4;
+                         const model::Material& material, int triangles) {
   if (triangles < meshing::fewest_triangles) return {{}, {}, "there are too few triangles"};
   auto made = surface3d::remesh(mesh, state, material,
                                 {.triangles = triangles, .largest_energy_change = 1});
@@ -47,8 +48,8 @@ RestStart remeshed_start(const surface3d::Triangulation& mesh, const surface3d::
 class FollowedRows {
  public:
   FollowedRows(const StatesInput& input, const OutputFolder& folder, RestTable& table,
-               StatesSummary& summary, std::shared_ptr<const surface3d::Triangulation> mesh)
-      : input_(input), folder_(folder), table_(table), summary_(summary), mesh_(std::move(mesh)) {}
+               StatesSummary& summary)
+      : input_(input), folder_(folder), table_(table), summary_(summary) {}
 
   int next() const { return number_; }
 
@@ -66,10 +67,15 @@ class FollowedRows {
     row.point = found.kind;
     if (found.from > 0) row.from = found.from;
     const model::Material material = here.material.with_L(at.L);
-    surface3d::NewtonSystem system(*mesh_, material, input_.model);
+    const surface3d::Triangulation& mesh = *found.mesh;
+    surface3d::NewtonSystem system(mesh, material, input_.model);
     if (system.linearise(found.point, found.point.normals, {{}, found.point.phase})) {
-      measure(here, {system, mesh_, found.point, found.point.normals, at}, folder_.path(), row);
-      row.energy_error = energy_error(here, row, remeshed_start(*mesh_, found.point, material));
+      measure(here, {system, found.mesh, found.point, found.point.normals, at}, folder_.path(),
+              row);
+      for (const int share : {4, 2})
+        if (std::isnan(row.energy_error) && !interrupt_signal())
+          row.energy_error = energy_error(
+              here, row, remeshed_start(mesh, found.point, material, mesh.count() / share), true);
     } else {
       row.stop_reason = "the matrix is singular";
     }
@@ -88,7 +94,6 @@ class FollowedRows {
   const OutputFolder& folder_;
   RestTable& table_;
   StatesSummary& summary_;
-  std::shared_ptr<const surface3d::Triangulation> mesh_;
   ProgressLine line_;
   int number_ = 1;
 };
@@ -99,9 +104,9 @@ void compute_branches(const StatesInput& input, const OutputFolder& folder, Rest
   const RestState first = rest_state_from(input, place.at, rest_start(input, place.at));
   std::string failure = first.failure;
   if (failure.empty()) {
-    FollowedRows rows(input, folder, table, summary, first.mesh);
+    FollowedRows rows(input, folder, table, summary);
     failure = follow_branches(
-        input, *first.mesh, first.state, [&] { return rows.next(); },
+        input, first.mesh, first.state, [&] { return rows.next(); },
         [&](const FoundState& found) { return rows.take(found); });
   }
   if (failure.empty() || interrupt_signal() || table.find(place.number)) return;

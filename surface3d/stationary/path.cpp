@@ -138,6 +138,23 @@ std::optional<PathPoint> settled(const Path& path, const StationaryState& guess,
   return with_tangent(path, {found.state, mu, found.normals, phase});
 }
 
+std::optional<PathPoint> on_other_triangles(const Path& path, const State& surface,
+                                            const PathPoint& from, double near) {
+  const StationaryLayout& layout = path.system->layout();
+  const model::Model model = layout.free_order ? model::Model::SBEH : model::Model::SSH;
+  auto there =
+      settled(path, guess_from(layout.mesh, path.material(from.mu), model, surface), from.mu);
+  if (!there || (there->X - surface.X).colwise().norm().maxCoeff() > near) return {};
+  if (from.phase.size() > 0 && path.system->rigid_count() < 6) return {};
+  // Rates along the branch that do not depend on the triangles.
+  const auto rates = [](const Direction& t) {
+    return Eigen::Vector3d(t.mu, t.tension, t.pressure);
+  };
+  if (rates(there->tangent).dot(rates(from.tangent)) < 0)
+    there->tangent = scaled(there->tangent, -1);
+  return there;
+}
+
 std::optional<BranchingPoint> locate_branching(const Path& path, const PathPoint& start,
                                                const PathPoint& beyond, double ds) {
   const int first = std::min(start.negative_directions, beyond.negative_directions),

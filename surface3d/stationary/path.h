@@ -62,6 +62,11 @@ using model::advance, model::arc_step, model::locate_fold;
 std::optional<PathPoint> settled(const Path& path, const StationaryState& guess, double mu,
                                  const Eigen::VectorXd& phase = {});
 
+/// The point `from` of the same branch on other triangles, from its surface on these, pointing the same way. Empty where Newton's
+/// method fails or leads farther away than `near`, and where the state has an axis that its own path has left.
+std::optional<PathPoint> on_other_triangles(const Path& path, const State& surface,
+                                            const PathPoint& from, double near);
+
 /// Where one or two eigenvalues that are negative at one of two points ds apart, and not at the other, are 0, no fold lying
 /// between them: a branching point, with the modes that vanish there.
 struct BranchingPoint {

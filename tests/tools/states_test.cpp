@@ -143,6 +143,28 @@ TEST_F(States, on_a_branch_are_followed_with_what_leaves_it) {
   EXPECT_EQ(states.text(states.rows.size() - 1, "point"), "last");
 }
 
+// The triangles of the triaxial saddles move with the surface: at V_r = 0.653 their angles are too small.
+TEST_F(States, on_a_branch_get_new_triangles_where_theirs_do_not_resolve_it) {
+  write(
+      "in.toml",
+      "[states]\nmodel = \"SSH\"\nreduced_volume = 0.74\nL = 0.05\neigenpairs = 0\n"
+      "perturbation = [[2, 2, 0.15]]\n[follow]\nto = 0.66\nswitch = false\nlongest_step = 0.3\n");
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  const Table states = table("out/states.csv");
+  int renewed = 0;
+  for (std::size_t row = 0; row < states.rows.size(); ++row) {
+    EXPECT_EQ(states.text(row, "status"), "stationary") << states.text(row, "stop_reason");
+    EXPECT_EQ(states.text(row, "class"), "D2h");
+    EXPECT_EQ(states.text(row, "negative_directions"), "1");
+    if (states.text(row, "point") != "renewed") continue;
+    ++renewed;
+    EXPECT_EQ(states.text(row, "reduced_volume"), states.text(row - 1, "reduced_volume"));
+    EXPECT_NEAR(states.number(row, "energy"), states.number(row - 1, "energy"), 1e-3);
+  }
+  EXPECT_GT(renewed, 0);
+  EXPECT_EQ(states.number(states.rows.size() - 1, "reduced_volume"), 0.66);
+}
+
 TEST_F(States, on_a_branch_in_a_number_of_the_material_have_its_value) {
   write("in.toml",
         "[states]\nreduced_volume = 0.8\nL = 0.05\ntriangles = 80\neigenpairs = 0\n"

@@ -2,6 +2,7 @@
 #include "surface3d/stationary/path.h"
 
 #include "axisym/modes/eigenmodes.h"
+#include "surface3d/mesh/remesh.h"
 #include "surface3d/stationary/symmetry_class.h"
 #include "tests/surface3d/stationary/places.h"
 
@@ -138,6 +139,40 @@ TEST(PathIn3d, finds_the_pass_over_which_the_order_thins_on_one_side) {
   EXPECT_GT(energy(material, *start.mesh, *at).total(),
             energy(material, *start.mesh, *oblate).total());
   EXPECT_LT(at->beta.minCoeff(), oblate->beta.minCoeff());
+}
+
+// The same state within what either mesh makes, pointing the same way along the branch.
+TEST(PathIn3d, goes_on_with_other_triangles) {
+  const Place first{Model::SBEH, Branch::oblate, 0.7, 0.05};
+  const auto L_at = [&](double mu) { return 0.05 + 0.01 * mu; };
+  const auto path_on = [&](const Triangulation& mesh) {
+    return Path(
+        mesh, first.model, [&](double mu) { return paper_material(L_at(mu)); },
+        [&](double) { return first.target(); });
+  };
+  const Surface start = revolved(with_axis(first), 320);
+  const Path path = path_on(*start.mesh);
+  auto from = settled(path, guess_from(*start.mesh, path.material(0), first.model, start.state), 0);
+  ASSERT_TRUE(from);
+  const RemeshResult made = remesh(*start.mesh, *from, path.material(0), {.triangles = 640});
+  ASSERT_TRUE(made.mesh) << made.refusal;
+  const Path other = path_on(*made.mesh);
+  for (const double sign : {1., -1.}) {
+    auto turned = *from;
+    turned.tangent.mu *= sign;
+    turned.tangent.tension *= sign;
+    turned.tangent.pressure *= sign;
+    const auto there = on_other_triangles(other, made.state, turned, 0.03);
+    ASSERT_TRUE(there);
+    EXPECT_EQ(there->mu, from->mu);
+    EXPECT_GT(there->tangent.mu * sign, 0);
+    // As the lengths of directions, means over the nodes, on both.
+    EXPECT_NEAR(there->tangent.mu, turned.tangent.mu, 0.1);
+    // 320 triangles are 2e-6 off at V_r = 0.8, and more where the rim is sharper.
+    EXPECT_NEAR(energy(path.material(0), *made.mesh, *there).total(),
+                energy(path.material(0), *start.mesh, *from).total(), 1e-4);
+  }
+  EXPECT_FALSE(on_other_triangles(other, made.state, *from, 1e-9));
 }
 
 struct ParameterCase {
