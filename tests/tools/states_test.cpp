@@ -145,10 +145,9 @@ TEST_F(States, on_a_branch_are_followed_with_what_leaves_it) {
 
 // The triangles of the triaxial saddles move with the surface: at V_r = 0.653 their angles are too small.
 TEST_F(States, on_a_branch_get_new_triangles_where_theirs_do_not_resolve_it) {
-  write(
-      "in.toml",
-      "[states]\nmodel = \"SSH\"\nreduced_volume = 0.74\nL = 0.05\neigenpairs = 0\n"
-      "perturbation = [[2, 2, 0.15]]\n[follow]\nto = 0.66\nswitch = false\nlongest_step = 0.3\n");
+  write("in.toml",
+        "[states]\nmodel = \"SSH\"\nreduced_volume = 0.74\nL = 0.05\neigenpairs = 0\n"
+        "perturbation = [[2, 2, 0.15]]\n[follow]\nto = 0.66\nswitch = false\nlongest_step = 0.3\n");
   must({"states", "in.toml", "-o", "out", "--no-pictures"});
   const Table states = table("out/states.csv");
   int renewed = 0;
