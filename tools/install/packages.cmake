@@ -16,6 +16,8 @@ math(EXPR python_after "${Python3_VERSION_MINOR}0 / 10 + 1")
 
 set(CPACK_DEB_COMPONENT_INSTALL ON)
 set(CPACK_DEBIAN_FILE_NAME DEB-DEFAULT)
+set(CPACK_DEBIAN_PACKAGE_RELEASE 1)
+set(packaged ${PROJECT_VERSION}-${CPACK_DEBIAN_PACKAGE_RELEASE})
 set(CPACK_DEBIAN_PACKAGE_SECTION science)
 set(CPACK_DEBIAN_PACKAGE_SHLIBDEPS ON)
 list(TRANSFORM libraries PREPEND ${PROJECT_BINARY_DIR}/ OUTPUT_VARIABLE CPACK_DEBIAN_PACKAGE_SHLIBDEPS_PRIVATE_DIRS)
@@ -24,15 +26,22 @@ list(TRANSFORM libraries PREPEND ${PROJECT_BINARY_DIR}/ OUTPUT_VARIABLE CPACK_DE
 set(CPACK_DEBIAN_PACKAGE_GENERATE_SHLIBS ON)
 set(CPACK_DEBIAN_SBEH_PACKAGE_CONTROL_EXTRA ${CMAKE_CURRENT_SOURCE_DIR}/debian/triggers)
 
-# Every package has its own changes and copyright.
-set(changelog ${CMAKE_CURRENT_BINARY_DIR}/changelog.gz)
-add_custom_command(OUTPUT ${changelog}
-  COMMAND gzip -9 -n -c ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${changelog}
-  DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md VERBATIM)
-add_custom_target(changelog ALL DEPENDS ${changelog})
+# Every package has its own changes, the project's and (in Debian's form) the package's, copyright, and what lintian
+# need not say.
+set(changes ${CMAKE_CURRENT_BINARY_DIR}/changes)
+file(TIMESTAMP ${PROJECT_SOURCE_DIR}/CHANGELOG.md changed "%a, %d %b %Y %H:%M:%S +0000" UTC)
+configure_file(debian/changelog.in ${changes}/changelog.Debian @ONLY)
+add_custom_command(OUTPUT ${changes}/changelog.gz ${changes}/changelog.Debian.gz
+  COMMAND gzip -9 -n -c ${PROJECT_SOURCE_DIR}/CHANGELOG.md > ${changes}/changelog.gz
+  COMMAND gzip -9 -n -c ${changes}/changelog.Debian > ${changes}/changelog.Debian.gz
+  DEPENDS ${PROJECT_SOURCE_DIR}/CHANGELOG.md ${changes}/changelog.Debian VERBATIM)
+add_custom_target(changelog ALL DEPENDS ${changes}/changelog.gz)
 foreach(component ${CPACK_COMPONENTS_ALL})
-  install(FILES ${changelog} copyright DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${component} COMPONENT ${component})
+  install(FILES ${changes}/changelog.gz ${changes}/changelog.Debian.gz copyright
+    DESTINATION ${CMAKE_INSTALL_DATADIR}/doc/${component} COMPONENT ${component})
 endforeach()
+install(FILES debian/lintian-overrides RENAME sbeh
+  DESTINATION ${CMAKE_INSTALL_DATADIR}/lintian/overrides COMPONENT sbeh)
 
 set(CPACK_COMPONENT_SBEH_DESCRIPTION
 "Programs: stationary shapes of membranes over reduced volume and
@@ -45,12 +54,12 @@ set(CPACK_COMPONENT_SBEH-DEV_DESCRIPTION "Headers and libraries for programs of 
 set(CPACK_DEBIAN_SBEH-DEV_PACKAGE_NAME sbeh-dev)
 set(CPACK_DEBIAN_SBEH-DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_SBEH-DEV_PACKAGE_DEPENDS
-  "sbeh (= ${PROJECT_VERSION}), libeigen3-dev, libfmt-dev")
+  "sbeh (= ${packaged}), libeigen3-dev, libfmt-dev")
 
 set(CPACK_COMPONENT_PYTHON3-SBEH_DESCRIPTION "The Python package sbeh, with four notebooks.")
 set(CPACK_DEBIAN_PYTHON3-SBEH_PACKAGE_NAME python3-sbeh)
 set(CPACK_DEBIAN_PYTHON3-SBEH_PACKAGE_SECTION python)
 set(CPACK_DEBIAN_PYTHON3-SBEH_PACKAGE_DEPENDS
-  "sbeh (= ${PROJECT_VERSION}), python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< ${Python3_VERSION_MAJOR}.${python_after}), python3-numpy, python3-pandas")
+  "sbeh (= ${packaged}), python3 (>= ${Python3_VERSION_MAJOR}.${Python3_VERSION_MINOR}), python3 (<< ${Python3_VERSION_MAJOR}.${python_after}), python3-numpy, python3-pandas")
 set(CPACK_DEBIAN_PYTHON3-SBEH_PACKAGE_RECOMMENDS python3-matplotlib)
 include(CPack)

@@ -96,8 +96,8 @@ TEST(GrowthRates, of_48_elements_are_good_to_1e_6_where_motions_are_in_them) {
     const auto state = ssh_oblate(0.7, elements);
     const auto second = second_variation({}, Model::SSH, state.value());
     std::map<Parity, double> largest;
-    for (const GrowthMode& mode : growth_rates({second, {}, Model::SSH}, m, 1).value())
-      largest[mode.parity] = mode.rate;
+    const auto modes = growth_rates({second, {}, Model::SSH}, m, 1);
+    for (const GrowthMode& mode : modes.value()) largest[mode.parity] = mode.rate;
     return largest;
   };
   for (const int m : {0, 1}) {
