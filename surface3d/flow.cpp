@@ -2,7 +2,9 @@
 
 #include "model/relaxation.h"
 #include "model/time/flow.h"
+#include "model/time/implicit_euler.h"
 #include "surface3d/mesh/self_contact.h"
+#include "surface3d/variational/variational_stepper.h"
 
 #include <fmt/format.h>
 
@@ -19,13 +21,15 @@ namespace {
 constexpr double touching = 0.05;
 
 // Steps, and what else model::Flow asks of a solver.
-class Solver : public TimeStepper {
+template <class Stepper>
+class Solver : public Stepper {
  public:
   using State = surface3d::State;
+  using Stepper::fields;
 
   Solver(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
          model::Model model, const Numerics& numerics)
-      : TimeStepper(mesh, material, model, numerics),
+      : Stepper(mesh, material, model, numerics),
         mesh_(std::move(mesh)),
         material_(material),
         model_(model),
@@ -42,8 +46,7 @@ class Solver : public TimeStepper {
   Energy energy(const State& state) {
     curvature_ = curvature_of(*mesh_, state.X);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    return curvature_ ? surface3d::energy(*mesh_, material_, state, *curvature_)
-                      : Energy{nan, nan, nan};
+    return curvature_ ? Stepper::energy(state, *curvature_) : Energy{nan, nan, nan};
   }
   bool renew(State& state);
   std::optional<FlowStop> obstacle(const State& state) const {
@@ -54,11 +57,11 @@ class Solver : public TimeStepper {
 
   bool recall(const FlowMemory& memory) {
     remeshing_over_ = memory.remeshing_over;
-    return TimeStepper::recall(memory.stepper);
+    return Stepper::recall(memory.stepper);
   }
   StepView view(const std::optional<model::Past<State>>& past) const {
     return {.fields = fields(),
-            .memory = {memory(), past, remeshing_over_},
+            .memory = {Stepper::memory(), past, remeshing_over_},
             .mesh = mesh_,
             .indicators = indicators_,
             .remeshed = remeshed_};
@@ -79,11 +82,15 @@ class Solver : public TimeStepper {
   std::optional<RemeshResult> remeshed_;
   bool remeshing_over_ = false;
 };
-static_assert(model::FlowSolver<Solver> && model::TwoStepSolver<Solver>);
-static_assert(model::FlowIntegrator<model::StepDoubling<Solver>, State>);
-static_assert(model::FlowIntegrator<model::TwoStep<Solver>, State>);
+using LinearSolver = Solver<TimeStepper>;
+using MinimalSolver = Solver<VariationalStepper>;
+static_assert(model::FlowSolver<LinearSolver> && model::TwoStepSolver<LinearSolver>);
+static_assert(model::FlowIntegrator<model::StepDoubling<LinearSolver>, State>);
+static_assert(model::FlowIntegrator<model::TwoStep<LinearSolver>, State>);
+static_assert(model::FlowIntegrator<model::ImplicitEuler<MinimalSolver>, State>);
 
-bool Solver::renew(State& state) {
+template <class Stepper>
+bool Solver<Stepper>::renew(State& state) {
   remeshed_.reset();
   look_at(state);
   if (!numerics_.remesh || remeshing_over_ || resolved(indicators_)) return false;
@@ -92,7 +99,7 @@ bool Solver::renew(State& state) {
   if (!remeshed_->mesh) return remeshing_over_ = true, false;
   mesh_ = remeshed_->mesh;
   state = remeshed_->state;
-  TimeStepper::operator=({mesh_, material_, model_, numerics_});
+  Stepper::operator=({mesh_, material_, model_, numerics_});
   const auto curvature = curvature_of(*mesh_, state.X);
   remeshing_over_ = triangles == numerics_.most_triangles
                  && !(curvature && resolved(indicators_of(*mesh_, state.X, *curvature)));
@@ -110,32 +117,53 @@ void Numerics::validate() const {
         "order");
 }
 
-FlowResult run_flow(const model::Material& material, model::Model model, const FlowMoment& start,
-                    const Numerics& numerics, const FlowSchedule& schedule,
-                    const FlowObserver& observe) {
-  Solver solver(start.mesh, material, model, numerics);
-  model::TwoStep<Solver> two_step(solver, start.target);
+namespace {
+
+// `memory` remembers the past, for the observer; `integrator`, perhaps the same, makes the steps.
+template <class Stepper, class Memory, class Integrator>
+FlowResult run_with(Solver<Stepper>& solver, Memory& memory, Integrator& integrator,
+                    const FlowMoment& start, const Numerics& numerics, double at_rest,
+                    const FlowSchedule& schedule, const FlowObserver& observe) {
   if (!solver.recall(start.memory))
     return {.stop = FlowStop::step_too_small,
             .state = start.state,
             .last = start.record,
             .steps = 0,
             .fault = model::FlowFault::linear_solve};
-  two_step.recall(start.memory.past);
+  memory.recall(start.memory.past);
   model::FlowObserver<State> observer;
   if (observe)
     observer = [&](const FlowRecord& record, const State& state, bool exact) {
       if (record.time_step == 0) solver.look_at(state);
-      return observe(record, state, solver.view(two_step.past()), exact);
+      return observe(record, state, solver.view(memory.past()), exact);
     };
+  return model::Flow(solver, integrator, numerics, at_rest)
+      .run(start.state, start.record, schedule, observer);
+}
+
+}  // namespace
+
+FlowResult run_flow(const model::Material& material, model::Model model, const FlowMoment& start,
+                    const Numerics& numerics, const FlowSchedule& schedule,
+                    const FlowObserver& observe) {
   const double at_rest = model::speed_at_rest(numerics.rest_speed, material, model);
-  const auto run = [&](auto& integrator) {
-    return model::Flow(solver, integrator, numerics, at_rest)
-        .run(start.state, start.record, schedule, observer);
+  const auto run = [&](auto& solver, auto& memory, auto& integrator) {
+    return run_with(solver, memory, integrator, start, numerics, at_rest, schedule, observe);
   };
-  if (numerics.integrator == Integrator::two_step) return run(two_step);
-  model::StepDoubling<Solver> doubling(solver, start.target, numerics.extrapolate);
-  return run(doubling);
+  const bool variational = numerics.integrator == Integrator::variational;
+  if (variational && area_constraint(model) == model::AreaConstraint::global)
+    throw std::invalid_argument(
+        fmt::format("integrator = \"variational\": {}", no_variational_steps));
+  if (variational && !is_sphere(*start.mesh, start.target.area, start.target.volume)) {
+    MinimalSolver solver(start.mesh, material, model, numerics);
+    model::ImplicitEuler<MinimalSolver> steps(solver, start.target);
+    return run(solver, steps, steps);
+  }
+  LinearSolver solver(start.mesh, material, model, numerics);
+  model::TwoStep<LinearSolver> two_step(solver, start.target);
+  if (numerics.integrator != Integrator::step_doubling) return run(solver, two_step, two_step);
+  model::StepDoubling<LinearSolver> doubling(solver, start.target, numerics.extrapolate);
+  return run(solver, two_step, doubling);
 }
 
 }  // namespace sbeh::surface3d

@@ -46,10 +46,15 @@ using FlowObserver =
     std::function<bool(const FlowRecord&, const State&, const StepView&, bool exact)>;
 using FlowResult = model::FlowResult<State>;
 
+/// What Integrator::variational is not for.
+inline constexpr const char* no_variational_steps =
+    "belongs to models whose area is kept at each point";
+
 /// Runs the flow, keeping area and volume at the start's target to rounding. A run whose mesh does not
 /// resolve the surface (see resolution.h) goes on, on a new mesh with half as many triangles
 /// more where Numerics::remesh allows it. It ends where the mesh degenerates or the surface touches
-/// itself (see self_contact.h).
+/// itself (see self_contact.h). Spheres, which do not move, have no variational steps, but those of TwoStep. Throws
+/// std::invalid_argument where the model has none.
 FlowResult run_flow(const model::Material& material, model::Model model, const FlowMoment& start,
                     const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe = {});

@@ -10,10 +10,11 @@
 namespace sbeh::surface3d {
 
 enum class Integrator {
-  two_step,      ///< second order for one solve a step, see model/time/two_step.h
-  step_doubling  ///< three solves a step, see model/time/step_doubling.h
+  two_step,       ///< second order for one solve a step, see model/time/two_step.h
+  step_doubling,  ///< three solves a step, see model/time/step_doubling.h
+  variational     ///< the energy falls in any step; first order, a few dear solves: variational/
 };
-constexpr auto names(Integrator) { return std::array{"two-step", "step-doubling"}; }
+constexpr auto names(Integrator) { return std::array{"two-step", "step-doubling", "variational"}; }
 
 /// How the mesh equations join the flow, see monolithic.h and split.h.
 enum class Scheme { split, monolithic };

@@ -8,15 +8,6 @@ namespace sbeh::surface3d {
 
 namespace {
 
-// Two unit vectors orthogonal to n and to each other: those of a fixed direction, turned with it to n.
-// They change smoothly with n but opposite to that direction, which is no axis of anything.
-std::array<Eigen::Vector3d, 2> tangents_at(const Eigen::Vector3d& n) {
-  static const Eigen::Vector3d from = Eigen::Vector3d(0.36, 0.48, 0.8),
-                               first = Eigen::Vector3d(0.8, -0.6, 0);
-  const auto turn = Eigen::Quaterniond::FromTwoVectors(from, n);
-  return {turn * first, turn * from.cross(first)};
-}
-
 // Where the normals of the old surface X are met by a displacement from X to `from` along them.
 ElementNodes foot_points(const ElementNodes& X, const ElementNodes& from, const ElementNodes& n) {
   return X + n * n.cwiseProduct(from - X).colwise().sum().asDiagonal();
@@ -28,11 +19,7 @@ void Split::begin(const Triangulation& mesh, const Nodes& normals, double tau) {
   pattern_.set_zero(motion_);
   tau_ = tau;
   node_normals_ = normals;
-  tangents_.fill(Nodes(3, normals.cols()));
-  for (Eigen::Index i = 0; i < normals.cols(); ++i) {
-    const auto tangents = tangents_at(normals.col(i));
-    for (std::size_t k = 0; k < 2; ++k) tangents_[k].col(i) = tangents[k];
-  }
+  tangents_ = node_tangents(normals);
   normal_flux_ = mesh.scalars.zero();
   triangles_.resize(std::size_t(mesh.count()));
 }

@@ -164,6 +164,18 @@ bool is_sphere(const Triangulation& mesh, double area, double volume) {
   return reduced_volume(area, volume) > 1 - 1e-7 - 32 / std::pow(mesh.count(), 3);
 }
 
+// Those of a fixed direction, which is no axis of anything, turned with it to the normal.
+std::array<Nodes, 2> node_tangents(const Nodes& normals) {
+  static const Eigen::Vector3d from(0.36, 0.48, 0.8), first(0.8, -0.6, 0);
+  std::array<Nodes, 2> tangents{Nodes(3, normals.cols()), Nodes(3, normals.cols())};
+  for (Eigen::Index i = 0; i < normals.cols(); ++i) {
+    const auto turn = Eigen::Quaterniond::FromTwoVectors(from, normals.col(i));
+    tangents[0].col(i) = turn * first;
+    tangents[1].col(i) = turn * from.cross(first);
+  }
+  return tangents;
+}
+
 Nodes node_normals(const Triangulation& mesh, const Nodes& X) {
   Nodes n = Nodes::Zero(3, X.cols());
   for (int e = 0; e < mesh.count(); ++e) {

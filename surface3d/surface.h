@@ -125,6 +125,10 @@ using model::reduced_volume;
 /// whose nodes lie on the sphere has V_r = 1 − 16/triangles³.
 bool is_sphere(const Triangulation& mesh, double area, double volume);
 
+/// Two unit vectors at each node, orthogonal to its normal and to each other, 3 x nodes each; smooth but where the normal points
+/// away from a fixed direction.
+std::array<Nodes, 2> node_tangents(const Nodes& normals);
+
 /// Unit normals at the nodes: the normalised mean of the triangles' normals, weighted by their areas;
 /// 3 x nodes.
 Nodes node_normals(const Triangulation& mesh, const Nodes& X);

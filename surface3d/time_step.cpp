@@ -1,8 +1,7 @@
 #include "surface3d/time_step.h"
 
-#include "surface3d/diagnostics.h"
+#include "surface3d/dissipation.h"
 #include "surface3d/order_step.h"
-#include "surface3d/parallel.h"
 
 #include <algorithm>
 #include <cmath>
@@ -11,28 +10,6 @@
 namespace sbeh::surface3d {
 
 namespace {
-
-Dissipation dissipation_of(const Triangulation& mesh, const model::Material& m, const State& old,
-                           const Nodes& velocity, const Nodes& slip, const Field& beta_new,
-                           const Field& beta_from, double tau) {
-  const Field rate = (beta_new - beta_from) / tau;
-  const auto sum = integrate<3>(mesh, old.X, assembly_points(), [&](int e) {
-    return [&m, velocities = on_element(mesh, e, velocity), slips = on_element(mesh, e, slip),
-            beta = on_element(mesh, e, old.beta), rates = on_element(mesh, e, rate),
-            beta_end = on_element(mesh, e, beta_new)](const ShapeValues& s, const SurfacePoint& p) {
-      const Eigen::Vector3d V = value_at(velocities, s);
-      const double V_n = V.dot(p.nu());
-      const Eigen::Vector2d slip_t = p.frame.leftCols<2>().transpose() * value_at(slips, s);
-      const double beta_dot = value_at(rates, s) + slip_t.dot(gradient_at(beta_end, p));
-      const model::Gradient<double> grad_V = p.frame.transpose() * gradient_at(velocities, p);
-      return Eigen::Array3d(
-          m.friction_tangential * (V.squaredNorm() - V_n * V_n) + m.friction_normal * V_n * V_n,
-          m.order_drag() * beta_dot * beta_dot,
-          m.eta(value_at(beta, s)) / 2 * model::rate_of_strain(grad_V).squaredNorm());
-    };
-  });
-  return {.friction = sum[0], .order = sum[1], .viscous = sum[2]};
-}
 
 Constraints constraints_of(const Triangulation& mesh, const Nodes& X,
                            const std::optional<Target>& target, double tau) {
@@ -123,8 +100,11 @@ FlowStep TimeStepper::solve(const State& at, const State& from, const Constraint
   if (has_free_order(model_))
     next.beta = order_step(*mesh_, material_, at, from.beta, *curvature, slip, tau);
   if (next.beta.size() == 0) return {};
-  const Dissipation dissipation =
-      dissipation_of(*mesh_, material_, at, fields_.V, slip, next.beta, from.beta, tau);
+  const Dissipation dissipation = dissipation_of(*mesh_, material_, at,
+                                                 {.velocity = fields_.V,
+                                                  .slip = slip,
+                                                  .order_rate = (next.beta - from.beta) / tau,
+                                                  .order = next.beta});
   return {
       .fault = model::FlowFault::none,
       .state = next,

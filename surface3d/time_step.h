@@ -4,6 +4,8 @@
 #include "model/material.h"
 #include "model/time/flow_record.h"
 #include "surface3d/coupled_system.h"
+#include "surface3d/diagnostics.h"
+#include "surface3d/dissipation.h"
 #include "surface3d/lagged_solver.h"
 
 #include <memory>
@@ -11,7 +13,6 @@
 
 namespace sbeh::surface3d {
 
-using model::Dissipation;
 using FlowStep = model::FlowStep<State>;
 
 /// What a step computes besides the next state.
@@ -40,6 +41,10 @@ class TimeStepper {
   /// Advances from `from` with the surface and the coefficients of `at`, keeping its area and volume: of a
   /// two-step method.
   FlowStep step(const State& at, const State& from, double tau) { return step(at, from, {}, tau); }
+  /// U, with det B for the Gaussian curvature.
+  Energy energy(const State& state, const Curvature& curvature) const {
+    return surface3d::energy(*mesh_, material_, state, curvature);
+  }
   /// Of the last solve; empty before.
   const StepFields& fields() const { return fields_; }
 

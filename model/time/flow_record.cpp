@@ -44,6 +44,8 @@ std::string describe(FlowStop stop) {
       return "time step too small";
     case FlowStop::interrupted:
       return "interrupted";
+    case FlowStop::near_rest:
+      return "near rest";
   }
   return "";
 }

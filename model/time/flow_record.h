@@ -41,7 +41,16 @@ struct Distance {
   double largest() const { return std::max(normal, order); }
 };
 
-enum class FlowStop { end_time, at_rest, unresolved, self_contact, step_too_small, interrupted };
+// In files by their places: new ones come last.
+enum class FlowStop {
+  end_time,
+  at_rest,
+  unresolved,
+  self_contact,
+  step_too_small,
+  interrupted,
+  near_rest  ///< from where Newton's method leads to rest
+};
 /// Words for tables and messages.
 std::string describe(FlowStop stop);
 

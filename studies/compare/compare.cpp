@@ -41,6 +41,9 @@ WitnessState state_of(Witness witness, const CompareInput& input,
     case Witness::surface3d:
       return surface_state(input.state, input.surface3d, first_of(before, &WitnessState::profile),
                            frame);
+    case Witness::states:
+      return rest_state(input.state, input.surface3d.triangles,
+                        first_of(before, &WitnessState::profile));
     case Witness::harmonics:
       return harmonic_state(input.state, input.harmonics, first_of(before, &WitnessState::mesh));
   }
@@ -107,8 +110,7 @@ std::vector<PlacedPoint> placed(const WitnessState& state, const Meridian& refer
 // ---- comparisons --------------------------------------------------------------------------------
 
 std::optional<double> tolerance_of(const CompareInput& input, const Comparison& of) {
-  const auto is_3d = [](Witness w) { return w == Witness::surface3d || w == Witness::harmonics; };
-  const bool in_3d = is_3d(of.first) || is_3d(of.second);
+  const bool in_3d = is_in_3d(of.first) || is_in_3d(of.second);
   const Tolerances& tolerances = in_3d ? input.tolerance_3d : input.tolerance;
   const auto at = tolerances.find(of.quantity);
   return at == tolerances.end() ? std::nullopt : std::optional(at->second);

@@ -63,6 +63,9 @@ SurfaceMethod read_surface_method(const TomlTable& table, const CompareInput& in
   if (table.has("run")) {
     for (const char* key : {"start", "triangles", "end", "tolerance", "rest_speed"})
       table.refuse(key, "must not be given together with run, which has it");
+    if (input.has(Witness::states))
+      table.fail("run",
+                 "must not be given where \"states\" is among the methods, which needs triangles");
     method.run = table.path("run");
   }
   method.revolved = table.word("start", {"ellipsoid", "revolved"}, "ellipsoid") == "revolved";
@@ -151,13 +154,16 @@ CompareInput read_compare(const std::filesystem::path& path) {
   CompareInput input;
   input.units = read_units(file);
   read_case(cases, input);
-  const bool in_3d = input.has(Witness::surface3d), by_harmonics = input.has(Witness::harmonics);
-  if (!in_3d) file.refuse("surface3d", "has no place without \"surface3d\" among the methods");
+  const bool on_triangles = input.has(Witness::surface3d) || input.has(Witness::states),
+             by_harmonics = input.has(Witness::harmonics);
+  if (!on_triangles)
+    file.refuse("surface3d", "has no place without \"surface3d\" or \"states\" among the methods");
   if (!by_harmonics)
     file.refuse("harmonics", "has no place without \"harmonics\" among the methods");
-  if (!in_3d && !by_harmonics)
-    file.refuse("tolerance_3d",
-                "has no place without \"surface3d\" or \"harmonics\" among the methods");
+  if (!on_triangles && !by_harmonics)
+    file.refuse(
+        "tolerance_3d",
+        "has no place without \"surface3d\", \"states\" or \"harmonics\" among the methods");
   material.measured_by(lengths_of(input.units));
   input.state.material =
       read_material_without_L(material, "a comparison, where L comes from [compare]")
@@ -183,7 +189,8 @@ std::string describe(const CompareInput& input, std::string_view version) {
   toml.value("methods", input.methods);
   write_material_without_L(toml, input.state.material);
   write_numerics(toml, input.state.numerics);
-  if (input.has(Witness::surface3d)) write_surface_method(toml, input.surface3d);
+  if (input.has(Witness::surface3d) || input.has(Witness::states))
+    write_surface_method(toml, input.surface3d);
   if (input.has(Witness::harmonics)) {
     toml.table("harmonics");
     toml.value("degree", input.harmonics.degree);

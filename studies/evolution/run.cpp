@@ -1,5 +1,6 @@
 #include "studies/evolution/run.h"
 
+#include "model/relaxation.h"
 #include "studies/evolution/checkpoint.h"
 #include "studies/evolution/event_log.h"
 #include "studies/evolution/evolution_files.h"
@@ -8,11 +9,18 @@
 #include "studies/evolution/run_start.h"
 #include "studies/io/description.h"
 #include "studies/io/interrupt.h"
+#include "surface3d/stationary/rest_ahead.h"
+
+#include <algorithm>
+#include <array>
+#include <limits>
+#include <utility>
 
 namespace sbeh::studies {
 
 namespace fs = std::filesystem;
 using surface3d::FlowRecord;
+using surface3d::FlowStop;
 using surface3d::StepView;
 
 namespace {
@@ -31,7 +39,7 @@ class RunObservers {
   // The last state: a row and a frame. A run that is to go on later has left its checkpoint.
   void finish(const surface3d::FlowResult& run);
 
-  int frames() const { return int(frames_.entries().size()); }
+  const std::vector<FrameEntry>& frames() const { return frames_.entries(); }
   const std::optional<double>& unresolved_from() const { return events_.unresolved_from(); }
 
  private:
@@ -82,15 +90,54 @@ void RunObservers::finish(const surface3d::FlowResult& run) {
   checkpoint_.remove();
 }
 
+// When Newton's method is asked whether a state at rest is near: each time the run becomes slower than one of three speeds.
+class RestWatch {
+ public:
+  RestWatch(const RunInput& input, const FlowMoment& start)
+      : input_(input),
+        target_(start.target),
+        unit_(model::speed_at_rest(1, input.material, input.model)),
+        before_(speed(start.record)) {}
+
+  bool near(const FlowRecord& record, const surface3d::State& state, const StepView& view) {
+    const double before = std::exchange(before_, speed(record));
+    if (input_.finish != RunFinish::newton || record.ends) return false;
+    return std::ranges::any_of(tries_,
+                               [&](double t) { return before_ < t * unit_ && t * unit_ <= before; })
+        && surface3d::rest_is_ahead(*view.mesh, input_.material, input_.model, state, target_);
+  }
+
+ private:
+  static constexpr std::array tries_{1e-2, 1e-3, 1e-4};
+
+  // Of a run that begins it is not known.
+  static double speed(const FlowRecord& record) {
+    return record.time_step == 0 ? std::numeric_limits<double>::infinity()
+                                 : std::max(record.normal_speed, record.order_speed);
+  }
+
+  const RunInput& input_;
+  surface3d::Target target_;
+  double unit_;  // of speed, as [numerics] rest_speed has it
+  double before_;
+};
+
 surface3d::FlowResult run_observed(const RunInput& input, const FlowMoment& start,
                                    RunObservers& observers) {
   model::FlowSchedule schedule = schedule_of(input.times);
   const auto over = start.record.ends;
   if (over) schedule.end_time = start.record.time;
+  RestWatch rest(input, start);
+  bool is_near = false;
   surface3d::FlowResult run = surface3d::run_flow(
       input.material, input.model, start, input.numerics, schedule,
-      [&](const FlowRecord& record, const surface3d::State& state, const StepView& view,
-          bool exact) { return observers.see(record, state, view, exact); });
+      [&](const FlowRecord& seen, const surface3d::State& state, const StepView& view, bool exact) {
+        FlowRecord record = seen;
+        is_near = rest.near(seen, state, view);
+        if (is_near) record.ends = FlowStop::near_rest;
+        return observers.see(record, state, view, exact) && !is_near;
+      });
+  if (is_near) run.last.ends = run.stop = FlowStop::near_rest;
   if (over) run.stop = *over;
   return run;
 }
@@ -119,7 +166,9 @@ RunSummary run_surface(const RunInput& asked, const fs::path& path, std::string_
   try {
     const surface3d::FlowResult run = run_observed(input, start, observers);
     observers.finish(run);
-    return {run, observers.frames(), start.record.time, observers.unresolved_from()};
+    const std::vector<FrameEntry>& frames = observers.frames();
+    return {run, int(frames.size()), frames.empty() ? "" : frames.back().file, start.record.time,
+            observers.unresolved_from()};
   } catch (const OutputError& error) {
     throw OutputError(
         fmt::format("{}; once that is mended, the same command goes on from the newest frame (sbeh "

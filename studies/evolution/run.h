@@ -6,6 +6,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <string_view>
 
 namespace sbeh::studies {
@@ -13,6 +14,7 @@ namespace sbeh::studies {
 struct RunSummary {
   surface3d::FlowResult run;
   int frames;                             ///< in the folder
+  std::string last_frame;                 ///< relative to it
   double resumed_from;                    ///< time, 0 for a run from the start
   std::optional<double> unresolved_from;  ///< time from which the mesh was too coarse, if it was
 };

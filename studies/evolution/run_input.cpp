@@ -6,6 +6,8 @@
 #include "studies/modes/mode_file.h"
 #include "studies/parameters/material_input.h"
 
+#include <fmt/format.h>
+
 #include <functional>
 
 namespace sbeh::studies {
@@ -80,8 +82,21 @@ void read_surface(const TomlTable& surface, RunInput& input) {
   surface.reject_unknown_keys();
 }
 
+// Newton's method knows the models of a scan, and one elastic constant.
+void require_rest_states(const TomlTable& time, const RunInput& input) {
+  if (input.finish == RunFinish::flow) return;
+  if (input.model != rest_model(input.model))
+    time.fail("finish", fmt::format("belongs to SBEH and SSH, not to {}", name(input.model)));
+  if (input.material != input.material.with_L(input.material.L1))
+    time.fail("finish", "belongs to the one-constant approximation, L alone");
+  if (!input.times.stop_at_rest)
+    time.fail("finish", "belongs to runs that end at rest: stop_at_rest = true");
+}
+
 void read_time(const TomlTable& time, RunInput& input) {
   input.times = read_times(time, "frames");
+  read_value(time, "finish", input.finish);
+  require_rest_states(time, input);
   input.checkpoint_minutes = time.number("checkpoint_minutes", above(0), input.checkpoint_minutes);
   time.reject_unknown_keys();
 }
@@ -125,6 +140,9 @@ RunInput read_with(const fs::path& path, const FindOrigin& find_origin) {
   static_cast<Physics&>(input) =
       read_physics(file, model, material, [&] { return find_origin(input); });
   input.numerics = read_numerics<surface3d::Numerics>(numerics);
+  if (input.numerics.integrator == surface3d::Integrator::variational
+      && area_constraint(input.model) == model::AreaConstraint::global)
+    numerics.fail("integrator", surface3d::no_variational_steps);
   time.measured_by(read_scales(file, input.units, input.material, input.model));
   read_time(time, input);
   return input;
@@ -164,6 +182,7 @@ std::string describe(const RunInput& input, std::string_view version) {
   write_material(toml, input.material, input.model);
   write_numerics(toml, input.numerics);
   write_times(toml, input.times, "frames");
+  toml.value("finish", input.finish);
   toml.value("checkpoint_minutes", input.checkpoint_minutes);
   write_units(toml, input.units);
   return toml.text();

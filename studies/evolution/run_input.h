@@ -54,6 +54,13 @@ bool is_there(const ModeStart& mode);
 /// Throws InputError when it is no mode.
 Origin origin_of(const ModeStart& mode);
 
+/// How a run ends that would come to rest.
+enum class RunFinish {
+  flow,   ///< where nothing moves any more
+  newton  ///< near there, from where Newton's method leads on: see rest_states/run_end.h
+};
+constexpr auto names(RunFinish) { return std::array{"flow", "newton"}; }
+
 /// Top-level key `model`; tables [surface] and [time], optional [material] and [numerics]. What a start that is
 /// a result was computed with stands for what the file does not say of model and material.
 struct RunInput : Physics {
@@ -62,7 +69,8 @@ struct RunInput : Physics {
   double initial_order = model::full_order;     ///< where the start brings none, 0 … 1
   std::vector<meshing::Harmonic> perturbation;  ///< displaces along the normal by Σ a_lm Y_lm
   surface3d::Numerics numerics;
-  Times times;                     ///< states: frames
+  Times times;  ///< states: frames
+  RunFinish finish = RunFinish::flow;
   double checkpoint_minutes = 10;  ///< of wall time between checkpoints, > 0
   std::optional<Units> units{};    ///< for people: no number depends on them
 

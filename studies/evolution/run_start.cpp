@@ -213,7 +213,10 @@ RunCost cost_of(const RunInput& input, int triangles) {
   const int nodes = 9 * triangles / 2 + 2, quadratic_nodes = 2 * triangles + 2;
   const int unknowns = unknowns_of(input, nodes, quadratic_nodes);
   const surface3d::Numerics& numerics = input.numerics;
-  const double steps = numerics.integrator == surface3d::Integrator::step_doubling ? 2.6 : 1,
+  using surface3d::Integrator;
+  const double steps = numerics.integrator == Integrator::step_doubling ? 2.6
+                     : numerics.integrator == Integrator::variational   ? 25
+                                                                        : 1,
                factors = numerics.factorisation == surface3d::Factorisation::every_step ? 2.2 : 1;
   const double linear = 4.1e-6 * unknowns * std::pow(unknowns / 6400., 0.15), rest = 5e-6 * nodes;
   return {.unknowns = unknowns,

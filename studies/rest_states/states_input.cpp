@@ -17,15 +17,6 @@ namespace {
 constexpr const char* no_sphere_here =
     "must be < 1: on the sphere area and volume are one condition, not two";
 
-// As read_material_without_L leaves it.
-model::Material without_L(model::Material material) {
-  const model::Material absent;
-  material.L1 = absent.L1;
-  material.L2 = absent.L2;
-  material.L3 = absent.L3;
-  return material;
-}
-
 void read_start(const TomlTable& table, StatesInput& input) {
   const std::string given = table.has("scan")  ? "scan"
                           : table.has("frame") ? "frame"
@@ -141,6 +132,14 @@ void take_material(const TomlTable& file, const TomlTable& material, const model
 
 }  // namespace
 
+model::Material without_L(model::Material material) {
+  const model::Material absent;
+  material.L1 = absent.L1;
+  material.L2 = absent.L2;
+  material.L3 = absent.L3;
+  return material;
+}
+
 bool brings_its_mesh(StatesStart start) {
   return start == StatesStart::frame || start == StatesStart::mesh;
 }
@@ -246,7 +245,9 @@ std::string describe(const StatesInput& input, std::string_view version) {
   toml.table("states");
   toml.value("model", input.model);
   if (!brings_its_mesh(input.start)) toml.value("branch", input.branch);
-  if (input.start != StatesStart::branch) toml.value(name(input.start), input.file);
+  if (input.start != StatesStart::branch)
+    toml.value(name(input.start),
+               input.file_in_description.empty() ? input.file : input.file_in_description);
   toml.value("reduced_volume", input.reduced_volume);
   toml.value("L", input.L);
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);

@@ -62,6 +62,7 @@ struct StatesInput {
       StatesStart::branch;  ///< by the one of the keys branch, frame, mesh, scan that is there
   axisym::Branch branch = axisym::Branch::oblate;
   std::string file;                    ///< of scan, frame or mesh
+  std::string file_in_description{};   ///< where that names it from its own folder; else as it is
   std::vector<double> reduced_volume;  ///< V_r, each in 0 < V_r < 1; ascending
   std::vector<double> L;               ///< ascending; all combinations
   std::vector<meshing::Harmonic>
@@ -78,6 +79,9 @@ struct StatesInput {
 
 /// Whether its triangles are those of a file.
 bool brings_its_mesh(StatesStart start);
+
+/// The material without its elastic constants, as StatesInput has it.
+model::Material without_L(model::Material material);
 
 struct StatePlace {
   int number;

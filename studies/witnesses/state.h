@@ -53,7 +53,7 @@ struct WitnessState {
   Eigen::VectorXd order{};          // n
   std::vector<EnergyAt> history{};  ///< of flow and surface3d from the same ellipsoid
   std::optional<axisym::State> profile{};     ///< of newton
-  std::optional<meshing::CurvedMesh> mesh{};  ///< of surface3d
+  std::optional<meshing::CurvedMesh> mesh{};  ///< of surface3d and states
   std::optional<Meridian> meridian{};  ///< through the points, from the pole of H_pole on, z = 0
                                        ///< halfway between the poles; none of the 3D methods
 };
@@ -103,6 +103,10 @@ Measures measures_of_flow(const model::Material& material, const Diagnostics& d,
 /// case), OutputError, and Interrupted.
 WitnessState surface_state(const axisym::StationaryCase& of, const SurfaceMethod& method,
                            const axisym::State* profile, const std::filesystem::path& keep);
+
+/// Newton's method in 3D from a profile, revolved with about so many triangles; null: that of newton_state. Turned as surface_state.
+WitnessState rest_state(const axisym::StationaryCase& of, int triangles,
+                        const axisym::State* profile);
 
 /// A classical shape in the terms of U: full order, u(2/3) everywhere, and the Gaussian part; energy is
 /// F/(8πκ), pressure and tension are per κ. SSH without spontaneous curvature.

@@ -16,10 +16,17 @@ enum class Witness {
   minimiser,  ///< spectral curves, Ceres and Newton; SBEH, or SSH without spontaneous curvature
   flow,       ///< the axisymmetric solver, in time from an ellipsoid to rest
   surface3d,  ///< the 3D solver, in time, to rest
+  states,     ///< Newton's method in 3D, from the revolved state of `newton`
   harmonics   ///< spherical harmonics without an axis, Ceres and Newton; SSH, V_r >= 0.65
 };
 constexpr auto names(Witness) {
-  return std::array{"newton", "shooting", "minimiser", "flow", "surface3d", "harmonics"};
+  return std::array{"newton", "shooting", "minimiser", "flow", "surface3d", "states", "harmonics"};
+}
+
+/// Whether its surface has no axis to begin with.
+constexpr bool is_in_3d(Witness witness) {
+  return witness == Witness::surface3d || witness == Witness::states
+      || witness == Witness::harmonics;
 }
 
 /// How the 3D solver is used: table [surface3d].

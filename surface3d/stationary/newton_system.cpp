@@ -1,31 +1,11 @@
 #include "surface3d/stationary/newton_system.h"
 
+#include "surface3d/linear/bordered.h"
+
 #include <algorithm>
 #include <cmath>
 
 namespace sbeh::surface3d {
-
-namespace {
-
-// A with the columns of B as rows below it: the lower half of [A B; Bᵀ 0] is in it.
-void set_bordered(const SparseMatrix& A, const Eigen::MatrixXd& B, SparseMatrix& bordered) {
-  const Eigen::Index n = A.rows(), m = B.cols();
-  bordered.resize(n + m, n + m);
-  bordered.resizeNonZeros(A.nonZeros() + n * m);
-  std::copy_n(A.outerIndexPtr(), n + 1, bordered.outerIndexPtr());
-  std::copy_n(A.innerIndexPtr(), A.nonZeros(), bordered.innerIndexPtr());
-  std::copy_n(A.valuePtr(), A.nonZeros(), bordered.valuePtr());
-  Eigen::Index position = A.nonZeros();
-  for (Eigen::Index k = 0; k < m; ++k) {
-    for (Eigen::Index i = 0; i < n; ++i, ++position) {
-      bordered.innerIndexPtr()[position] = int(i);
-      bordered.valuePtr()[position] = B(i, k);
-    }
-    bordered.outerIndexPtr()[n + k + 1] = int(position);
-  }
-}
-
-}  // namespace
 
 double largest_change(const Increment& step) {
   return std::max(step.d.cwiseAbs().maxCoeff(), step.beta.cwiseAbs().maxCoeff());

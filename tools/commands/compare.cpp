@@ -29,7 +29,9 @@ void check_compare(const std::string& file) {
   const studies::CompareInput input = studies::read_compare(file);
   const bool runs_3d = input.has(studies::Witness::surface3d) && input.surface3d.run.empty();
   // Measured on one core of 2026, from an ellipsoid with V_r = 0.8 to rest.
-  const double seconds = 0.1 + (runs_3d ? 0.2 + 0.0085 * input.surface3d.triangles : 0);
+  const bool solves_3d = input.has(studies::Witness::states);
+  const double seconds = 0.1 + (runs_3d ? 0.2 + 0.0085 * input.surface3d.triangles : 0)
+                       + (solves_3d ? 0.002 * input.surface3d.triangles : 0);
   fmt::print(
       "{}: {} {} with reduced volume {} and L = {} by {} methods, about {} of one core\n\n{}", file,
       sbeh::name(input.state.model), name(input.state.branch), input.state.reduced_volume,

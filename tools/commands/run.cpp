@@ -3,6 +3,8 @@
 
 #include "model/relaxation.h"
 #include "studies/evolution/run_start.h"
+#include "studies/io/interrupt.h"
+#include "studies/rest_states/run_end.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/evolution_end.h"
 
@@ -20,6 +22,21 @@ constexpr EndWords run_words{
     .self_contact =
         "the surface comes nearer to itself than its nodes are to each other; nothing in the model "
         "keeps it from passing through, so that the run ends here"};
+
+// Whether something was wrong with it.
+bool end_at_rest(const studies::RunInput& input, const studies::RunSummary& summary,
+                 const Study& study, const fs::path& folder) {
+  const auto rest = studies::rest_of_run(input, summary, folder, SBEH_VERSION);
+  if (!rest) return false;
+  const fs::path states = folder / studies::rest_folder;
+  if (rest->measures)
+    fmt::print("at rest by Newton's method: {}; in {}\n", studies::describe_rest(*rest),
+               (states / "states.csv").string());
+  if (rest->status != studies::PointStatus::stationary)
+    complain(fmt::format("state at rest {}: {}", sbeh::name(rest->status), rest->stop_reason));
+  if (!study.no_pictures) draw_results(studies::ResultsKind::states, states);
+  return rest->status != studies::PointStatus::stationary;
+}
 
 int run(const Study& study, bool resume) {
   const fs::path folder = study.results();
@@ -41,7 +58,8 @@ int run(const Study& study, bool resume) {
                     *s.unresolved_from, (folder / "events.csv").string()));
   const bool wrong = complain_of_end(s.run.stop, s.run.fault, s.run.last, run_words);
   if (!study.no_pictures) draw_results(studies::ResultsKind::run, folder);
-  return wrong ? 1 : exit_code_of_success();
+  const bool restless = end_at_rest(input, s, study, folder);
+  return wrong || restless ? 1 : exit_code_of_success();
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include "studies/io/conventions.h"
 #include "studies/modes/modes.h"
 #include "studies/report/result_units.h"
+#include "studies/rest_states/run_end.h"
+#include "studies/rest_states/states.h"
 #include "studies/scan/scan.h"
 #include "tools/python/bindings.h"
 
@@ -42,7 +44,9 @@ template <class Result>
 py::dict end_of(const Result& run) {
   py::dict end;
   end["stop"] = model::describe(run.stop);
-  end["ended_well"] = run.stop == model::FlowStop::end_time || run.stop == model::FlowStop::at_rest;
+  using model::FlowStop;
+  end["ended_well"] = run.stop == FlowStop::end_time || run.stop == FlowStop::at_rest
+                   || run.stop == FlowStop::near_rest;
   end["fault"] = model::describe(run.fault);
   end["time"] = run.last.time;
   end["steps"] = run.steps;
@@ -62,7 +66,9 @@ py::dict relax(const fs::path& input, const fs::path& folder) {
 py::dict run(const fs::path& input, const fs::path& folder, bool resume) {
   const auto summary = at_work([&] {
     const auto asked = resume ? studies::read_resumed_run(input, folder) : studies::read_run(input);
-    return studies::run_surface(asked, folder, SBEH_VERSION, resume);
+    auto done = studies::run_surface(asked, folder, SBEH_VERSION, resume);
+    studies::rest_of_run(asked, done, folder, SBEH_VERSION);
+    return done;
   });
   py::dict end = end_of(summary.run);
   end["unresolved_from"] = summary.unresolved_from;
@@ -87,6 +93,13 @@ double modes(const fs::path& input, const fs::path& folder) {
   });
 }
 
+void rest_states(const fs::path& input, const fs::path& folder) {
+  const bool interrupted = at_work([&] {
+    return studies::run_states(studies::read_states(input), folder, SBEH_VERSION).interrupted;
+  });
+  if (interrupted) throw studies::Interrupted("interrupted");
+}
+
 }  // namespace
 
 void add_studies(py::module_& m) {
@@ -96,6 +109,7 @@ void add_studies(py::module_& m) {
   m.def("relax", relax, py::arg("input"), py::arg("folder"));
   m.def("run", run, py::arg("input"), py::arg("folder"), py::arg("resume"));
   m.def("modes", modes, py::arg("input"), py::arg("folder"));
+  m.def("rest_states", rest_states, py::arg("input"), py::arg("folder"));
   m.def("physical_table", physical_table, py::arg("folder"), py::arg("file"),
         py::arg("units_from").none(true));
   m.def("describe_units", describe_units, py::arg("folder"), py::arg("units_from").none(true));

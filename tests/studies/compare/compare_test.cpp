@@ -3,7 +3,10 @@
 
 #include "tests/studies/parameters/input_file.h"
 
+#include <fmt/format.h>
+
 #include <cstdio>
+#include <tuple>
 
 namespace sbeh::studies {
 namespace {
@@ -97,6 +100,24 @@ TEST(Flow, to_rest_agrees_with_newton_and_has_the_history_of_the_3D_solver) {
   EXPECT_EQ(summary.states[1].history.front().time, 1e-3);
   EXPECT_EQ(summary.comparisons.back().quantity, "history");
   EXPECT_GT(summary.comparisons.back().judged(), 0);
+}
+
+// About twice the errors of 320 triangles.
+TEST(States, agree_with_the_axisymmetric_ones_and_say_what_they_are) {
+  const std::string with =
+      "methods = ['newton', 'states']\n[surface3d]\ntriangles = 320\n"
+      "[tolerance_3d]\nenergy = 5e-6\npressure = 1e-4\ntension = 1e-4\n"
+      "order_min = 5e-4\nH_pole = 2e-3\ndistance = 1e-4\n";
+  for (const auto& [model, branch, volume, falls] :
+       {std::tuple{"SBEH", "oblate", "0.8", "a saddle, whose energy falls in 2 directions"},
+        {"SSH", "prolate", "0.8", "a minimum"}}) {
+    const CompareSummary summary = compared(
+        std::string("states_") + branch,
+        fmt::format("[compare]\nmodel = '{}'\nbranch = '{}'\nreduced_volume = {}\nL = 0.05\n{}",
+                    model, branch, volume, with));
+    expect_agreement(summary);
+    EXPECT_TRUE(summary.states[1].remark.ends_with(falls)) << summary.states[1].remark;
+  }
 }
 
 TEST(Surface, revolved_from_the_ordered_profile_stays_there) {

@@ -287,10 +287,10 @@ TEST(RunInput, with_wrong_times_is_refused_with_line_key_and_value) {
       {"checkpoint_minutes = inf", ":7: [time] checkpoint_minutes = inf: must be a finite number"},
       {"checkpoint_minute = 1",
        ":7: [time] checkpoint_minute: unknown key; did you mean 'checkpoint_minutes'? Known: end, "
-       "output, frames, every_step, stop_at_rest, checkpoint_minutes"},
+       "output, frames, every_step, stop_at_rest, finish, checkpoint_minutes"},
       {"profiles = [0]",
        ":7: [time] profiles: unknown key. Known: end, output, frames, every_step, stop_at_rest, "
-       "checkpoint_minutes"},
+       "finish, checkpoint_minutes"},
   };
   for (const std::string key : {"output", "frames"}) {
     const std::string at = ":7: [time] " + key;

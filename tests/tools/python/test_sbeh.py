@@ -85,6 +85,26 @@ def test_modes_are_those_of_the_command_line(tmp_path):
     assert modes.rigid_residual < 1e-6
 
 
+def test_rest_states_are_those_of_the_command_line(tmp_path):
+    states = sbeh.rest_states(branch="oblate", reduced_volume=[0.8, 0.85], L=0.05, model="SSH", triangles=80, eigenpairs=2)
+    (tmp_path / "in.toml").write_text('[states]\nmodel = "SSH"\nbranch = "oblate"\nreduced_volume = [0.8, 0.85]\n'
+                                      "L = 0.05\ntriangles = 80\neigenpairs = 2\n")
+    done = command("states", "in.toml", "-o", "out", "--no-pictures", cwd=tmp_path)
+    assert done.returncode == 0, done.stderr
+    same_table(states.table, tmp_path / "out/states.csv")
+    assert len(states.frame(2).points) == 9 * states.table.triangles[1] / 2 + 2
+    assert states.mode_file(2, 1).exists()
+
+
+def test_a_run_finished_by_newton_has_a_state_at_rest():
+    run = sbeh.run({"shape": "ellipsoid", "reduced_volume": 0.9, "kind": "prolate", "triangles": 80},
+                   {"end": 100, "finish": "newton", "output": [0.1], "frames": [0]}, model="SSH",
+                   numerics={"tolerance": 1e-3})
+    assert run.end["stop"] == "near rest" and run.end["ended_well"]
+    assert run.rest.table.negative_directions[0] == 0
+    assert run.rest.table.energy[0] < run.series.energy.iloc[-1]
+
+
 RELAX = """model = "SSH"
 [start]
 shape = "ellipsoid"

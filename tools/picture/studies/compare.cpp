@@ -24,6 +24,8 @@ LineStyle style_of(Witness method) {
       return {.colour = {138, 60, 220}, .width = 1.6, .pattern = Pattern::dotted};
     case Witness::surface3d:
       return {.colour = {0, 0, 0}, .width = 1.0};
+    case Witness::states:
+      return {.colour = {0, 130, 130}, .width = 1.0};
     case Witness::harmonics:
       return {.colour = {200, 30, 60}, .width = 1.0};
   }
@@ -38,8 +40,11 @@ struct Curve {
   double largest = 0.0;
 
   // Nodes, which are no curve.
-  bool is_marked() const { return method == Witness::surface3d || method == Witness::harmonics; }
-  Marker marker() const { return method == Witness::harmonics ? Marker::diamond : Marker::full; }
+  bool is_marked() const { return studies::is_in_3d(method); }
+  Marker marker() const {
+    if (method == Witness::states) return Marker::plus;
+    return method == Witness::harmonics ? Marker::diamond : Marker::full;
+  }
   LineStyle style() const { return style_of(method); }
 };
 

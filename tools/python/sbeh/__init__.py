@@ -20,15 +20,16 @@ from ._sbeh import InputError, Material, OutputError, tell_to
 from ._sbeh import conventions
 from ._sbeh import version as __version__
 from .evolutions import Evolution, Run, Run3d, read_evolution, read_run, relax, run
+from .rest_states import RestStates, rest_states
 from .scans import Scan, read_scan, scan
 from .states import Modes, Profile, State, modes, stationary
 from .surfaces import Frame, Mesh, mesh, read_frame
 from .tables import read_series
 
 __all__ = [
-    "Evolution", "Frame", "InputError", "Material", "Mesh", "Modes", "OutputError", "Profile", "Run", "Run3d",
+    "Evolution", "Frame", "InputError", "Material", "Mesh", "Modes", "OutputError", "Profile", "RestStates", "Run", "Run3d",
     "Scan", "State", "__version__", "conventions", "mesh", "modes", "read_evolution", "read_frame", "read_run", "read_scan",
-    "read_series", "relax", "run", "scan", "stationary", "tell_to",
+    "read_series", "relax", "rest_states", "run", "scan", "stationary", "tell_to",
 ]
 
 if "ipykernel" in _sys.modules:  # a notebook shows what Python writes, and nothing else

@@ -13,6 +13,7 @@ import numpy as np
 
 from . import _sbeh
 from .inputs import MaterialLike, ResultsFolder, input_file, material_table
+from .rest_states import RestStates, warned
 from .states import Profile
 from .surfaces import Frame, read_frame
 from .tables import read_series, read_table
@@ -76,6 +77,12 @@ class Run3d(Evolution):
         """One of the frames; -1: the last."""
         return read_frame(self.frame_files[index][1])
 
+    @property
+    def rest(self) -> RestStates | None:
+        """What `finish = "newton"` has led to; None where it did not."""
+        folder = self.folder / "rest"
+        return RestStates(ResultsFolder(folder), self._folder) if (folder / "states.csv").exists() else None
+
 
 def relax(start: Table, time: Table, *, model: str | None = None, material: MaterialLike = None,
           numerics: Table | None = None, units: Table | None = None,
@@ -107,7 +114,10 @@ def run(surface: Table, time: Table, *, model: str | None = None, material: Mate
                             "numerics": numerics, "units": units}) as path:
         end = _sbeh.run(path, results.path, resume)
     _warn_of(end)
-    return Run3d(results, end)
+    done = Run3d(results, end)
+    if done.rest is not None:
+        warned(done.rest)
+    return done
 
 
 def read_evolution(folder: str | Path) -> Evolution:

@@ -1,0 +1,44 @@
+// Implicit steps of first order, one solve each, whose error the last step tells.
+#pragma once
+
+#include "model/time/two_step.h"
+
+namespace sbeh::model {
+
+/// An integrator for a solver in whose steps the energy falls whatever their length. With r = τ/τ_before the error, τ² ẍ/2, is
+/// r/(1 + 2r) of the distance from x + r (x − x_before), where the last step leads on. The first step is two halves, see StepDoubling.
+template <OneStepSolver Solver>
+class ImplicitEuler {
+ public:
+  using State = typename Solver::State;
+  static constexpr double largest_growth = 2;
+
+  ImplicitEuler(Solver& solver, const Target& target) : solver_(solver), target_(target) {}
+
+  FlowStep<State> advance(const State& old, double tau) {
+    if (!past_) return StepDoubling<Solver>(solver_, target_, false).advance(old, tau);
+    auto result = solver_.step(old, target_, tau);
+    if (!result.ok()) return result;
+    const double r = tau / past_->tau;
+    const State ahead{old.X + r * (old.X - past_->state.X),
+                      old.beta + r * (old.beta - past_->state.beta)};
+    result.error = r / (1 + 2 * r) * solver_.distance(ahead, result.state).largest();
+    complete(solver_, target_, result);
+    return result;
+  }
+
+  void accept(const State& old, const FlowStep<State>& step, double tau) {
+    past_ = Past<State>{old, tau, step.dissipation};
+  }
+  void forget() { past_.reset(); }
+
+  const std::optional<Past<State>>& past() const { return past_; }
+  void recall(const std::optional<Past<State>>& past) { past_ = past; }
+
+ private:
+  Solver& solver_;
+  Target target_;
+  std::optional<Past<State>> past_;
+};
+
+}  // namespace sbeh::model
