@@ -9,6 +9,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -22,21 +23,22 @@ constexpr double touching = 0.05;
 
 // Steps, and what else model::Flow asks of a solver.
 template <class Stepper>
-class Solver : public Stepper {
+class Solver {
  public:
   using State = surface3d::State;
-  using Stepper::fields;
 
   Solver(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
          model::Model model, const Numerics& numerics)
-      : Stepper(mesh, material, model, numerics),
-        mesh_(std::move(mesh)),
+      : mesh_(std::move(mesh)),
         material_(material),
         model_(model),
-        numerics_(numerics) {}
+        numerics_(numerics),
+        stepper_(std::make_unique<Stepper>(mesh_, material_, model_, numerics_)) {}
+
+  FlowStep step(const auto&... of) { return stepper_->step(of...); }
 
   bool restore(State& state, const Target& target) const {
-    return correct_area_volume(*mesh_, state.X, fields().H, target.area, target.volume);
+    return correct_area_volume(*mesh_, state.X, stepper_->fields().H, target.area, target.volume);
   }
   model::Distance distance(const State& a, const State& b) const {
     const Nodes n = node_normals(*mesh_, a.X);
@@ -46,7 +48,7 @@ class Solver : public Stepper {
   Energy energy(const State& state) {
     curvature_ = curvature_of(*mesh_, state.X);
     const double nan = std::numeric_limits<double>::quiet_NaN();
-    return curvature_ ? Stepper::energy(state, *curvature_) : Energy{nan, nan, nan};
+    return curvature_ ? stepper_->energy(state, *curvature_) : Energy{nan, nan, nan};
   }
   bool renew(State& state);
   std::optional<FlowStop> obstacle(const State& state) const {
@@ -57,11 +59,11 @@ class Solver : public Stepper {
 
   bool recall(const FlowMemory& memory) {
     remeshing_over_ = memory.remeshing_over;
-    return Stepper::recall(memory.stepper);
+    return stepper_->recall(memory.stepper);
   }
   StepView view(const std::optional<model::Past<State>>& past) const {
-    return {.fields = fields(),
-            .memory = {Stepper::memory(), past, remeshing_over_},
+    return {.fields = stepper_->fields(),
+            .memory = {stepper_->memory(), past, remeshing_over_},
             .mesh = mesh_,
             .indicators = indicators_,
             .remeshed = remeshed_};
@@ -77,6 +79,7 @@ class Solver : public Stepper {
   model::Material material_;
   model::Model model_;
   Numerics numerics_;
+  std::unique_ptr<Stepper> stepper_;
   std::optional<Curvature> curvature_;  // of the state whose energy was asked for last
   Indicators indicators_{};
   std::optional<RemeshResult> remeshed_;
@@ -99,7 +102,7 @@ bool Solver<Stepper>::renew(State& state) {
   if (!remeshed_->mesh) return remeshing_over_ = true, false;
   mesh_ = remeshed_->mesh;
   state = remeshed_->state;
-  Stepper::operator=({mesh_, material_, model_, numerics_});
+  stepper_ = std::make_unique<Stepper>(mesh_, material_, model_, numerics_);
   const auto curvature = curvature_of(*mesh_, state.X);
   remeshing_over_ = triangles == numerics_.most_triangles
                  && !(curvature && resolved(indicators_of(*mesh_, state.X, *curvature)));

@@ -26,7 +26,7 @@ VariationalStepper::VariationalStepper(const std::shared_ptr<const Triangulation
     : mesh_(mesh),
       material_(effective(material, model)),
       model_(model),
-      layout_(std::make_unique<StepLayout>(*mesh, model)),
+      layout_(*mesh, model),
       along_(*mesh) {}
 
 // Of the mesh towards its own equilibrium: (H1) tested along the surface, with V = 0.
@@ -58,13 +58,13 @@ std::optional<Nodes> VariationalStepper::motion_along(const State& old, const Cu
 
 // The matrix at x, factored, with the gradient of U in energy_.
 bool VariationalStepper::linearise(const StepBase& base, const Unknowns& x) {
-  assemble(material_, layout_->state, x.next, base.curvature.node_normals, energy_);
+  assemble(material_, layout_.state, x.next, base.curvature.node_normals, energy_);
   if (!energy_.gradient.allFinite()) return false;
   matrix_ = resistance_.matrix;
   const double* entry = energy_.hessian.valuePtr();
-  for (const int place : layout_->places) matrix_.valuePtr()[place] += *entry++;
-  Eigen::MatrixXd borders = Eigen::MatrixXd::Zero(layout_->size(), 9);
-  borders(layout_->unknowns, {0, 1}) = energy_.constraints;
+  for (const int place : layout_.places) matrix_.valuePtr()[place] += *entry++;
+  Eigen::MatrixXd borders = Eigen::MatrixXd::Zero(layout_.size(), 9);
+  borders(layout_.unknowns, {0, 1}) = energy_.constraints;
   borders.rightCols<7>() = resistance_.borders;
   set_bordered(matrix_, borders, bordered_);
   return solver_.factor(bordered_);
@@ -73,29 +73,29 @@ bool VariationalStepper::linearise(const StepBase& base, const Unknowns& x) {
 FlowFault VariationalStepper::solve(const StepBase& base, const Target& target, Unknowns& x) {
   constexpr int most_iterations = 12;
   constexpr double converged = 1e-6, far = 0.5;
-  const int n = layout_->size();
-  const StationaryLayout& state = layout_->state;
+  const int n = layout_.size();
+  const StationaryLayout& state = layout_.state;
   for (int i = 0; i < most_iterations; ++i) {
     if (!linearise(base, x)) return FlowFault::linear_solve;
     Eigen::VectorXd step(n + 9);
     step.head(n) =
         -(resistance_.matrix * x.x + resistance_.linear + resistance_.borders * x.borders);
-    step(layout_->unknowns) -= energy_.gradient;
+    step(layout_.unknowns) -= energy_.gradient;
     step.segment<2>(n) << target.area - energy_.area, energy_.volume - target.volume;
     step.tail<7>() = -resistance_.borders.transpose() * x.x;
     solver_.solve(step);
     if (!step.allFinite()) return FlowFault::linear_solve;
 
-    const Field d = step(layout_->all(node_d));
+    const Field d = step(layout_.all(node_d));
     double change = d.cwiseAbs().maxCoeff();
     x.x += step.head(n);
     x.borders += step.tail<7>();
     x.next.X += base.curvature.node_normals * d.asDiagonal();
-    x.next.Lambda = x.x(layout_->all(node_Lambda));
-    x.next.H = x.x(layout_->all(node_H));
+    x.next.Lambda = x.x(layout_.all(node_Lambda));
+    x.next.H = x.x(layout_.all(node_H));
     if (state.free_order) {
-      change = std::max(change, step(layout_->all(node_beta)).cwiseAbs().maxCoeff());
-      x.next.beta = x.x(layout_->all(node_beta));
+      change = std::max(change, step(layout_.all(node_beta)).cwiseAbs().maxCoeff());
+      x.next.beta = x.x(layout_.all(node_beta));
     }
     x.next.tension += step[n];
     x.next.pressure += step[n + 1];
@@ -110,11 +110,10 @@ FlowFault VariationalStepper::solve(const StepBase& base, const Target& target, 
 
 FlowStep VariationalStepper::result_of(const StepBase& base, const Unknowns& x) {
   const double tau = base.tau;
-  Nodes u = base.curvature.node_normals * x.x(layout_->all(node_d)).asDiagonal();
+  Nodes u = base.curvature.node_normals * x.x(layout_.all(node_d)).asDiagonal();
   fields_.Y = base.Y + u;
   for (int k = 0; k < 2; ++k)
-    u +=
-        base.tangents[std::size_t(k)] * x.x(layout_->all(layout_->state.per_node + k)).asDiagonal();
+    u += base.tangents[std::size_t(k)] * x.x(layout_.all(layout_.state.per_node + k)).asDiagonal();
   fields_.V = u / tau;
   fields_.H = x.next.H;
   fields_.p = x.x.tail(mesh_->quadratic_nodes).array() + x.next.tension;
@@ -137,22 +136,21 @@ FlowStep VariationalStepper::result_of(const StepBase& base, const Unknowns& x) 
 
 FlowStep VariationalStepper::step(const State& old, const std::optional<Target>& target,
                                   double tau) {
-  const FlowStep degenerate{.fault = FlowFault::degenerate};
   const auto curvature = curvature_of(*mesh_, old.X);
-  if (!curvature) return degenerate;
+  if (!curvature) return {.fault = FlowFault::degenerate};
   const auto Y = motion_along(old, *curvature, tau);
   if (!Y) return {};
   const State from{old.X + *Y, old.beta};
-  if (!curvature_of(*mesh_, from.X)) return degenerate;
+  if (!curvature_of(*mesh_, from.X)) return {.fault = FlowFault::degenerate};
   const std::array<Nodes, 2> tangents = node_tangents(curvature->node_normals);
   const StepBase base{old, *curvature, tangents, *Y, tau};
-  assemble(material_, *layout_, base, resistance_);
+  assemble(material_, layout_, base, resistance_);
 
-  Unknowns x{.x = Eigen::VectorXd::Zero(layout_->size()),
+  Unknowns x{.x = Eigen::VectorXd::Zero(layout_.size()),
              .next = guess_from(*mesh_, material_, model_, from)};
-  x.x(layout_->all(node_Lambda)) = x.next.Lambda;
-  x.x(layout_->all(node_H)) = x.next.H;
-  if (layout_->state.free_order) x.x(layout_->all(node_beta)) = x.next.beta;
+  x.x(layout_.all(node_Lambda)) = x.next.Lambda;
+  x.x(layout_.all(node_H)) = x.next.H;
+  if (layout_.state.free_order) x.x(layout_.all(node_beta)) = x.next.beta;
   const FlowFault fault = solve(base, target.value_or(area_and_volume(*mesh_, old.X)), x);
   if (fault != FlowFault::none) return {.fault = fault};
   return result_of(base, x);

@@ -45,7 +45,7 @@ class VariationalStepper {
   std::shared_ptr<const Triangulation> mesh_;
   model::Material material_;
   model::Model model_;
-  std::unique_ptr<StepLayout> layout_;
+  StepLayout layout_;
   Split along_;
   StepResistance resistance_{};
   LagrangianDerivatives energy_{};

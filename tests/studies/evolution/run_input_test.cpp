@@ -7,6 +7,8 @@
 #include "studies/io/output.h"
 #include "tests/studies/parameters/input_file.h"
 
+#include <fmt/format.h>
+
 namespace sbeh::studies {
 namespace {
 
@@ -36,7 +38,7 @@ const Physics odd_physics{.model = Model::SBEH,
 // A frame of a sphere that was computed with that.
 fs::path written_frame(const Physics& physics) {
   const meshing::CurvedMesh sphere = meshing::sphere({.triangles = 20});
-  const fs::path file = path_of("frame.vtu");
+  fs::path file = path_of("frame.vtu");
   write_frame(
       file,
       {.mesh = std::make_shared<const surface3d::Triangulation>(sphere),
@@ -294,7 +296,7 @@ TEST(RunInput, with_wrong_times_is_refused_with_line_key_and_value) {
   };
   for (const std::string key : {"output", "frames"}) {
     const std::string at = ":7: [time] " + key;
-    cases.push_back({key + " = true", at + " = true: " + grid});
+    cases.push_back({key + " = true", fmt::format("{} = true: {}", at, grid)});
     cases.push_back({key + " = []", at + " = []: must not be empty"});
     cases.push_back({key + " = [0, 3]", at + " = 3: must be >= 0 and <= 2"});
     cases.push_back({key + " = -1", at + " = -1: must be >= 0 and <= 2"});
