@@ -24,7 +24,9 @@ std::optional<RestRow> rest_of_run(const RunInput& input, const RunSummary& run,
   asked.start = StatesStart::frame;
   asked.file = (folder / run.last_frame).string();
   asked.file_in_description = (fs::path("..") / run.last_frame).string();
-  const surface3d::Target target = read_frame(asked.file).target;
+  const FlowMoment end = read_frame(asked.file);
+  const surface3d::Target target = end.target;
+  if (surface3d::is_sphere(*end.mesh, target.area, target.volume)) return {};
   asked.reduced_volume = {surface3d::reduced_volume(target.area, target.volume)};
   asked.L = {input.material.L1};
   asked.material = without_L(input.material);

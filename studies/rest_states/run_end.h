@@ -15,7 +15,7 @@ namespace sbeh::studies {
 inline constexpr const char* rest_folder = "rest";
 
 /// Of a run with finish = "newton" that has ended at rest, or near there: the state to which Newton's method leads from its last
-/// frame. None of other runs. What is there already is not computed again. Throws OutputError, and Interrupted.
+/// frame. None of other runs, and none of spheres. What is there already is not computed again. Throws OutputError, and Interrupted.
 std::optional<RestRow> rest_of_run(const RunInput& input, const RunSummary& run,
                                    const std::filesystem::path& folder, std::string_view version);
 

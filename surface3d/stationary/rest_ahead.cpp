@@ -8,6 +8,7 @@ namespace sbeh::surface3d {
 bool rest_is_ahead(const Triangulation& mesh, const model::Material& material, model::Model model,
                    const State& state, const Target& target) {
   constexpr double near = 0.1, rounding = 1e-10;
+  if (is_sphere(mesh, target.area, target.volume)) return false;
   NewtonSystem system(mesh, material, model);
   const StationaryState guess = guess_from(mesh, material, model, state);
   const NewtonResult found =

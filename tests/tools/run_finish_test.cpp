@@ -63,6 +63,15 @@ TEST_F(RunFinish, that_was_killed_is_resumed_to_the_same_bits) {
   EXPECT_EQ(contents("out"), contents("whole"));
 }
 
+TEST_F(RunFinish, of_a_sphere_is_that_of_its_flow) {
+  write("in.toml",
+        "model = \"SBEH\"\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 1\ntriangles = 20\n"
+        "order = 0.6\n[time]\nend = 100\noutput = [1]\nframes = [0]\nfinish = \"newton\"\n");
+  const Ended ended = sbeh(into("out", "run"));
+  EXPECT_TRUE(ended.out.starts_with("at rest at t = ")) << ended.out << ended.err;
+  EXPECT_FALSE(exists(path("out/rest")));
+}
+
 TEST_F(RunFinish, belongs_to_what_newtons_method_knows) {
   const auto refusal = [&](const std::string& text) {
     write("in.toml", text);
