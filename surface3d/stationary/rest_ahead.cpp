@@ -1,5 +1,6 @@
 #include "surface3d/stationary/rest_ahead.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 

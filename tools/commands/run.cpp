@@ -3,7 +3,7 @@
 
 #include "model/relaxation.h"
 #include "studies/evolution/run_start.h"
-#include "studies/io/interrupt.h"
+#include "studies/io/errors.h"
 #include "studies/rest_states/run_end.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/evolution_end.h"
@@ -58,8 +58,13 @@ int run(const Study& study, bool resume) {
                     *s.unresolved_from, (folder / "events.csv").string()));
   const bool wrong = complain_of_end(s.run.stop, s.run.fault, s.run.last, run_words);
   if (!study.no_pictures) draw_results(studies::ResultsKind::run, folder);
-  const bool restless = end_at_rest(input, s, study, folder);
-  return wrong || restless ? 1 : exit_code_of_success();
+  try {
+    const bool restless = end_at_rest(input, s, study, folder);
+    return wrong || restless ? 1 : exit_code_of_success();
+  } catch (const studies::Interrupted&) {
+    complain("interrupted; the same command with --resume goes on from here");
+    return exit_code_of_interrupt();
+  }
 }
 
 }  // namespace
