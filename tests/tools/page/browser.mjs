@@ -109,6 +109,7 @@ export class Browser {
   async open_live(file, width) {
     const page = await this.open(file, width);
     await page.waitForSelector("#explore[data-state=live]");
+    await drawn(page);
     return page;
   }
   close() {
@@ -116,9 +117,19 @@ export class Browser {
   }
 }
 
+// Two frames on, what is drawn when its size is known (at the start, after a resize) has been: before that, what a
+// locator finds may be replaced before it is clicked.
+export function drawn(page) {
+  return page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+}
+export async function resized(page, width) {
+  await page.setViewportSize({ width, height: 900 });
+  await drawn(page);
+}
+
 // What a canvas shows, as a picture, after it was drawn.
 export async function picture_of(page, selector) {
-  await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+  await drawn(page);
   return (await page.locator(selector).screenshot()).toString("base64");
 }
 

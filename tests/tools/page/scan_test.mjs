@@ -3,7 +3,7 @@ import assert from "node:assert/strict";
 import { renameSync, rmSync } from "node:fs";
 import { join } from "node:path";
 import { after, before, test } from "node:test";
-import { Browser, colours_in, comes_to_be_told, numbers_in, picture_of, reported, table_of, vesicle } from "./browser.mjs";
+import { Browser, colours_in, comes_to_be_told, numbers_in, picture_of, reported, resized, table_of, vesicle } from "./browser.mjs";
 
 const input = `[scan]
 reduced_volume = [0.6, 0.7, 0.8]
@@ -100,7 +100,7 @@ test("the command for the modes of a point, as it is told, brings their shapes i
   assert.deepEqual(await section(), before_it);
   await click(row_of("SBEH", "oblate", "0.8", "0.03"), there);
   assert.equal(await there.locator("tr[data-mode]").count(), 0);
-  await there.setViewportSize({ width: 380, height: 900 });
+  await resized(there, 380);
   await click(index, there);
   assert.equal(await there.evaluate(() => document.documentElement.scrollWidth), 380);
   assert.deepEqual(there.faults, []);
