@@ -28,6 +28,10 @@ std::filesystem::path mode_of(const std::filesystem::path& folder, int number, i
   return folder / fmt::format("modes/state_{:04}_mode_{}.vtu", number, eigenpair);
 }
 
+std::filesystem::path growth_mode_of(const std::filesystem::path& folder, int number, int mode) {
+  return folder / fmt::format("modes/state_{:04}_rate_{}.vtu", number, mode);
+}
+
 Columns<RestRow> rest_columns(const StatesInput& input) {
   using Row = RestRow;
   using Measures = RestMeasures;
@@ -80,11 +84,14 @@ Columns<RestRow> rest_columns(const StatesInput& input) {
       part_column("residual", &Row::measures, &Measures::residual, "", "{:.3g}"),
       column("stop_reason", &Row::stop_reason),
   };
-  for (std::size_t k = 0; k < std::size_t(input.eigenpairs); ++k)
-    columns.push_back(known_column<Row>(
-        fmt::format("eigenvalue_{}", k + 1), [k](auto& row) -> auto& {
-          return row.eigenvalues[k];
-        }));
+  const auto numbered = [&](const char* kind, int count, auto Row::*values) {
+    for (std::size_t k = 0; k < std::size_t(count); ++k)
+      columns.push_back(known_column<Row>(
+          fmt::format("{}_{}", kind, k + 1),
+          [ k, values ](auto& row) -> auto& { return (row.*values)[k]; }));
+  };
+  numbered("eigenvalue", input.eigenpairs, &Row::eigenvalues);
+  numbered("rate", input.rates, &Row::rates);
   if (is_other(input)) {
     const std::string parameter = name(input.follow->parameter);
     columns.insert(columns.begin() + 5, column(parameter, &Row::followed));

@@ -56,8 +56,12 @@ struct RestRow {
   std::optional<RestMeasures> measures;             ///< none where it failed
   double energy_error = not_known;                  ///< estimated
   std::array<double, most_eigenpairs> eigenvalues;  ///< ascending; not_known beyond those asked for
+  std::array<double, most_eigenpairs> rates;        ///< descending, likewise
   std::string stop_reason;
-  RestRow() { eigenvalues.fill(not_known); }
+  RestRow() {
+    eigenvalues.fill(not_known);
+    rates.fill(not_known);
+  }
 };
 Columns<RestRow> rest_columns(const StatesInput& input);
 
@@ -68,6 +72,8 @@ double energy_of(const RestRow& row);
 std::filesystem::path frame_of(const std::filesystem::path& folder, int number);
 /// One of its eigenpairs, 1 …
 std::filesystem::path mode_of(const std::filesystem::path& folder, int number, int eigenpair);
+/// One of its modes in the linearised flow, 1 …
+std::filesystem::path growth_mode_of(const std::filesystem::path& folder, int number, int mode);
 
 /// The rows and what they say, for people.
 std::string table_of(const StatesInput& input, const std::vector<RestRow>& rows);

@@ -9,6 +9,7 @@
 #include "surface3d/mesh/self_contact.h"
 #include "surface3d/moments.h"
 #include "surface3d/stationary/symmetry_class.h"
+#include "surface3d/variational/growth_rates.h"
 
 #include <fmt/format.h>
 
@@ -19,6 +20,7 @@ namespace sbeh::studies {
 
 namespace fs = std::filesystem;
 using surface3d::Eigenmode;
+using surface3d::GrowthMode;
 using surface3d::NewtonStatus;
 using surface3d::StationaryState;
 using surface3d::Triangulation;
@@ -35,21 +37,17 @@ const char* why(NewtonStatus status) {
            : "Newton's method does not converge from this start";
 }
 
-void write_modes(const fs::path& folder, int number, const SeenState& seen,
-                 const std::vector<Eigenmode>& modes, const Physics& physics) {
-  make_folder(folder / "modes");
+// With the state, and the mode's own fields and value.
+void write_mode(const fs::path& file, const SeenState& seen, NodeFields fields,
+                const std::string& name, double value, const Physics& physics) {
   const StationaryState& state = seen.state;
+  fields["order"] = state.beta.transpose();
+  fields["mean_curvature"] = state.H.transpose();
+  Globals globals{{name, Eigen::VectorXd::Constant(1, value)}};
+  write_physics(physics, globals);
   const meshing::CurvedMesh surface{
       .order = 3, .triangles = seen.mesh->triangles, .nodes = state.X};
-  for (std::size_t k = 0; k < modes.size(); ++k) {
-    const NodeFields at_nodes{{"order", state.beta.transpose()},
-                              {"mean_curvature", state.H.transpose()},
-                              {"displacement", seen.normals * modes[k].u.asDiagonal()},
-                              {"order_change", modes[k].b.transpose()}};
-    Globals globals{{"eigenvalue", Eigen::VectorXd::Constant(1, modes[k].eigenvalue)}};
-    write_physics(physics, globals);
-    write_file(mode_of(folder, number, int(k) + 1), vtu_text(surface, at_nodes, globals));
-  }
+  write_file(file, vtu_text(surface, fields, globals));
 }
 
 void write_files(const fs::path& folder, int number, const SeenState& seen,
@@ -60,7 +58,33 @@ void write_files(const fs::path& folder, int number, const SeenState& seen,
                .state = seen.state,
                .target = surface3d::area_and_volume(*seen.mesh, seen.state.X)},
               physics);
-  if (!modes.empty()) write_modes(folder, number, seen, modes, physics);
+  if (!modes.empty()) make_folder(folder / "modes");
+  int k = 0;
+  for (const Eigenmode& mode : modes)
+    write_mode(mode_of(folder, number, ++k), seen,
+               {{"displacement", seen.normals * mode.u.asDiagonal()},
+                {"order_change", mode.b.transpose()}},
+               "eigenvalue", mode.eigenvalue, physics);
+}
+
+// False where they are not found.
+bool measure_rates(int count, const SeenState& seen, const fs::path& folder, const Physics& physics,
+                   RestRow& row) {
+  const auto modes =
+      surface3d::growth_rates(physics.material, *seen.mesh, physics.model, seen.state, count);
+  if (!modes) return false;
+  make_folder(folder / "modes");
+  const surface3d::Nodes normals = surface3d::node_normals(*seen.mesh, seen.state.X);
+  int k = 0;
+  for (const GrowthMode& mode : *modes) {
+    row.rates[std::size_t(k)] = mode.rate;
+    write_mode(growth_mode_of(folder, row.key, ++k), seen,
+               {{"displacement", normals * mode.u.asDiagonal()},
+                {"order_change", mode.b.transpose()},
+                {"motion", mode.V}},
+               "rate", mode.rate, physics);
+  }
+  return true;
 }
 
 // What keeps a state from being believed; empty where nothing does.
@@ -125,17 +149,20 @@ RestMeasures measures_of(const SeenState& seen, const model::Material& material)
 
 void measure(const StatesInput& input, const SeenState& seen, const fs::path& folder,
              RestRow& row) {
-  const model::Material material = input.material.with_L(seen.at.L);
-  row.measures = measures_of(seen, material);
+  const Physics physics{input.model, input.material.with_L(seen.at.L)};
+  row.measures = measures_of(seen, physics.material);
   row.stop_reason = doubt_about(seen, *row.measures);
   auto modes = surface3d::lowest_modes(seen.system, seen.state, seen.normals, input.eigenpairs);
   if (row.stop_reason.empty() && !modes) row.stop_reason = "the eigenpairs are not found";
-  row.status = row.stop_reason.empty() ? PointStatus::stationary : PointStatus::unresolved;
-  if (row.stop_reason.empty()) row.stop_reason = "stationary";
   if (!modes) modes.emplace();
   modes->resize(std::min(modes->size(), std::size_t(input.eigenpairs)));
   for (std::size_t k = 0; k < modes->size(); ++k) row.eigenvalues[k] = (*modes)[k].eigenvalue;
-  write_files(folder, row.key, seen, *modes, {input.model, material});
+  write_files(folder, row.key, seen, *modes, physics);
+  if (input.rates > 0 && !measure_rates(input.rates, seen, folder, physics, row)
+      && row.stop_reason.empty())
+    row.stop_reason = "the rates of the linearised flow are not found";
+  row.status = row.stop_reason.empty() ? PointStatus::stationary : PointStatus::unresolved;
+  if (row.stop_reason.empty()) row.stop_reason = "stationary";
 }
 
 RestRow row_at(const StatesInput& input, const StatePlace& place) {

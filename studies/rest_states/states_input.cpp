@@ -221,6 +221,7 @@ StatesInput read_states(const std::filesystem::path& path) {
     input.triangles = states.integer("triangles", meshing::fewest_triangles,
                                      meshing::most_triangles, input.triangles);
   input.eigenpairs = states.integer("eigenpairs", 0, most_eigenpairs, input.eigenpairs);
+  input.rates = states.integer("rates", 0, most_eigenpairs, input.rates);
   states.reject_unknown_keys();
   material.measured_by(lengths_of(input.units));
   input.material = read_material_without_L(material, "states, where L comes from [states]");
@@ -237,7 +238,7 @@ StatesInput read_states(const std::filesystem::path& path) {
 
 double seconds_of(const StatesInput& input, int triangles) {
   return double(places_of(input).size()) * 1.3 * std::pow(triangles / 320., 1.15)
-       * (1 + input.eigenpairs / 20.) * (input.follow ? 30 : 1);
+       * (1 + input.eigenpairs / 20. + (input.rates > 0 ? 3 : 0)) * (input.follow ? 30 : 1);
 }
 
 std::string describe(const StatesInput& input, std::string_view version) {
@@ -253,6 +254,7 @@ std::string describe(const StatesInput& input, std::string_view version) {
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
   if (!brings_its_mesh(input.start)) toml.value("triangles", input.triangles);
   toml.value("eigenpairs", input.eigenpairs);
+  toml.value("rates", input.rates);
   if (input.follow) {
     toml.table("follow");
     toml.value("parameter", input.follow->parameter);

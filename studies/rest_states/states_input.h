@@ -69,6 +69,7 @@ struct StatesInput {
       perturbation;          ///< displaces the start along the normal by Σ a_lm Y_lm
   int triangles = 320;       ///< about so many; frames and meshes bring their own
   int eigenpairs = 6;        ///< lowest of the second variation, 0 … 50
+  int rates = 0;             ///< largest of the linearised flow, 0 … 50
   model::Material material;  ///< its L1, L2, L3 give way to L
   axisym::Numerics numerics;
   std::optional<FollowInput> follow{};

@@ -4,7 +4,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
+#include <functional>
+#include <vector>
 
 namespace sbeh::tools::test {
 namespace {
@@ -39,6 +42,30 @@ TEST_F(States,
   // As the axisymmetric solver has it, to what 320 triangles give.
   EXPECT_NEAR(states.number(0, "energy"), -10.17238, 1e-5);
   EXPECT_LT(states.number(0, "energy_error"), 5e-4);
+}
+
+// cos 2φ and sin 2φ grow, by which it goes to the prolate.
+TEST_F(States, have_the_rates_of_the_axisymmetric_solver_where_they_are_asked_for) {
+  write("in.toml",
+        "[states]\nreduced_volume = 0.8\nL = 0.05\neigenpairs = 0\nrates = 4\n"
+        "[material]\nviscosity = 0.5\n");
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  write("modes.toml",
+        "[modes]\nbranch = \"oblate\"\nreduced_volume = 0.8\nL = 0.05\nlargest_m = 4\nnumber = 1\n"
+        "[material]\nviscosity = 0.5\n");
+  must({"modes", "modes.toml", "-o", "modes", "--no-pictures"});
+  const Table states = table("out/states.csv"), modes = table("modes/modes.csv");
+  std::vector<double> rates;
+  for (std::size_t row = 0; row < modes.rows.size(); ++row)
+    for (int copy = 0; copy < (modes.text(row, "m") == "0" ? 1 : 2); ++copy)
+      rates.push_back(modes.number(row, "rate"));
+  std::ranges::sort(rates, std::greater{});
+  ASSERT_GT(rates.front(), 0);
+  for (std::size_t k = 0; k < 4; ++k) {
+    const std::string n = std::to_string(k + 1);
+    EXPECT_NEAR(states.number(0, "rate_" + n) / rates[k], 1, 1e-3) << n;
+    EXPECT_TRUE(exists(path("out/modes/state_0001_rate_" + n + ".vtu")));
+  }
 }
 
 TEST_F(States, that_are_there_are_not_computed_again) {

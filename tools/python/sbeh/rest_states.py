@@ -46,7 +46,7 @@ class RestStates(InUnits):
 
 def rest_states(*, branch: str | None = None, scan: str | Path | None = None, frame: str | Path | None = None,
                 mesh: str | Path | None = None, reduced_volume: Any = None, L: Any = None, model: str | None = None,
-                perturbation: Any = None, triangles: int | None = None, eigenpairs: int = 6,
+                perturbation: Any = None, triangles: int | None = None, eigenpairs: int = 6, rates: int = 0,
                 follow: Mapping[str, Any] | None = None, material: MaterialLike = None,
                 numerics: Mapping[str, Any] | None = None, units: Mapping[str, Any] | None = None,
                 folder: str | Path | None = None) -> RestStates:
@@ -59,7 +59,7 @@ def rest_states(*, branch: str | None = None, scan: str | Path | None = None, fr
     results = ResultsFolder(folder)
     table = {"model": model, "branch": branch, "scan": scan, "frame": frame, "mesh": mesh,
              "reduced_volume": reduced_volume, "L": L, "perturbation": perturbation, "triangles": triangles,
-             "eigenpairs": eigenpairs}
+             "eigenpairs": eigenpairs, "rates": rates}
     with input_file("rest_states", {"states": table, "follow": follow,
                                     "material": material_table(material, without_L=True), "numerics": numerics,
                                     "units": units}) as path:
