@@ -1,6 +1,5 @@
 #include "studies/evolution/run.h"
 
-#include "model/relaxation.h"
 #include "studies/evolution/checkpoint.h"
 #include "studies/evolution/event_log.h"
 #include "studies/evolution/evolution_files.h"
@@ -12,8 +11,6 @@
 #include "surface3d/stationary/rest_ahead.h"
 
 #include <algorithm>
-#include <array>
-#include <limits>
 #include <utility>
 
 namespace sbeh::studies {
@@ -90,50 +87,19 @@ void RunObservers::finish(const surface3d::FlowResult& run) {
   checkpoint_.remove();
 }
 
-// When Newton's method is asked whether a state at rest is near: each time the run becomes slower than one of three speeds.
-class RestWatch {
- public:
-  RestWatch(const RunInput& input, const FlowMoment& start)
-      : input_(input),
-        target_(start.target),
-        unit_(model::speed_at_rest(1, input.material, input.model)),
-        before_(speed(start.record)) {}
-
-  bool near(const FlowRecord& record, const surface3d::State& state, const StepView& view) {
-    const double before = std::exchange(before_, speed(record));
-    if (input_.finish != RunFinish::newton || record.ends) return false;
-    return std::ranges::any_of(tries_,
-                               [&](double t) { return before_ < t * unit_ && t * unit_ <= before; })
-        && surface3d::rest_is_ahead(*view.mesh, input_.material, input_.model, state, target_);
-  }
-
- private:
-  static constexpr std::array tries_{1e-2, 1e-3, 1e-4};
-
-  // Of a run that begins it is not known.
-  static double speed(const FlowRecord& record) {
-    return record.time_step == 0 ? std::numeric_limits<double>::infinity()
-                                 : std::max(record.normal_speed, record.order_speed);
-  }
-
-  const RunInput& input_;
-  surface3d::Target target_;
-  double unit_;  // of speed, as [numerics] rest_speed has it
-  double before_;
-};
-
 surface3d::FlowResult run_observed(const RunInput& input, const FlowMoment& start,
                                    RunObservers& observers) {
   model::FlowSchedule schedule = schedule_of(input.times);
   const auto over = start.record.ends;
   if (over) schedule.end_time = start.record.time;
-  RestWatch rest(input, start);
+  surface3d::RestWatch rest(input.material, input.model, start);
   bool is_near = false;
   surface3d::FlowResult run = surface3d::run_flow(
       input.material, input.model, start, input.numerics, schedule,
       [&](const FlowRecord& seen, const surface3d::State& state, const StepView& view, bool exact) {
         FlowRecord record = seen;
-        is_near = rest.near(seen, state, view);
+        is_near =
+            input.finish == RunFinish::newton && !seen.ends && rest.near(seen, *view.mesh, state);
         if (is_near) record.ends = FlowStop::near_rest;
         return observers.see(record, state, view, exact) && !is_near;
       });

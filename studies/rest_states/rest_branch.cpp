@@ -216,6 +216,7 @@ double value_on_way(const StatesInput& input, double mu) {
 }
 
 StatesInput input_on_way(const StatesInput& input, double mu) {
+  if (!input.follow) return input;
   return at_value(input, input.follow->parameter, value_on_way(input, mu));
 }
 

@@ -15,8 +15,8 @@ namespace sbeh::studies {
 struct FoundState {
   int path;  ///< 1: the first; in the order in which they are found
   RestPoint kind;
-  int from;  ///< number of the branching point at which its path leaves; 0: none
-  const surface3d::PathPoint& point;
+  int from;  ///< number of the state at which its path leaves, or near which it is found; 0: none
+  const surface3d::PathSolution& point;
   std::shared_ptr<const surface3d::Triangulation> mesh;
 };
 /// Takes the states one after the other; returns why a path must not be followed any further, empty where it may.
@@ -30,7 +30,7 @@ std::string follow_branches(const StatesInput& input,
                             const surface3d::StationaryState& start,
                             const std::function<int()>& number, const TakeState& take);
 
-/// The parameter's value where a state lies on the way from the input's place to `to`, and the input there.
+/// The parameter's value where a state lies on the way from the input's place to `to`, and the input there; without a way, itself.
 double value_on_way(const StatesInput& input, double mu);
 StatesInput input_on_way(const StatesInput& input, double mu);
 

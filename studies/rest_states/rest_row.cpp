@@ -99,6 +99,7 @@ Columns<RestRow> rest_columns(const StatesInput& input) {
   if (input.follow)
     columns.insert(columns.begin() + 3, {column("path", &Row::path), column("point", &Row::point),
                                          column("from", &Row::from)});
+  if (input.search) columns.insert(columns.begin() + 3, column("from", &Row::from));
   return columns;
 }
 

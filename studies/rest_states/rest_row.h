@@ -49,7 +49,8 @@ struct RestRow {
   std::string start;  ///< branch, or the word of its start
   int path = 1;       ///< by [follow]: 1 the first, then in the order in which they are found
   RestPoint point = RestPoint::first;
-  std::optional<int> from;  ///< the number of the state where its path leaves another
+  std::optional<int>
+      from;  ///< the number of the state where its path leaves another, or near which [search] has found it
   double reduced_volume = 0, L = 0;
   double followed = 0;                              ///< the value of [follow]'s parameter
   PointStatus status = PointStatus::failed;         ///< stationary, unresolved or failed

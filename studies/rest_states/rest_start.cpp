@@ -59,13 +59,18 @@ RestStart from_file(const StatesInput& input, const axisym::PlanePoint& at, int 
     run.start = MeshFileStart{input.file};
   const FlowMoment moment = start_of(run).moment;
   if (triangles == 0) return {moment.mesh, moment.state};
-  const surface3d::RemeshResult made =
-      surface3d::remesh(*moment.mesh, moment.state, run.material,
-                        {.triangles = triangles, .largest_energy_change = 1});
-  return {made.mesh, made.state, made.refusal};
+  return remeshed_start(*moment.mesh, moment.state, run.material, triangles);
 }
 
 }  // namespace
+
+RestStart remeshed_start(const surface3d::Triangulation& mesh, const surface3d::State& state,
+                         const model::Material& material, int triangles) {
+  if (triangles < meshing::fewest_triangles) return failed("there are too few triangles");
+  auto made = surface3d::remesh(mesh, state, material,
+                                {.triangles = triangles, .largest_energy_change = 1});
+  return {made.mesh, made.state, made.refusal};
+}
 
 RestStart coarser_start(const StatesInput& input, const axisym::PlanePoint& at, int triangles) {
   if (triangles < meshing::fewest_triangles) return failed("there are too few triangles");

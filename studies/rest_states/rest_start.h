@@ -19,7 +19,11 @@ struct RestStart {
 /// another number. Throws InputError, OutputError, and std::invalid_argument where a perturbation is too large.
 RestStart rest_start(const StatesInput& input, const axisym::PlanePoint& at, int triangles = 0);
 
-/// The same with so few triangles that there may be none: it then says why.
+/// A surface on about so many other triangles; says why where there are none.
+RestStart remeshed_start(const surface3d::Triangulation& mesh, const surface3d::State& state,
+                         const model::Material& material, int triangles);
+
+/// As rest_start, with so few triangles that there may be none: it then says why.
 RestStart coarser_start(const StatesInput& input, const axisym::PlanePoint& at, int triangles);
 
 }  // namespace sbeh::studies

@@ -1,13 +1,12 @@
 #include "studies/rest_states/states.h"
 
-#include "meshing/resolution.h"
 #include "studies/io/growing_table.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
 #include "studies/io/stopwatch.h"
 #include "studies/rest_states/rest_branch.h"
+#include "studies/rest_states/rest_search.h"
 #include "studies/rest_states/rest_state.h"
-#include "surface3d/mesh/remesh.h"
 
 #include <fmt/format.h>
 
@@ -35,20 +34,11 @@ void compute_places(const StatesInput& input, const OutputFolder& folder, RestTa
   progress.finish();
 }
 
-// The same surface with about so many triangles.
-RestStart remeshed_start(const surface3d::Triangulation& mesh, const surface3d::State& state,
-                         const model::Material& material, int triangles) {
-  if (triangles < meshing::fewest_triangles) return {{}, {}, "there are too few triangles"};
-  auto made = surface3d::remesh(mesh, state, material,
-                                {.triangles = triangles, .largest_energy_change = 1});
-  return {made.mesh, made.state, made.refusal};
-}
-
 // Rows in the order in which they are found. Those that are there are gone through again, but not measured.
-class FollowedRows {
+class RowsInOrder {
  public:
-  FollowedRows(const StatesInput& input, const OutputFolder& folder, RestTable& table,
-               StatesSummary& summary)
+  RowsInOrder(const StatesInput& input, const OutputFolder& folder, RestTable& table,
+              StatesSummary& summary)
       : input_(input), folder_(folder), table_(table), summary_(summary) {}
 
   int next() const { return number_; }
@@ -56,9 +46,10 @@ class FollowedRows {
   std::string take(const FoundState& found) {
     const StatesInput here = input_on_way(input_, found.point.mu);
     const axisym::PlanePoint at = places_of(here).front().at;
-    const double value = value_on_way(input_, found.point.mu);
-    line_.show(fmt::format("path {}: state {}, {} = {:.6g}", found.path, number_,
-                           name(input_.follow->parameter), value));
+    const double value = input_.follow ? value_on_way(input_, found.point.mu) : 0;
+    if (input_.follow)
+      line_.show(fmt::format("path {}: state {}, {} = {:.6g}", found.path, number_,
+                             name(input_.follow->parameter), value));
     const int number = number_++;
     if (const RestRow* there = table_.find(number)) return doubt(*there);
     RestRow row = row_at(here, {number, at});
@@ -98,16 +89,20 @@ class FollowedRows {
   int number_ = 1;
 };
 
-void compute_branches(const StatesInput& input, const OutputFolder& folder, RestTable& table,
+// What is found from the state of one place: its branch, or others.
+void compute_from_one(const StatesInput& input, const OutputFolder& folder, RestTable& table,
                       StatesSummary& summary) {
   const StatePlace place = places_of(input).front();
   const RestState first = rest_state_from(input, place.at, rest_start(input, place.at));
   std::string failure = first.failure;
   if (failure.empty()) {
-    FollowedRows rows(input, folder, table, summary);
-    failure = follow_branches(
-        input, first.mesh, first.state, [&] { return rows.next(); },
-        [&](const FoundState& found) { return rows.take(found); });
+    RowsInOrder rows(input, folder, table, summary);
+    const std::function number = [&] { return rows.next(); };
+    const TakeState take = [&](const FoundState& found) { return rows.take(found); };
+    if (input.search)
+      search_states(input, first, number, take);
+    else
+      failure = follow_branches(input, first.mesh, first.state, number, take);
   }
   if (failure.empty() || interrupt_signal() || table.find(place.number)) return;
   RestRow row = row_at(input, place);
@@ -126,8 +121,8 @@ StatesSummary run_states(const StatesInput& input, const std::filesystem::path& 
   const Columns<RestRow> columns = rest_columns(input);
   RestTable table(folder / "states.csv", columns, "states", "that state computed again");
   StatesSummary summary;
-  if (input.follow)
-    compute_branches(input, folder, table, summary);
+  if (input.follow || input.search)
+    compute_from_one(input, folder, table, summary);
   else
     compute_places(input, folder, table, summary);
   for (const auto& [number, row] : table.rows()) summary.rows.push_back(row);

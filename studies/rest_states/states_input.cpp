@@ -91,10 +91,21 @@ void check_end(const TomlTable& table, const StatesInput& input, const FollowInp
                "coefficient > 0");
 }
 
+constexpr const char* of_one_state =
+    "belongs to one state: reduced_volume and L of [states] must be one value each";
+
+SearchInput read_search(const TomlTable& table, const StatesInput& input) {
+  if (places_of(input).size() != 1) table.fail("most_states", of_one_state);
+  SearchInput search;
+  search.most_states = table.integer("most_states", 2, 1000, search.most_states);
+  search.reach =
+      table.number("reach", Interval{.low = 0, .high = 1, .low_open = true}, search.reach);
+  table.reject_unknown_keys();
+  return search;
+}
+
 FollowInput read_follow(const TomlTable& table, const StatesInput& input) {
-  if (places_of(input).size() != 1)
-    table.fail("parameter",
-               "belongs to one state: reduced_volume and L of [states] must be one value each");
+  if (places_of(input).size() != 1) table.fail("parameter", of_one_state);
   FollowInput follow;
   read_value(table, "parameter", follow.parameter);
   follow.to = table.number("to", range_of(follow.parameter));
@@ -201,7 +212,8 @@ ScanRow row_of(const StatesInput& input, const axisym::PlanePoint& at) {
 StatesInput read_states(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const TomlTable states = file.table("states"), material = file.table("material"),
-                  follow = file.table("follow"), numerics = file.table("numerics");
+                  follow = file.table("follow"), search = file.table("search"),
+                  numerics = file.table("numerics");
   file.has("units");
   file.reject_unknown_keys();
   StatesInput input;
@@ -229,6 +241,13 @@ StatesInput read_states(const std::filesystem::path& path) {
     absent.material = origin_of(row_of(input, places_of(input).front().at)).physics->material;
   if (absent.material) take_material(file, material, *absent.material, input);
   if (file.has("follow")) input.follow = read_follow(follow, input);
+  if (file.has("search")) {
+    if (input.follow)
+      file.refuse(
+          "search",
+          "must not be given together with [follow]: search first, then follow from a frame");
+    input.search = read_search(search, input);
+  }
   if (input.start == StatesStart::branch)
     input.numerics = read_numerics<axisym::Numerics>(numerics);
   else if (file.has("numerics"))
@@ -238,6 +257,7 @@ StatesInput read_states(const std::filesystem::path& path) {
 
 double seconds_of(const StatesInput& input, int triangles) {
   return double(places_of(input).size()) * 1.3 * std::pow(triangles / 320., 1.15)
+       * (input.search ? 10. * input.search->most_states : 1.)
        * (1 + input.eigenpairs / 20. + (input.rates > 0 ? 3 : 0)) * (input.follow ? 30 : 1);
 }
 
@@ -262,6 +282,11 @@ std::string describe(const StatesInput& input, std::string_view version) {
     toml.value("switch", input.follow->switches);
     toml.value("longest_step", input.follow->longest_step);
     toml.value("most_states", input.follow->most_states);
+  }
+  if (input.search) {
+    toml.table("search");
+    toml.value("most_states", input.search->most_states);
+    toml.value("reach", input.search->reach);
   }
   write_material_without_L(toml, input.material);
   if (input.start == StatesStart::branch) write_numerics(toml, input.numerics);

@@ -54,7 +54,15 @@ struct FollowInput {
   bool operator==(const FollowInput&) const = default;
 };
 
-/// Table [states], all keys as the members; optional [follow], [material] (without L), [numerics] (of the axisymmetric states) and
+/// Table [search]: states that no branch leads to, from the one state.
+struct SearchInput {
+  int most_states = 12;  ///< the first one included, 2 … 1000
+  double reach = 0.4;    ///< largest displacement along a mode, in radii, 0 < … <= 1
+
+  bool operator==(const SearchInput&) const = default;
+};
+
+/// Table [states], all keys as the members; optional [follow] or [search], [material] (without L), [numerics] (of the axisymmetric states) and
 /// [units]. A scan's material, and what a frame was computed with, stand for what the file does not say.
 struct StatesInput {
   model::Model model = model::Model::SBEH;  ///< SBEH or SSH
@@ -73,6 +81,7 @@ struct StatesInput {
   model::Material material;  ///< its L1, L2, L3 give way to L
   axisym::Numerics numerics;
   std::optional<FollowInput> follow{};
+  std::optional<SearchInput> search{};
   std::optional<Units> units{};  ///< for people: no number depends on them
 
   bool operator==(const StatesInput&) const = default;

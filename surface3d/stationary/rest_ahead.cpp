@@ -1,10 +1,25 @@
 #include "surface3d/stationary/rest_ahead.h"
 
+#include "model/relaxation.h"
+
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <limits>
 #include <numbers>
+#include <utility>
 
 namespace sbeh::surface3d {
+
+namespace {
+
+// Of a run that begins it is not known.
+double speed(const FlowRecord& record) {
+  return record.time_step == 0 ? std::numeric_limits<double>::infinity()
+                               : std::max(record.normal_speed, record.order_speed);
+}
+
+}  // namespace
 
 bool rest_is_ahead(const Triangulation& mesh, const model::Material& material, model::Model model,
                    const State& state, const Target& target) {
@@ -22,6 +37,21 @@ bool rest_is_ahead(const Triangulation& mesh, const model::Material& material, m
                       after = energy(material, mesh, found.state);
   return std::max(moved, changed) <= near
       && after.total() <= before.total() + rounding * before.magnitude();
+}
+
+RestWatch::RestWatch(const model::Material& material, model::Model model, const FlowMoment& start)
+    : material_(material),
+      model_(model),
+      target_(start.target),
+      unit_(model::speed_at_rest(1, material, model)),
+      before_(speed(start.record)) {}
+
+bool RestWatch::near(const FlowRecord& record, const Triangulation& mesh, const State& state) {
+  constexpr std::array tries{1e-2, 1e-3, 1e-4};
+  const double before = std::exchange(before_, speed(record));
+  return std::ranges::any_of(tries,
+                             [&](double t) { return before_ < t * unit_ && t * unit_ <= before; })
+      && rest_is_ahead(mesh, material_, model_, state, target_);
 }
 
 }  // namespace sbeh::surface3d

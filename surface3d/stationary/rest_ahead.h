@@ -1,6 +1,7 @@
 // Whether a flow that has become slow is near a state at rest, which Newton's method then gives at once.
 #pragma once
 
+#include "surface3d/flow.h"
 #include "surface3d/stationary/stationary.h"
 
 namespace sbeh::surface3d {
@@ -11,5 +12,18 @@ namespace sbeh::surface3d {
 /// Of spheres, which cannot move, nothing is asked.
 bool rest_is_ahead(const Triangulation& mesh, const model::Material& material, model::Model model,
                    const State& state, const Target& target);
+
+/// Asks that along a flow, each time it becomes slower than one of three speeds.
+class RestWatch {
+ public:
+  RestWatch(const model::Material& material, model::Model model, const FlowMoment& start);
+  bool near(const FlowRecord& record, const Triangulation& mesh, const State& state);
+
+ private:
+  model::Material material_;
+  model::Model model_;
+  Target target_;
+  double unit_, before_;  // of speed, as [numerics] rest_speed has it; of the last record
+};
 
 }  // namespace sbeh::surface3d

@@ -72,7 +72,9 @@ NewtonResult solve_stationary(NewtonSystem& system, const Target& target,
     result.negative_directions = system.negative_directions();
     result.rigid_motions = system.rigid_count();
     if (!(change < options.far)) return result;
-    displace(step, std::min(1., options.longest_step / change), normals, state);
+    const double longest = options.longest_step / change,
+                 factor = deflation(options.known, system.layout().mesh, state, normals, step);
+    displace(step, std::clamp(factor, -longest, longest), normals, state);
     if (change < options.tolerance) {
       result.status = NewtonStatus::converged;
       return result;

@@ -5,7 +5,7 @@
 // errors of discretisation.
 #pragma once
 
-#include "surface3d/stationary/newton_system.h"
+#include "surface3d/stationary/deflation.h"
 
 #include <vector>
 
@@ -21,6 +21,7 @@ struct NewtonOptions {
   /// Nodes move along the normals of the surface as it is, as long as changes fall fast; otherwise along those of the guess.
   bool renews_normals = true;
   Eigen::VectorXd phase{};  ///< of what has left a state with an axis: see Holds
+  KnownStates known{};      ///< to which the iteration is not to lead
 };
 
 struct NewtonResult {

@@ -141,6 +141,36 @@ TEST_F(States, without_an_axis_are_found_from_a_perturbed_one) {
 }
 
 // The oblate of SSH loses its stability to m = 2 at V_r = 0.74973; what leaves it there are saddles towards smaller V_r.
+// Around the oblate of SSH at V_r = 0.74 lie the triaxial saddle, which keeps it from the prolate, and that.
+TEST_F(States, that_no_branch_leads_to_are_looked_for) {
+  write("in.toml",
+        "[states]\nmodel = \"SSH\"\nreduced_volume = 0.74\nL = 0.05\ntriangles = 80\n"
+        "eigenpairs = 0\n[search]\nmost_states = 3\n");
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  const Table states = table("out/states.csv");
+  ASSERT_EQ(states.rows.size(), 3u);
+  for (std::size_t row = 0; row < 3; ++row) {
+    EXPECT_EQ(states.text(row, "class"), row == 1 ? "D2h" : "Dooh");
+    EXPECT_EQ(states.text(row, "negative_directions"), row == 1 ? "1" : "0");
+    EXPECT_EQ(states.text(row, "from"), row == 0 ? "" : std::to_string(row));
+  }
+  // As the axisymmetric solver has the prolate, to what 80 triangles give.
+  EXPECT_NEAR(states.number(2, "energy"), -9.98444, 1e-3);
+  EXPECT_LT(states.number(0, "energy"), states.number(1, "energy"));
+}
+
+TEST_F(States, that_are_looked_for_are_completed_after_an_interrupt_as_if_there_had_been_none) {
+  write("in.toml",
+        "[states]\nmodel = \"SSH\"\nreduced_volume = 0.74\nL = 0.05\ntriangles = 80\n"
+        "eigenpairs = 0\n[search]\nmost_states = 2\n");
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  const Contents whole = contents("out");
+  const std::string text = read("out/states.csv");
+  write("out/states.csv", text.substr(0, text.find("\n2,") + 1));
+  must({"states", "in.toml", "-o", "out", "--no-pictures"});
+  EXPECT_TRUE(contents("out") == whole);
+}
+
 TEST_F(States, on_a_branch_are_followed_with_what_leaves_it) {
   write("in.toml",
         "[states]\nmodel = \"SSH\"\nreduced_volume = 0.755\nL = 0.05\neigenpairs = 2\n"

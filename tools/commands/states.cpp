@@ -32,7 +32,10 @@ void check_states(const std::string& file) {
           ? studies::rest_start(input, studies::places_of(input).front().at).mesh->count()
           : input.triangles;
   fmt::print("{}: {} rest state{} in 3D{} with about {} triangles, about {} of one core\n\n{}",
-             file, count, count == 1 ? "" : "s", input.follow ? ", and branches from it," : "",
+             file, count, count == 1 ? "" : "s",
+             input.follow   ? ", and branches from it,"
+             : input.search ? ", and others near it,"
+                            : "",
              triangles, duration(studies::seconds_of(input, triangles)),
              studies::describe(input, SBEH_VERSION));
 }

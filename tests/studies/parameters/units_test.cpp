@@ -138,7 +138,7 @@ TEST(Units, that_are_wrong_are_refused_with_line_key_and_value) {
   const auto relax = [](const std::filesystem::path& path) { return read_relax(path); };
   expect_messages(relax, small_relax,
                   {{"[material]\nL = 0.05\nviscosity = 0\n" + vesicle,
-                    ":7: units = { bending_rigidity_kT = 20, radius_um = 10, surface_visco...: "
+                    ":7: [units]: "
                     "surface_viscosity tells no time: the material has no viscosity; give friction "
                     "(Pa s/m) instead"}});
 }

@@ -47,7 +47,8 @@ TEST(StatesInput, reads_back_from_its_description_as_the_same_input) {
         small_states
             + "perturbation = [[2, 2, 0.1]]\n[follow]\nparameter = 'L'\nto = 0.1\nswitch = false\n"
               "[units]\nradius_um = 10\nbending_rigidity_kT = 20\n",
-        small_states + "mesh = \"a.stl\"\nmodel = 'SSH'\neigenpairs = 0\nrates = 3\n",
+        small_states
+            + "mesh = \"a.stl\"\nmodel = 'SSH'\neigenpairs = 0\nrates = 3\n[search]\nreach = 0.2\n",
         small_states
             + "branch = 'prolate'\ntriangles = 1280\n[material]\nresidual_stiffness = 0.01\n"
               "[numerics]\nelements = 96\n"}) {
@@ -74,6 +75,10 @@ TEST(StatesInput, that_is_wrong_is_refused_with_line_key_and_value) {
       read_states, small_states,
       {{"rates = -1", ":4: [states] rates = -1: must be >= 0 and <= 50"},
        {"eigenpairs = 51", ":4: [states] eigenpairs = 51: must be >= 0 and <= 50"},
+       {"[search]\nreach = 0", ":5: [search] reach = 0: must be > 0 and <= 1"},
+       {"[follow]\nto = 0.6\n[search]",
+        ":6: [search]: must not be given together with [follow]: search first, then follow from a "
+        "frame"},
        {"[follow]\nparameter = 'viscosity'",
         ":5: [follow] parameter = 'viscosity': must be one of 'reduced_volume', 'L', 'H0', 'k0', "
         "'potential_1', 'potential_2', 'potential_3', 'potential_4'"},

@@ -141,6 +141,51 @@ TEST(NewtonIn3d, of_a_turned_start_gives_the_turned_state) {
   EXPECT_EQ(a.result.negative_directions, b.result.negative_directions);
 }
 
+TEST(Deflation, knows_a_state_turned_mirrored_and_on_other_triangles) {
+  const axisym::BranchState exact = with_axis(ordered_oblate);
+  const Found here = found_at(ordered_oblate, exact, 320),
+              finer = found_at(ordered_oblate, exact, 720);
+  const StateMarks marks = marks_of(*here.start.mesh, here.result.state);
+  StationaryState turned = here.result.state;
+  const Eigen::Matrix3d R =
+      Eigen::AngleAxisd(0.7, Eigen::Vector3d(1, -2, 0.5).normalized()).toRotationMatrix();
+  turned.X = (R * turned.X).colwise() + Eigen::Vector3d(0.3, -0.2, 0.4);
+  EXPECT_LT((marks_of(*here.start.mesh, turned) - marks).norm(), 1e-12);
+  turned.X.row(1) *= -1;
+  EXPECT_LT((marks_of(*here.start.mesh, turned) - marks).norm(), 1e-12);
+  EXPECT_LT((marks_of(*finer.start.mesh, finer.result.state) - marks).norm(), same_marks / 10);
+  Place other = ordered_oblate;
+  other.branch = Branch::prolate;
+  const Found prolate = found_at(other, with_axis(other), 320);
+  EXPECT_GT((marks_of(*prolate.start.mesh, prolate.result.state) - marks).norm(), 10 * same_marks);
+}
+
+// Next to it a Newton step that leads there is turned round.
+TEST(Deflation, turns_back_what_leads_to_a_known_state) {
+  const axisym::BranchState exact = with_axis(ordered_oblate);
+  const Found oblate = found_at(ordered_oblate, exact, 320);
+  const Triangulation& mesh = *oblate.start.mesh;
+  const KnownStates known{marks_of(mesh, oblate.result.state)};
+  const Nodes& normals = oblate.result.normals;
+  // With all symmetries of the state, where its marks change in the first order, and without, in the second.
+  Increment away;
+  away.beta = away.H = away.Lambda = Field::Zero(mesh.nodes);
+  const Nodes& X = oblate.result.state.X;
+  const auto factor_at = [&](const Field& d, double distance) {
+    away.d = d;
+    StationaryState near = oblate.result.state;
+    displace(away, distance, normals, near);
+    Increment back = away;
+    back.d *= -distance;
+    return deflation(known, mesh, near, normals, back);
+  };
+  // m'Δ/m is 2/(1 + q) where q goes like the square of the distance, 4/(1 + q) where it goes like its fourth power.
+  constexpr double distance = 1e-3;
+  EXPECT_NEAR(factor_at(X.row(2).cwiseAbs2(), distance), -1, 0.01);
+  EXPECT_NEAR(factor_at(X.row(0).cwiseProduct(X.row(1)), distance), -1. / 3, 0.01);
+  EXPECT_EQ(deflation({}, mesh, oblate.result.state, normals, away), 1);
+}
+
 TEST(NewtonIn3d, gives_the_pressure_and_the_tension_with_which_the_energy_changes) {
   const axisym::BranchState exact = with_axis(ordered_oblate);
   const Surface start = revolved(exact, 320);

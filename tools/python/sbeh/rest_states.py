@@ -47,11 +47,11 @@ class RestStates(InUnits):
 def rest_states(*, branch: str | None = None, scan: str | Path | None = None, frame: str | Path | None = None,
                 mesh: str | Path | None = None, reduced_volume: Any = None, L: Any = None, model: str | None = None,
                 perturbation: Any = None, triangles: int | None = None, eigenpairs: int = 6, rates: int = 0,
-                follow: Mapping[str, Any] | None = None, material: MaterialLike = None,
-                numerics: Mapping[str, Any] | None = None, units: Mapping[str, Any] | None = None,
-                folder: str | Path | None = None) -> RestStates:
-    """Minima and saddles in 3D, as `sbeh states`; `follow`: the table of its branch, such as
-    {"parameter": "reduced_volume", "to": 0.7}.
+                follow: Mapping[str, Any] | None = None, search: Mapping[str, Any] | None = None,
+                material: MaterialLike = None, numerics: Mapping[str, Any] | None = None,
+                units: Mapping[str, Any] | None = None, folder: str | Path | None = None) -> RestStates:
+    """Minima and saddles in 3D, as `sbeh states`; `follow` and `search`: its tables [follow], such as
+    {"parameter": "reduced_volume", "to": 0.7}, and [search], such as {"most_states": 5}.
 
     From the axisymmetric state of a `branch` or of a `scan`, from a `frame` or a `mesh`. Warns of states that are not
     found or not resolved; `status` and `stop_reason` of the table say why. Raises InputError, OutputError.
@@ -60,7 +60,7 @@ def rest_states(*, branch: str | None = None, scan: str | Path | None = None, fr
     table = {"model": model, "branch": branch, "scan": scan, "frame": frame, "mesh": mesh,
              "reduced_volume": reduced_volume, "L": L, "perturbation": perturbation, "triangles": triangles,
              "eigenpairs": eigenpairs, "rates": rates}
-    with input_file("rest_states", {"states": table, "follow": follow,
+    with input_file("rest_states", {"states": table, "follow": follow, "search": search,
                                     "material": material_table(material, without_L=True), "numerics": numerics,
                                     "units": units}) as path:
         _sbeh.rest_states(path, results.path)
