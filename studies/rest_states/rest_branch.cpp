@@ -99,6 +99,7 @@ class Branches {
         return;
       }
       if (!take(RestPoint::step, *next)) return;
+      if (next->negative_directions > input_.follow->most_negative) return;
       ++states;
       triangles = mesh_->count();
       at = *next;

@@ -122,6 +122,7 @@ FollowInput read_follow(const TomlTable& table, const StatesInput& input) {
   follow.longest_step = table.number(
       "longest_step", Interval{.low = 0, .high = 1, .low_open = true}, follow.longest_step);
   follow.most_states = table.integer("most_states", 2, 1000, follow.most_states);
+  follow.most_negative = table.integer("most_negative", 0, 100, follow.most_negative);
   table.reject_unknown_keys();
   return follow;
 }
@@ -282,6 +283,7 @@ std::string describe(const StatesInput& input, std::string_view version) {
     toml.value("switch", input.follow->switches);
     toml.value("longest_step", input.follow->longest_step);
     toml.value("most_states", input.follow->most_states);
+    toml.value("most_negative", input.follow->most_negative);
   }
   if (input.search) {
     toml.table("search");

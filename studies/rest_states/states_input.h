@@ -49,7 +49,8 @@ struct FollowInput {
   bool switches = true;  ///< key `switch`: on to the branches that leave, too
   double longest_step =
       0.1;  ///< of the way, or in root mean square of displacement and order, 0 < … <= 1
-  int most_states = 60;  ///< of each branch, 2 … 1000
+  int most_states = 60;   ///< of each branch, 2 … 1000
+  int most_negative = 8;  ///< negative directions with which a branch is gone on, 0 … 100
 
   bool operator==(const FollowInput&) const = default;
 };

@@ -94,6 +94,8 @@ TEST(StatesInput, that_is_wrong_is_refused_with_line_key_and_value) {
        {"[follow]\nto = 1",
         ":5: [follow] to = 1: must be < 1: on the sphere area and volume are one condition, not "
         "two"},
+       {"[follow]\nto = 0.6\nmost_negative = -1",
+        ":6: [follow] most_negative = -1: must be >= 0 and <= 100"},
        {"[follow]\nto = 0.6\nlongest_step = 2",
         ":6: [follow] longest_step = 2: must be > 0 and <= 1"},
        {"triangles = 10", ":4: [states] triangles = 10: must be >= 20 and <= 200000"},

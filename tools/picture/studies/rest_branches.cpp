@@ -4,6 +4,7 @@
 #include "tools/picture/studies/studies.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <functional>
@@ -92,13 +93,21 @@ void draw_paths(Chart& chart, const Paths& paths, const std::vector<Colour>& col
   }
 }
 
+// Of its own states, in their order, each once.
+std::string classes_of(int number, const std::vector<RestRow>& path) {
+  std::vector<std::string> classes;
+  for (const RestRow& row : path)
+    if (row.path == number && std::ranges::find(classes, row.measures->symmetry) == classes.end())
+      classes.push_back(row.measures->symmetry);
+  return fmt::format("{}", fmt::join(classes, ", "));
+}
+
 std::vector<LegendEntry> legend_of(const Paths& paths, const std::vector<Colour>& colours) {
   std::vector<LegendEntry> entries;
   std::size_t k = 0;
   for (const auto& [number, path] : paths)
-    entries.push_back(
-        line_entry({.colour = colours[k++], .width = 2.2},
-                   fmt::format("path {}: {}", number, path.back().measures->symmetry)));
+    entries.push_back(line_entry({.colour = colours[k++], .width = 2.2},
+                                 fmt::format("path {}: {}", number, classes_of(number, path))));
   const auto any = [&](const auto& is) {
     return std::ranges::any_of(
         paths, [&](const auto& path) { return std::ranges::any_of(path.second, is); });
