@@ -92,7 +92,7 @@ surface3d::FlowResult run_observed(const RunInput& input, const FlowMoment& star
   model::FlowSchedule schedule = schedule_of(input.times);
   const auto over = start.record.ends;
   if (over) schedule.end_time = start.record.time;
-  surface3d::RestWatch rest(input.material, input.model, start);
+  surface3d::RestWatch rest(input.material, input.model, start.target, start.record);
   bool is_near = false;
   surface3d::FlowResult run = surface3d::run_flow(
       input.material, input.model, start, input.numerics, schedule,

@@ -69,8 +69,8 @@ std::string section_name(const TableState& table, std::string_view key) {
 void fail_at(const TableState& table, std::string_view key, const toml::node& value,
              std::string_view what) {
   if (value.is_table() && !value.as_table()->is_inline())
-    throw InputError(fmt::format("{}: [{}]: {}", place(table, line_of(value)),
-                                 section_name(table, key), what));
+    throw InputError(
+        fmt::format("{}: [{}]: {}", place(table, line_of(value)), section_name(table, key), what));
   std::string text = shown(value);
   if (text.size() > longest_value) {
     std::size_t end = longest_value - 3;

@@ -3,6 +3,7 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
 #include "surface3d/curvature.h"
+#include "surface3d/flow.h"
 #include "surface3d/stationary/rest_ahead.h"
 
 #include <fmt/format.h>
@@ -139,7 +140,7 @@ class Search {
     const surface3d::FlowMoment begin{from.mesh, start, target_};
     surface3d::Numerics numerics;
     numerics.remesh = true;
-    surface3d::RestWatch rest(material_, input_.model, begin);
+    surface3d::RestWatch rest(material_, input_.model, target_);
     Mesh mesh = from.mesh;
     State last = start;
     surface3d::run_flow(material_, input_.model, begin, numerics, {.end_time = longest},

@@ -14,7 +14,7 @@ namespace sbeh::surface3d {
 namespace {
 
 // Of a run that begins it is not known.
-double speed(const FlowRecord& record) {
+double speed(const model::FlowRecord& record) {
   return record.time_step == 0 ? std::numeric_limits<double>::infinity()
                                : std::max(record.normal_speed, record.order_speed);
 }
@@ -39,14 +39,16 @@ bool rest_is_ahead(const Triangulation& mesh, const model::Material& material, m
       && after.total() <= before.total() + rounding * before.magnitude();
 }
 
-RestWatch::RestWatch(const model::Material& material, model::Model model, const FlowMoment& start)
+RestWatch::RestWatch(const model::Material& material, model::Model model, const Target& target,
+                     const model::FlowRecord& start)
     : material_(material),
       model_(model),
-      target_(start.target),
+      target_(target),
       unit_(model::speed_at_rest(1, material, model)),
-      before_(speed(start.record)) {}
+      before_(speed(start)) {}
 
-bool RestWatch::near(const FlowRecord& record, const Triangulation& mesh, const State& state) {
+bool RestWatch::near(const model::FlowRecord& record, const Triangulation& mesh,
+                     const State& state) {
   constexpr std::array tries{1e-2, 1e-3, 1e-4};
   const double before = std::exchange(before_, speed(record));
   return std::ranges::any_of(tries,

@@ -1,7 +1,7 @@
 // Whether a flow that has become slow is near a state at rest, which Newton's method then gives at once.
 #pragma once
 
-#include "surface3d/flow.h"
+#include "model/time/flow_record.h"
 #include "surface3d/stationary/stationary.h"
 
 namespace sbeh::surface3d {
@@ -16,8 +16,10 @@ bool rest_is_ahead(const Triangulation& mesh, const model::Material& material, m
 /// Asks that along a flow, each time it becomes slower than one of three speeds.
 class RestWatch {
  public:
-  RestWatch(const model::Material& material, model::Model model, const FlowMoment& start);
-  bool near(const FlowRecord& record, const Triangulation& mesh, const State& state);
+  /// From a moment of it, to the area and volume of the target.
+  RestWatch(const model::Material& material, model::Model model, const Target& target,
+            const model::FlowRecord& start = {});
+  bool near(const model::FlowRecord& record, const Triangulation& mesh, const State& state);
 
  private:
   model::Material material_;
