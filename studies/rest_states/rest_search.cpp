@@ -93,7 +93,7 @@ class Search {
 
   void look_along(const Found& from, const Eigenmode& mode, double side) {
     for (const double share : shares)
-      if (!ended()) by_newton(from, from.mesh, displaced(from, mode, share * side));
+      if (!ended()) by_newton(from, from.mesh, displaced(from, mode, share * side), known_);
     if (mode.eigenvalue < 0 && !ended())
       by_flow(from, displaced(from, mode, shares.front() * side));
   }
@@ -104,7 +104,8 @@ class Search {
   }
 
   State displaced(const Found& from, const Eigenmode& mode, double share) const {
-    const double scale = share * input_.search->reach / mode.u.cwiseAbs().maxCoeff();
+    const double largest = std::max(mode.u.cwiseAbs().maxCoeff(), mode.b.cwiseAbs().maxCoeff()),
+                 scale = share * input_.search->reach / largest;
     State start = from.state;
     start.X += from.state.normals * (scale * mode.u).asDiagonal();
     start.beta += scale * mode.b;
@@ -112,12 +113,13 @@ class Search {
     return start;
   }
 
-  void by_newton(const Found& from, const Mesh& mesh, const State& start) {
+  void by_newton(const Found& from, const Mesh& mesh, const State& start,
+                 const surface3d::KnownStates& kept_away_from) {
     if (!surface3d::curvature_of(*mesh, start.X)) return;
     surface3d::NewtonSystem system(*mesh, material_, input_.model);
     const auto found = surface3d::solve_stationary(
         system, target_, surface3d::guess_from(*mesh, material_, input_.model, start),
-        {.most_iterations = most_iterations, .far = far, .known = known_});
+        {.most_iterations = most_iterations, .far = far, .known = kept_away_from});
     if (found.status != surface3d::NewtonStatus::converged || is_there(*mesh, found.state)) return;
     if (resolved_by(*mesh, found.state.X)) {
       keep(mesh, solution(found.state, found.normals), from.number);
@@ -149,7 +151,7 @@ class Search {
                           last = state;
                           return !interrupt_signal() && !rest.near(record, *mesh, state);
                         });
-    if (!interrupt_signal()) by_newton(from, mesh, last);
+    if (!interrupt_signal()) by_newton(from, mesh, last, {});
   }
 
   const StatesInput& input_;
