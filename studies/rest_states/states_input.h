@@ -58,7 +58,8 @@ struct FollowInput {
 /// Table [search]: states that no branch leads to, from the one state.
 struct SearchInput {
   int most_states = 12;  ///< the first one included, 2 … 1000
-  double reach = 0.4;    ///< largest displacement along a mode, in radii, 0 < … <= 1
+  double reach =
+      0.4;  ///< largest displacement or change of order along a mode, in radii, 0 < … <= 1
 
   bool operator==(const SearchInput&) const = default;
 };
