@@ -189,6 +189,9 @@ test("neighbours, models and branches are a click away", async () => {
     await page.locator(".near button", { hasText: button }).click();
     assert.equal(await heading(), expected);
   }
+  const beyond = page.locator(".near button", { hasText: "V_r +" });
+  assert.equal(await beyond.isDisabled(), true);
+  assert.equal(await beyond.getAttribute("title"), "There is no point.");
   await choose("model", "SBEH");
   await choose("branch", "oblate");
 });

@@ -111,7 +111,7 @@ export class PointPanel {
 
   neighbours(map) {
     const button = (text, to) =>
-      element("button", { type: "button", disabled: !to, onclick: () => this.on.choose(to) }, text);
+      element("button", { type: "button", disabled: !to, title: to ? undefined : "There is no point.", onclick: () => this.on.choose(to) }, text);
     const { model, branch } = this.point;
     const others = [
       ...this.scan.models.filter((other) => other !== model).map((other) => [other, same_place(this.scan, this.point, other, branch)]),

@@ -59,7 +59,7 @@ export class StatePanel {
     const { columns, units } = this.states, { row, modes, frame } = point;
     this.heading.textContent = name_of(point, units);
     this.remark.textContent = remark_on(point);
-    this.near.replaceChildren(...neighbours.map(([text, to]) => element("button", { type: "button", disabled: !to, onclick: () => this.on.choose(to) }, text)));
+    this.near.replaceChildren(...neighbours.map(([text, to]) => element("button", { type: "button", disabled: !to, title: to ? undefined : "There is no state.", onclick: () => this.on.choose(to) }, text)));
     this.told.replaceChildren(element("tbody", {}, ...number_lines(told, units, row)));
     this.eigenpairs.replaceChildren(...this.table_of(modes));
     this.numbers.replaceChildren(numbers_table(columns, units, row, "states.csv"));
