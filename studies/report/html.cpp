@@ -38,7 +38,8 @@ figure img { max-width: 100%; height: auto; background: #fff; border: 1px solid 
 .charts { display: grid; grid-template-columns: repeat(auto-fill, minmax(min(29rem, 100%), 1fr));
   gap: 1rem; } .charts figure { margin: 0; } svg { width: 100%; height: auto; }
 svg.key { width: 2em; height: .5em; }
-.wide { overflow-x: auto; border: 1px solid var(--line); border-radius: .4rem; max-height: 34rem; }
+.wide { overflow-x: auto; border: 1px solid var(--line); border-radius: .4rem; max-height: 34rem;
+  content-visibility: auto; contain-intrinsic-size: auto 34rem; }
 table { border-collapse: collapse; font-size: .85rem; font-variant-numeric: tabular-nums; }
 th, td { padding: .25rem .6rem; text-align: left; white-space: nowrap;
   border-bottom: 1px solid var(--line); } td.n, th.n { text-align: right; }
