@@ -38,8 +38,10 @@ class ShiftedFlow {
     const int multipliers =
         layout_.state.mesh.nodes + layout_.state.mesh.quadratic_nodes + constraints + holds - 1;
     for (shift_ = first; shift_ < most; shift_ *= growth)
-      if (factor_with(energy_.hessian) && solver_.negative_eigenvalues() == multipliers)
+      if (factor_with(energy_.hessian) && solver_.negative_eigenvalues() == multipliers) {
+        rigid_.bottomRows(holds) *= shift_;  // found with 1
         return true;
+      }
     return false;
   }
 
@@ -49,7 +51,7 @@ class ShiftedFlow {
 
   Eigen::MatrixXd respond(const Eigen::MatrixXd& loads) const {
     Eigen::MatrixXd x = solution(loads);
-    return x - rigid_ * (resistance(rigid_).transpose() * x);
+    return x - rigid_ * (rigid_loads_.transpose() * x);
   }
   // To normal motion and change of order, the motion along the surface being in balance.
   Eigen::MatrixXd resistance(const Eigen::MatrixXd& x) const {
@@ -93,6 +95,7 @@ class ShiftedFlow {
     const Eigen::LLT<Eigen::MatrixXd> root((gram + gram.transpose()) / 2);
     if (root.info() != Eigen::Success) return false;
     rigid_ = root.matrixL().solve(rigid_.transpose()).transpose();
+    rigid_loads_ = resistance(rigid_);
     return true;
   }
 
@@ -115,7 +118,7 @@ class ShiftedFlow {
   SparseMatrix mass_;
   StepResistance resistance_{};
   LagrangianDerivatives energy_{};
-  Eigen::MatrixXd rigid_;
+  Eigen::MatrixXd rigid_, rigid_loads_;  // and their resistance
   double shift_ = 1;
   DirectSolver solver_{Symmetry::symmetric};
 };

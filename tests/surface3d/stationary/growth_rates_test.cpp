@@ -64,6 +64,24 @@ TEST_P(GrowthRates, are_those_of_the_axisymmetric_solver) {
   EXPECT_GT(table.print(), 3.5);
 }
 
+// All that resists a hundredth: rates a hundred times as large, among them such as are above 1.
+TEST(GrowthModes3d, are_as_much_faster_as_less_resists) {
+  const Surface start = revolved(with_axis(ordered_oblate), 80);
+  Material material = with_friction(ordered_oblate.L);
+  const NewtonResult found = at_rest(start, ordered_oblate, material);
+  constexpr int count = 8;
+  const auto slow = growth_rates(material, *start.mesh, ordered_oblate.model, found.state, count);
+  for (double* resistance : {&material.viscosity, &material.immobility,
+                             &material.friction_tangential, &material.friction_normal})
+    *resistance /= 100;
+  const auto fast = growth_rates(material, *start.mesh, ordered_oblate.model, found.state, count);
+  ASSERT_TRUE(slow && fast);
+  EXPECT_GT(fast->front().rate, 1);
+  // Rigid motions of these triangles are modes but for 3e-3, the square of which the shift sees.
+  for (std::size_t k = 0; k < count; ++k)
+    EXPECT_NEAR((*fast)[k].rate / (100 * (*slow)[k].rate), 1, 1e-5);
+}
+
 // A step of the flow from states displaced along modes, in which each is multiplied by 1/(1 − στ).
 TEST(GrowthModes3d, are_how_displaced_states_move) {
   const Material material = with_friction(ordered_oblate.L);
