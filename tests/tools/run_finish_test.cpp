@@ -63,6 +63,31 @@ TEST_F(RunFinish, that_was_killed_is_resumed_to_the_same_bits) {
   EXPECT_EQ(contents("out"), contents("whole"));
 }
 
+TEST_F(RunFinish, that_was_stopped_while_newtons_method_was_at_work_is_resumed_to_the_same_bits) {
+  write("in.toml", prolate("finish = \"newton\"\n"));
+  must(into("whole", "run"));
+  for (const int signal : {SIGINT, SIGTERM, SIGKILL}) {
+    const std::string out = "out" + std::to_string(signal);
+    Program program(here(), into(out, "run"));
+    ASSERT_TRUE(
+        wait_until([&] { return exists(path(out + "/rest/run.toml")) || !program.is_running(); }));
+    program.send(signal);
+    const Ended ended = program.wait();
+    EXPECT_FALSE(exists(path(out + "/rest/states.csv")) && lines(out + "/rest/states.csv") > 1)
+        << "it was over already";
+    if (signal == SIGKILL) {
+      EXPECT_EQ(ended.signal, SIGKILL);
+    } else {
+      EXPECT_EQ(ended.exit_code, 128 + signal) << ended.err;
+      EXPECT_TRUE(ended.err.ends_with(
+          "sbeh: interrupted; the same command with --resume goes on from here\n"))
+          << ended.err;
+    }
+    must(resumed(out));
+    EXPECT_EQ(contents(out), contents("whole")) << signal;
+  }
+}
+
 TEST_F(RunFinish, of_a_sphere_is_that_of_its_flow) {
   write("in.toml",
         "model = \"SBEH\"\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 1\ntriangles = 20\n"
