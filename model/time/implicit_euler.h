@@ -5,13 +5,15 @@
 
 namespace sbeh::model {
 
-/// An integrator for a solver in whose steps the energy falls whatever their length. With r = τ/τ_before the error, τ² ẍ/2, is
-/// r/(1 + 2r) of the distance from x + r (x − x_before), where the last step leads on. The first step is two halves, see StepDoubling.
+/// An integrator for a solver in whose steps the energy falls whatever their length, or that have a fault. With
+/// r = τ/τ_before the error, τ² ẍ/2, is r/(1 + 2r) of the distance from x + r (x − x_before), where the last step leads on. The
+/// first step is two halves, see StepDoubling.
 template <OneStepSolver Solver>
 class ImplicitEuler {
  public:
   using State = typename Solver::State;
   static constexpr double largest_growth = 2;
+  static constexpr bool guards_energy = true;
 
   ImplicitEuler(Solver& solver, const Target& target) : solver_(solver), target_(target) {}
 

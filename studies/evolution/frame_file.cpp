@@ -45,7 +45,7 @@ const auto& part(const Map& parts, const char* name, Eigen::Index size,
 
 // What the stepper remembers, among the fields and globals of a frame, and back.
 void remember(const surface3d::StepperMemory& memory, NodeFields& at_nodes, Globals& globals) {
-  if (memory.solves == 0) return;
+  if (memory.last.flow.size() == 0) return;
   at_nodes["factored_at"] = memory.factored_at.X;
   at_nodes["factored_order"] = memory.factored_at.beta.transpose();
   globals["factored"] = Eigen::Vector4d(memory.factored_tau, memory.solves, memory.iterations,

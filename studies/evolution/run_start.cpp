@@ -215,7 +215,7 @@ RunCost cost_of(const RunInput& input, int triangles) {
   const surface3d::Numerics& numerics = input.numerics;
   using surface3d::Integrator;
   const double steps = numerics.integrator == Integrator::step_doubling ? 2.6
-                     : numerics.integrator == Integrator::variational   ? 25
+                     : numerics.integrator == Integrator::variational   ? 5
                                                                         : 1,
                factors = numerics.factorisation == surface3d::Factorisation::every_step ? 2.2 : 1;
   const double linear = 4.1e-6 * unknowns * std::pow(unknowns / 6400., 0.15), rest = 5e-6 * nodes;

@@ -10,9 +10,6 @@
 
 namespace sbeh::surface3d {
 
-namespace {
-
-// A x on all threads.
 Eigen::VectorXd product(const SparseMatrix& A, const Eigen::VectorXd& x) {
   constexpr Eigen::Index rows = 256;
   Eigen::VectorXd y(A.rows());
@@ -23,15 +20,14 @@ Eigen::VectorXd product(const SparseMatrix& A, const Eigen::VectorXd& x) {
   return y;
 }
 
-}  // namespace
-
 // Without restart: Saad and Schultz 1986, modified Gram–Schmidt and Givens rotations.
-int Gmres::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+int Gmres::solve(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& A,
+                 const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
   const auto preconditioned = [this](Eigen::VectorXd v) {
     direct_.solve(v);
     return v;
   };
-  std::vector<Eigen::VectorXd> basis{preconditioned(b - product(A, x))};
+  std::vector<Eigen::VectorXd> basis{preconditioned(b - A(x))};
   const double start = basis[0].norm(), size = x.norm() > 0 ? x.norm() : start;
   const double enough =
       std::min(tolerance_ * size, std::max(reduction * tolerance_ * start, floor * size));
@@ -43,7 +39,7 @@ int Gmres::solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorX
   residual[0] = start;
   std::vector<Eigen::JacobiRotation<double>> rotations;
   for (int k = 0; k < most_iterations; ++k) {
-    Eigen::VectorXd next = preconditioned(product(A, basis[std::size_t(k)]));
+    Eigen::VectorXd next = preconditioned(A(basis[std::size_t(k)]));
     for (int i = 0; i <= k; ++i) {
       R(i, k) = basis[std::size_t(i)].dot(next);
       next -= R(i, k) * basis[std::size_t(i)];

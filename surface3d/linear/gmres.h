@@ -3,7 +3,12 @@
 
 #include "surface3d/linear/direct_solver.h"
 
+#include <functional>
+
 namespace sbeh::surface3d {
+
+/// A x on all threads.
+Eigen::VectorXd product(const SparseMatrix& A, const Eigen::VectorXd& x);
 
 /// Solves A x = b by GMRES with the factors of an earlier matrix as left preconditioner, so that the
 /// residual measures the error of the solution. The factors are in single precision unless the tolerance
@@ -20,10 +25,17 @@ class Gmres {
   /// where the guess is good, `reduction` times the tolerance of that of the guess, but no less than
   /// `floor` of x. Returns the number of times the factors were applied; 0 when `most_iterations` did not
   /// suffice, and then x is as it was.
-  int solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
+  int solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
+    return solve([&](const Eigen::VectorXd& v) { return product(A, v); }, b, x);
+  }
+  /// The same with A as what it makes of a vector.
+  int solve(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& A,
+            const Eigen::VectorXd& b, Eigen::VectorXd& x) const;
 
   /// What a factorisation costs, in applications of its factors.
   double cost_of_factoring() const;
+  /// See DirectSolver.
+  int negative_eigenvalues() const { return direct_.negative_eigenvalues(); }
 
   /// The smallest tolerance for factors in single precision, and what fresh ones in double reach at once.
   static constexpr double coarse = 1e-6, exact = 1e-8;

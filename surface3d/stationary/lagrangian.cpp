@@ -3,7 +3,10 @@
 #include "surface3d/parallel.h"
 #include "surface3d/stationary/point_rows.h"
 
+#include <ceres/jet.h>
+
 #include <numbers>
+#include <utility>
 
 namespace sbeh::surface3d {
 
@@ -11,22 +14,46 @@ using namespace at_point;
 
 namespace {
 
-struct ElementSums {
-  model::BlockMatrix<10, 4, 4> matrix;
+// What a triangle adds to the gradient; numbers that carry a gradient.
+struct GradientSums {
+  using Density = RawGradient;
+  template <std::size_t N>
+  using Number = ceres::Jet<double, int(N)>;
+
   Eigen::Matrix<double, element_unknowns, 1> gradient = decltype(gradient)::Zero();
   Eigen::Matrix<double, 10, 2> constraints = decltype(constraints)::Zero();
   double area = 0, volume = 0, value = 0;
 
-  void add(const RawDerivatives& density, const Rows& rows, double weight) {
+  void add(const RawGradient& density, const Rows& rows, double weight) {
     value += weight * density.value;
     model::add_vector(rows.rows, density.gradient, weight, gradient);
+  }
+};
+// And to the Hessian.
+struct ElementSums : GradientSums {
+  using Density = RawDerivatives;
+  template <std::size_t N>
+  using Number = SecondOrder<int(N)>;
+
+  model::BlockMatrix<10, 4, 4> matrix;
+
+  ElementSums() { matrix.set_zero(); }
+  void add(const RawDerivatives& density, const Rows& rows, double weight) {
+    GradientSums::add(density, rows, weight);
     model::add_matrix(rows.rows, rows.rows, density.hessian, weight, matrix);
   }
 };
 
-void add_constraints(const Raw& q, const Rows& rows, double weight, ElementSums& sums) {
-  RawDerivatives area, volume;
-  add(area_density(variables(metric_invariants, q)), metric_invariants, q, area);
+template <std::size_t N>
+void add(const ceres::Jet<double, int(N)>& f, const Invariants<N>& invariants, const Raw& q,
+         RawGradient& out) {
+  at_point::add(f.a, f.v, invariants, q, out);
+}
+
+void add_constraints(const Raw& q, const Rows& rows, double weight, GradientSums& sums) {
+  using Number = GradientSums::Number<metric_invariants.size()>;
+  RawGradient area, volume;
+  add(area_density(variables<Number>(metric_invariants, q)), metric_invariants, q, area);
   add_box_product(1. / 3, raw_x, q, volume);
   sums.area += weight * area.value;
   sums.volume += weight * volume.value;
@@ -38,37 +65,42 @@ void add_constraints(const Raw& q, const Rows& rows, double weight, ElementSums&
   sums.constraints.col(1) -= gradient.head<10>();
 }
 
-void add_rim(const model::Material& material, const ElementState& state, ElementSums& sums) {
-  for (const BentShapes& s : first_rim()) {
-    const Raw q = raw_data_of(state, s);
-    RawDerivatives density;
-    add(first_rim_density(material, variables(rim_invariants, q)), rim_invariants, q, density);
-    sums.add(density, Rows(state.normals, s, false), s.weight);
-  }
-  for (const BentShapes& s : second_rim()) {
-    const Raw q = raw_data_of(state, s);
-    RawDerivatives density;
-    add(second_rim_density(material, variables(rim_invariants, q)), rim_invariants, q, density);
-    sums.add(density, Rows(state.normals, s, false), s.weight);
-  }
+template <class Sums>
+void add_rim(const model::Material& material, const ElementState& state, Sums& sums) {
+  using Number = typename Sums::template Number<rim_invariants.size()>;
+  const auto add_side = [&](const Points& points, auto density_of) {
+    for (const BentShapes& s : points) {
+      const Raw q = raw_data_of(state, s);
+      typename Sums::Density density;
+      add(density_of(material, variables<Number>(rim_invariants, q)), rim_invariants, q, density);
+      sums.add(density, Rows(state.normals, s, false), s.weight);
+    }
+  };
+  add_side(first_rim(), first_rim_density<Number>);
+  add_side(second_rim(), second_rim_density<Number>);
 }
 
-ElementSums sums_on(const model::Material& material, bool free_order, const StationaryState& state,
-                    const ElementState& local) {
-  ElementSums sums;
-  sums.matrix.set_zero();
+template <class Sums>
+Sums sums_on(const model::Material& material, bool free_order, const StationaryState& state,
+             const ElementState& local) {
+  Sums sums;
+  const auto variables_of = [](const auto& invariants, const Raw& q) {
+    constexpr std::size_t count = std::tuple_size_v<std::decay_t<decltype(invariants)>>;
+    return variables<typename Sums::template Number<count>>(invariants, q);
+  };
   for (const BentShapes& s : inner_points()) {
     const Raw q = raw_data_of(local, s);
     const Rows rows(local.normals, s, free_order);
-    RawDerivatives density;
-    add(tension_density(material, state.tension, variables(energy_invariants, q)),
+    typename Sums::Density density;
+    add(tension_density(material, state.tension, variables_of(energy_invariants, q)),
         energy_invariants, q, density);
-    add(divergence_density(variables(divergence_invariants, q)), divergence_invariants, q, density);
+    add(divergence_density(variables_of(divergence_invariants, q)), divergence_invariants, q,
+        density);
     add_normal_part(q, density);
     add_box_product(-state.pressure / 3, raw_x, q, density);
     if (free_order)
-      add(connection_density(material, variables(gaussian_invariants, q)), gaussian_invariants, q,
-          density);
+      add(connection_density(material, variables_of(gaussian_invariants, q)), gaussian_invariants,
+          q, density);
     sums.add(density, rows, s.weight);
     add_constraints(q, rows, s.weight, sums);
   }
@@ -95,27 +127,19 @@ Eigen::MatrixXi unknowns_of(const Triangulation& mesh, int per_node) {
   return unknowns;
 }
 
-}  // namespace
-
-StationaryLayout::StationaryLayout(const Triangulation& triangulation, model::Model model)
-    : mesh(triangulation),
-      free_order(has_free_order(model)),
-      per_node(free_order ? node_unknowns : int(node_beta)),
-      pattern(size(), unknowns_of(mesh, per_node),
-              SparsePattern::Mask::Constant(10 * per_node, 10 * per_node, true)) {}
-
-void assemble(const model::Material& material, const StationaryLayout& layout,
-              const StationaryState& state, const Nodes& normals, LagrangianDerivatives& out) {
+// Clears `out`, adds what the triangles do, and what `add_matrix` does with their sums.
+template <class Sums>
+void assemble_triangles(const model::Material& material, const StationaryLayout& layout,
+                        const StationaryState& state, const Nodes& normals, LagrangianGradient& out,
+                        const auto& add_matrix) {
   const Triangulation& mesh = layout.mesh;
-  if (out.hessian.rows() != layout.size()) out.hessian = layout.pattern.zero();
-  std::fill_n(out.hessian.valuePtr(), out.hessian.nonZeros(), 0.);
   out.gradient.setZero(layout.size());
   out.constraints.setZero(layout.size(), 2);
   Eigen::Matrix3Xd totals(3, mesh.count());
   for_each_by_colour(mesh, [&](int e) {
-    const ElementSums sums =
-        sums_on(material, layout.free_order, state, on_element(state, normals, mesh, e));
-    layout.pattern.add(e, sums.matrix.dense(), out.hessian);
+    const Sums sums =
+        sums_on<Sums>(material, layout.free_order, state, on_element(state, normals, mesh, e));
+    add_matrix(e, sums);
     for (int a = 0; a < 10; ++a) {
       const int node = mesh.triangles(a, e);
       for (int c = 0; c < layout.per_node; ++c)
@@ -128,13 +152,50 @@ void assemble(const model::Material& material, const StationaryLayout& layout,
   out.area = total[0];
   out.volume = total[1];
   out.value = total[2];
-  if (!layout.free_order) return;
-  const Field curvatures = corner_curvatures(mesh);
-  for (int i = 0; i < mesh.nodes; ++i) {
-    if (curvatures[i] == 0) continue;
-    const int k = layout.index(i, node_beta);
-    const SecondOrder<1> energy =
-        curvatures[i] * material.kappa_gauss(SecondOrder<1>(state.beta[i], 0));
+}
+
+// Of the corners: where, and the energy by β.
+std::vector<std::pair<int, SecondOrder<1>>> corner_energies(const model::Material& material,
+                                                            const StationaryLayout& layout,
+                                                            const StationaryState& state) {
+  if (!layout.free_order) return {};
+  const Field curvatures = corner_curvatures(layout.mesh);
+  std::vector<std::pair<int, SecondOrder<1>>> energies;
+  for (int i = 0; i < layout.mesh.nodes; ++i)
+    if (curvatures[i] != 0)
+      energies.emplace_back(layout.index(i, node_beta),
+                            curvatures[i] * material.kappa_gauss(SecondOrder<1>(state.beta[i], 0)));
+  return energies;
+}
+
+}  // namespace
+
+StationaryLayout::StationaryLayout(const Triangulation& triangulation, model::Model model)
+    : mesh(triangulation),
+      free_order(has_free_order(model)),
+      per_node(free_order ? node_unknowns : int(node_beta)),
+      pattern(size(), unknowns_of(mesh, per_node),
+              SparsePattern::Mask::Constant(10 * per_node, 10 * per_node, true)) {}
+
+void assemble(const model::Material& material, const StationaryLayout& layout,
+              const StationaryState& state, const Nodes& normals, LagrangianGradient& out) {
+  assemble_triangles<GradientSums>(material, layout, state, normals, out,
+                                   [](int, const GradientSums&) {});
+  for (const auto& [k, energy] : corner_energies(material, layout, state)) {
+    out.value += energy.a;
+    out.gradient[k] += energy.g[0];
+  }
+}
+
+void assemble(const model::Material& material, const StationaryLayout& layout,
+              const StationaryState& state, const Nodes& normals, LagrangianDerivatives& out) {
+  if (out.hessian.rows() != layout.size()) out.hessian = layout.pattern.zero();
+  std::fill_n(out.hessian.valuePtr(), out.hessian.nonZeros(), 0.);
+  assemble_triangles<ElementSums>(material, layout, state, normals, out,
+                                  [&](int e, const ElementSums& sums) {
+                                    layout.pattern.add(e, sums.matrix.dense(), out.hessian);
+                                  });
+  for (const auto& [k, energy] : corner_energies(material, layout, state)) {
     out.value += energy.a;
     out.gradient[k] += energy.g[0];
     out.hessian.coeffRef(k, k) += energy.h(0, 0);

@@ -88,17 +88,21 @@ struct StationaryLayout {
   }
 };
 
-/// Gradient and Hessian of the Lagrangian, and gradients of A, V.
-struct LagrangianDerivatives {
-  SparseMatrix hessian;
+/// Gradient of the Lagrangian, and gradients of A, V.
+struct LagrangianGradient {
   Eigen::VectorXd gradient;
   Eigen::MatrixX2d constraints;  // ∂A, −∂V
   double area = 0, volume = 0;
   double value = 0;  ///< of 𝓛 without its constants ΣA₀ and PV₀
 };
+struct LagrangianDerivatives : LagrangianGradient {
+  SparseMatrix hessian;
+};
 
 /// Assembles at a state whose surface moves along `normals` (3 x nodes). Of a model with a uniform order the
-/// Gaussian energy, a constant, is left out.
+/// Gaussian energy, a constant, is left out. The gradient alone takes a fraction of the time.
+void assemble(const model::Material& material, const StationaryLayout& layout,
+              const StationaryState& state, const Nodes& normals, LagrangianGradient& out);
 void assemble(const model::Material& material, const StationaryLayout& layout,
               const StationaryState& state, const Nodes& normals, LagrangianDerivatives& out);
 

@@ -67,7 +67,8 @@ class NewtonSystem {
 
   model::Material material_;
   StationaryLayout layout_;
-  LagrangianDerivatives derivatives_, others_;
+  LagrangianDerivatives derivatives_;
+  LagrangianGradient others_;
   RigidMotions rigid_{};
   bool has_amplitude_ = false;
   SparseMatrix bordered_;

@@ -25,10 +25,12 @@ enum RawData {
 };
 using Raw = Eigen::Matrix<double, raw_data, 1>;
 
-/// Value, gradient and Hessian of a density by the raw data.
-struct RawDerivatives {
+/// Value and gradient of a density by the raw data, and its Hessian.
+struct RawGradient {
   double value = 0;
   Raw gradient = Raw::Zero();
+};
+struct RawDerivatives : RawGradient {
   Eigen::Matrix<double, raw_data, raw_data> hessian =
       Eigen::Matrix<double, raw_data, raw_data>::Zero();
 };
@@ -74,10 +76,11 @@ std::array<double, N> values_of(const Invariants<N>& invariants, const Raw& q) {
   for (std::size_t k = 0; k < N; ++k) values[k] = value_of(invariants[k], q);
   return values;
 }
-template <std::size_t N>
-std::array<SecondOrder<int(N)>, N> variables(const Invariants<N>& invariants, const Raw& q) {
-  std::array<SecondOrder<int(N)>, N> values;
-  for (std::size_t k = 0; k < N; ++k) values[k] = {value_of(invariants[k], q), int(k)};
+/// As the independent variables of automatic differentiation.
+template <class Number, std::size_t N>
+std::array<Number, N> variables(const Invariants<N>& invariants, const Raw& q) {
+  std::array<Number, N> values;
+  for (std::size_t k = 0; k < N; ++k) values[k] = Number(value_of(invariants[k], q), int(k));
   return values;
 }
 
@@ -123,10 +126,26 @@ void add(const SecondOrder<int(N)>& f, const Invariants<N>& invariants, const Ra
   }
 }
 
+/// out += a function of invariants, by its value and gradient.
+template <std::size_t N>
+void add(double value, const Eigen::Matrix<double, int(N), 1>& rates,
+         const Invariants<N>& invariants, const Raw& q, RawGradient& out) {
+  out.value += value;
+  for (std::size_t k = 0; k < N; ++k) {
+    const Slope slope = slope_of(invariants[k], q);
+    for (int i = 0; i < slope.count; ++i) {
+      const auto& [row, along] = slope.parts[std::size_t(i)];
+      out.gradient.segment<3>(row) += rates[Eigen::Index(k)] * along;
+    }
+  }
+}
+
 /// out += c w·(a1 × a2), w the vector that begins at `first`.
+void add_box_product(double c, int first, const Raw& q, RawGradient& out);
 void add_box_product(double c, int first, const Raw& q, RawDerivatives& out);
 
 /// out += H Λ·(a1 × a2).
+void add_normal_part(const Raw& q, RawGradient& out);
 void add_normal_part(const Raw& q, RawDerivatives& out);
 
 }  // namespace sbeh::surface3d::at_point

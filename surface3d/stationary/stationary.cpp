@@ -19,7 +19,7 @@ StationaryState guess_from(const Triangulation& mesh, const model::Material& mat
     guess.Lambda[i] =
         -material.kappa(shape.beta[i]) * (guess.H[i] - material.spontaneous_curvature);
   const StationaryLayout layout(mesh, model);
-  LagrangianDerivatives lagrangian;
+  LagrangianGradient lagrangian;
   assemble(material, layout, guess, curvature->node_normals, lagrangian);
   // Least squares over the displacements alone: the other rows do not feel tension and pressure.
   const auto displacements = layout.all(node_d);

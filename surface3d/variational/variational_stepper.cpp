@@ -1,12 +1,13 @@
 #include "surface3d/variational/variational_stepper.h"
 
 #include "surface3d/diagnostics.h"
-#include "surface3d/linear/bordered.h"
 #include "surface3d/parallel.h"
 #include "surface3d/stationary/stationary.h"
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 namespace sbeh::surface3d {
 
@@ -22,12 +23,15 @@ struct VariationalStepper::Unknowns {
 
 VariationalStepper::VariationalStepper(const std::shared_ptr<const Triangulation>& mesh,
                                        const model::Material& material, model::Model model,
-                                       const Numerics&)
+                                       const Numerics& numerics)
     : mesh_(mesh),
       material_(effective(material, model)),
       model_(model),
+      always_factors_(numerics.factorisation == Factorisation::every_step),
+      tolerance_(numerics.tolerance),
       layout_(*mesh, model),
-      along_(*mesh) {}
+      along_(*mesh),
+      matrix_(layout_, numerics) {}
 
 // Of the mesh towards its own equilibrium: (H1) tested along the surface, with V = 0.
 std::optional<Nodes> VariationalStepper::motion_along(const State& old, const Curvature& curvature,
@@ -56,65 +60,202 @@ std::optional<Nodes> VariationalStepper::motion_along(const State& old, const Cu
   return Y;
 }
 
-// The matrix at x, factored, with the gradient of U in energy_.
-bool VariationalStepper::linearise(const StepBase& base, const Unknowns& x) {
-  assemble(material_, layout_.state, x.next, base.curvature.node_normals, energy_);
-  if (!energy_.gradient.allFinite()) return false;
-  matrix_ = resistance_.matrix;
-  const double* entry = energy_.hessian.valuePtr();
-  for (const int place : layout_.places) matrix_.valuePtr()[place] += *entry++;
-  Eigen::MatrixXd borders = Eigen::MatrixXd::Zero(layout_.size(), 9);
-  borders(layout_.unknowns, {0, 1}) = energy_.constraints;
-  borders.rightCols<7>() = resistance_.borders;
-  set_bordered(matrix_, borders, bordered_);
-  return solver_.factor(bordered_);
+// Of the past: the rates of the last step, or of the last two, extrapolated.
+VariationalStepper::Unknowns VariationalStepper::guess(const StepBase& base) const {
+  const State from{base.old.X + base.Y, base.old.beta};
+  Unknowns x{.x = Eigen::VectorXd::Zero(layout_.size()), .next = {}};
+  const StationaryLayout& state = layout_.state;
+  const Solution &last = memory_.last, &before = memory_.before;
+  if (!has_past()) {
+    x.next = guess_from(*mesh_, material_, model_, from);
+  } else {
+    Eigen::VectorXd rates = last.flow;
+    if (before.flow.size() > 0) rates += base.tau / last.tau * (last.flow - before.flow);
+    const Eigen::Index n = mesh_->nodes;
+    auto part = [&, at = Eigen::Index(0)](Eigen::Index size) mutable {
+      return rates.segment(std::exchange(at, at + size), size);
+    };
+    const Nodes V = part(3 * n).reshaped(3, n);
+    const auto along = [&](const Nodes& direction) {
+      return (base.tau * V.cwiseProduct(direction).colwise().sum().transpose()).eval();
+    };
+    const Field d = along(base.curvature.node_normals);
+    x.x(layout_.all(node_d)) = d;
+    for (int k = 0; k < 2; ++k)
+      x.x(layout_.all(state.per_node + k)) = along(base.tangents[std::size_t(k)]);
+    x.next = {{from.X + base.curvature.node_normals * d.asDiagonal(), from.beta}};
+    const Field order_rates = part(n);
+    if (state.free_order) x.next.beta += base.tau * order_rates;
+    x.next.Lambda = part(n);
+    x.next.H = part(n);
+    x.x.tail(mesh_->quadratic_nodes) = part(mesh_->quadratic_nodes);
+    x.borders = part(7);
+    x.next.tension = part(1)[0];
+    x.next.pressure = part(1)[0];
+  }
+  x.x(layout_.all(node_Lambda)) = x.next.Lambda;
+  x.x(layout_.all(node_H)) = x.next.H;
+  if (state.free_order) x.x(layout_.all(node_beta)) = x.next.beta;
+  return x;
 }
 
-FlowFault VariationalStepper::solve(const StepBase& base, const Target& target, Unknowns& x) {
-  constexpr int most_iterations = 12;
-  constexpr double converged = 1e-6, far = 0.5;
+Nodes VariationalStepper::motion_of(const StepBase& base, const Unknowns& x) const {
+  Nodes u = base.curvature.node_normals * x.x(layout_.all(node_d)).asDiagonal();
+  for (int k = 0; k < 2; ++k)
+    u += base.tangents[std::size_t(k)] * x.x(layout_.all(layout_.state.per_node + k)).asDiagonal();
+  return u;
+}
+
+void VariationalStepper::remember(const StepBase& base, const Unknowns& x) {
+  const Eigen::Index n = mesh_->nodes, quadratic = mesh_->quadratic_nodes;
+  memory_.before = std::exchange(memory_.last, {});
+  Eigen::VectorXd& rates = memory_.last.flow;
+  rates.resize(6 * n + quadratic + 9);
+  rates << motion_of(base, x).reshaped() / base.tau, (x.next.beta - base.old.beta) / base.tau,
+      x.next.Lambda, x.next.H, x.x.tail(quadratic), x.borders, x.next.tension, x.next.pressure;
+  memory_.last.tau = base.tau;
+}
+
+// As LaggedSolver, and where the steps have become longer than the factors are sure for.
+bool VariationalStepper::worth_factoring(double tau) const {
+  if (memory_.solves == 0 || tau > memory_.factored_tau) return true;
+  const double all = 2 * matrix_.cost_of_factoring() + memory_.iterations;
+  return memory_.last_iterations > all / memory_.solves;
+}
+
+// At a state at rest, for steps up to tau: the shorter ones have minima where the longest has.
+bool VariationalStepper::factor(const State& at, const Curvature& curvature, double tau) {
+  const std::array<Nodes, 2> tangents = node_tangents(curvature.node_normals);
+  assemble(material_, layout_, {at, curvature, tangents, Nodes::Zero(3, mesh_->nodes), tau},
+           factored_);
+  memory_.factored_at = at;
+  memory_.factored_tau = tau;
+  memory_.solves = memory_.iterations = memory_.last_iterations = 0;
+  return matrix_.factor(material_, guess_from(*mesh_, material_, model_, at),
+                        curvature.node_normals, factored_);
+}
+
+// Where the iteration is; the next step does not begin with these factors.
+bool VariationalStepper::factor_here(const StepBase& base, const Unknowns& x) {
+  memory_.solves = 0;
+  if (!matrix_.factor(material_, x.next, base.curvature.node_normals, resistance_)) return false;
+  matrix_.begin(resistance_);
+  return true;
+}
+
+bool VariationalStepper::recall(const StepperMemory& memory) {
+  if (memory.solves > 0) {
+    const auto curvature = curvature_of(*mesh_, memory.factored_at.X);
+    if (!curvature || !factor(memory.factored_at, *curvature, memory.factored_tau)) return false;
+  }
+  memory_ = memory;
+  for (Solution* x : {&memory_.last, &memory_.before})
+    if (x->flow.size() != 6 * mesh_->nodes + mesh_->quadratic_nodes + 9)
+      *x = {};  // of another scheme
+  return true;
+}
+
+// A step of Newton's method, and how far it leads. Returns how often the factors were applied; 0: they are too old.
+int VariationalStepper::correct(const StepBase& base, const Target& target, Unknowns& x,
+                                double& change) {
   const int n = layout_.size();
   const StationaryLayout& state = layout_.state;
-  for (int i = 0; i < most_iterations; ++i) {
-    if (!linearise(base, x)) return FlowFault::linear_solve;
-    Eigen::VectorXd step(n + 9);
-    step.head(n) =
-        -(resistance_.matrix * x.x + resistance_.linear + resistance_.borders * x.borders);
-    step(layout_.unknowns) -= energy_.gradient;
-    step.segment<2>(n) << target.area - energy_.area, energy_.volume - target.volume;
-    step.tail<7>() = -resistance_.borders.transpose() * x.x;
-    solver_.solve(step);
-    if (!step.allFinite()) return FlowFault::linear_solve;
+  assemble(material_, state, x.next, base.curvature.node_normals, energy_);
+  if (!energy_.gradient.allFinite()) return 0;
+  Eigen::VectorXd rhs(n + 9), step = Eigen::VectorXd::Zero(n + 9);
+  const Eigen::VectorXd force = product(resistance_.matrix, x.x),
+                        held = resistance_.borders * x.borders;
+  rhs.head(n) = -(force + resistance_.linear + held);
+  value_ = value_of(x.next, target) + (force / 2 + resistance_.linear + held).dot(x.x);
+  rhs(layout_.unknowns) -= energy_.gradient;
+  rhs.segment<2>(n) << target.area - energy_.area, energy_.volume - target.volume;
+  rhs.tail<7>() = -resistance_.borders.transpose() * x.x;
+  const int iterations = matrix_.solve(energy_.constraints, rhs, step);
+  if (iterations == 0 || !step.allFinite()) return 0;
 
-    const Field d = step(layout_.all(node_d));
-    double change = d.cwiseAbs().maxCoeff();
-    x.x += step.head(n);
-    x.borders += step.tail<7>();
-    x.next.X += base.curvature.node_normals * d.asDiagonal();
-    x.next.Lambda = x.x(layout_.all(node_Lambda));
-    x.next.H = x.x(layout_.all(node_H));
-    if (state.free_order) {
-      change = std::max(change, step(layout_.all(node_beta)).cwiseAbs().maxCoeff());
-      x.next.beta = x.x(layout_.all(node_beta));
-    }
-    x.next.tension += step[n];
-    x.next.pressure += step[n + 1];
+  const Field d = step(layout_.all(node_d));
+  change = d.cwiseAbs().maxCoeff();
+  x.x += step.head(n);
+  x.borders += step.tail<7>();
+  x.next.X += base.curvature.node_normals * d.asDiagonal();
+  x.next.Lambda = x.x(layout_.all(node_Lambda));
+  x.next.H = x.x(layout_.all(node_H));
+  if (state.free_order) {
+    change = std::max(change, step(layout_.all(node_beta)).cwiseAbs().maxCoeff());
+    x.next.beta = x.x(layout_.all(node_beta));
+  }
+  x.next.tension += step[n];
+  x.next.pressure += step[n + 1];
+  return iterations;
+}
+
+// What is to be stationary, but for a constant, where nothing moves but the mesh along itself, and what rounding may leave of it more.
+double VariationalStepper::value_at_rest(const StepBase& base, const Field& H, const Target& target,
+                                         const Unknowns& x) {
+  constexpr double rounding = 1e-10;
+  StationaryState from{{base.old.X + base.Y, base.old.beta}, H, Field::Zero(mesh_->nodes)};
+  from.tension = x.next.tension;
+  from.pressure = x.next.pressure;
+  assemble(material_, layout_.state, from, base.curvature.node_normals, energy_);
+  Eigen::VectorXd still = Eigen::VectorXd::Zero(layout_.size());
+  if (layout_.state.free_order) still(layout_.all(node_beta)) = base.old.beta;
+  return value_of(from, target) + rounding * std::abs(energy_.value)
+       + still.dot(product(resistance_.matrix, still)) / 2 + resistance_.linear.dot(still);
+}
+
+// The Lagrangian that was assembled at a state.
+double VariationalStepper::value_of(const StationaryState& state, const Target& target) const {
+  return energy_.value - state.tension * target.area + state.pressure * target.volume;
+}
+
+// What may be left of the error of a solution: nothing that the error of the step shows, nor its speeds. What is to be minimal is then
+// within 1e-6 of its fall.
+double VariationalStepper::enough(const StepBase& base, const Unknowns& x) const {
+  constexpr double small = 1e-3, rounding = 1e-10;
+  const double moved = x.x(layout_.all(node_d)).cwiseAbs().maxCoeff(),
+               changed = (x.next.beta - base.old.beta).cwiseAbs().maxCoeff();
+  return std::max(rounding, small * std::min(tolerance_, std::max(moved, changed)));
+}
+
+FlowFault VariationalStepper::solve(const StepBase& base, const Target& target, Unknowns& x,
+                                    bool always_factors) {
+  constexpr int most_iterations = 20;
+  constexpr double far = 0.5, slow = 0.3;
+  double before = std::numeric_limits<double>::infinity();
+  bool own = false;  // the matrix is that of an iterate
+  int applied = 0;   // the factors
+  for (int i = 0; i < most_iterations; ++i) {
+    if (always_factors && !(own = factor_here(base, x))) return FlowFault::linear_solve;
+    double change = 0;
+    int times = correct(base, target, x, change);
+    if (times == 0 && !own && (own = factor_here(base, x)))
+      times = correct(base, target, x, change);
+    if (times == 0) return FlowFault::linear_solve;
+    applied += times;
     if (!(change < far)) return FlowFault::error;
-    if (change > converged) continue;
-    const int multipliers = mesh_->nodes + mesh_->quadratic_nodes + 8;
-    return solver_.negative_eigenvalues() == multipliers ? FlowFault::none
-                                                         : FlowFault::energy_rises;
+    const double rate = change / std::exchange(before, change);
+    const double left = i == 0 ? change : rate < 1 ? change * rate / (1 - rate) : far;
+    if (left <= enough(base, x)) {
+      memory_.solves += own ? 0 : 1;
+      memory_.iterations += applied;
+      memory_.last_iterations = applied;
+      return is_minimum(base, x) ? FlowFault::none : FlowFault::energy_rises;
+    }
+    if (rate > slow && !(own = factor_here(base, x))) return FlowFault::linear_solve;
   }
   return FlowFault::error;
 }
 
+// As long as Newton's method converges with it, the matrix has as many negative eigenvalues as that of the solution: none changes its
+// sign on the way from one to the other.
+bool VariationalStepper::is_minimum(const StepBase& base, const Unknowns& x) {
+  return matrix_.minimum() || (factor_here(base, x) && matrix_.minimum());
+}
+
 FlowStep VariationalStepper::result_of(const StepBase& base, const Unknowns& x) {
   const double tau = base.tau;
-  Nodes u = base.curvature.node_normals * x.x(layout_.all(node_d)).asDiagonal();
-  fields_.Y = base.Y + u;
-  for (int k = 0; k < 2; ++k)
-    u += base.tangents[std::size_t(k)] * x.x(layout_.all(layout_.state.per_node + k)).asDiagonal();
-  fields_.V = u / tau;
+  fields_.Y = base.Y + base.curvature.node_normals * x.x(layout_.all(node_d)).asDiagonal();
+  fields_.V = motion_of(base, x) / tau;
   fields_.H = x.next.H;
   fields_.p = x.x.tail(mesh_->quadratic_nodes).array() + x.next.tension;
   fields_.lambda = -x.next.pressure;
@@ -136,23 +277,32 @@ FlowStep VariationalStepper::result_of(const StepBase& base, const Unknowns& x) 
 
 FlowStep VariationalStepper::step(const State& old, const std::optional<Target>& target,
                                   double tau) {
+  constexpr double reach = 2;  // of the factors, in steps
   const auto curvature = curvature_of(*mesh_, old.X);
   if (!curvature) return {.fault = FlowFault::degenerate};
   const auto Y = motion_along(old, *curvature, tau);
   if (!Y) return {};
   const State from{old.X + *Y, old.beta};
-  if (!curvature_of(*mesh_, from.X)) return {.fault = FlowFault::degenerate};
+  const auto there = curvature_of(*mesh_, from.X);
+  if (!there) return {.fault = FlowFault::degenerate};
+  if (!always_factors_ && worth_factoring(tau) && !factor(old, *curvature, reach * tau))
+    return memory_ = {}, FlowStep{};
   const std::array<Nodes, 2> tangents = node_tangents(curvature->node_normals);
   const StepBase base{old, *curvature, tangents, *Y, tau};
   assemble(material_, layout_, base, resistance_);
-
-  Unknowns x{.x = Eigen::VectorXd::Zero(layout_.size()),
-             .next = guess_from(*mesh_, material_, model_, from)};
-  x.x(layout_.all(node_Lambda)) = x.next.Lambda;
-  x.x(layout_.all(node_H)) = x.next.H;
-  if (layout_.state.free_order) x.x(layout_.all(node_beta)) = x.next.beta;
-  const FlowFault fault = solve(base, target.value_or(area_and_volume(*mesh_, old.X)), x);
-  if (fault != FlowFault::none) return {.fault = fault};
+  if (!always_factors_) matrix_.begin(resistance_);
+  const Target keep = target.value_or(area_and_volume(*mesh_, old.X));
+  Unknowns x = guess(base);
+  FlowFault fault = solve(base, keep, x, always_factors_);
+  if (fault == FlowFault::error && !always_factors_) {  // the past led astray, or an old matrix
+    memory_ = {};
+    x = guess(base);
+    fault = solve(base, keep, x, true);
+  }
+  if (fault == FlowFault::none && !(value_ <= value_at_rest(base, there->H, keep, x)))
+    fault = FlowFault::energy_rises;
+  if (fault != FlowFault::none) return memory_ = {}, FlowStep{.fault = fault};
+  remember(base, x);
   return result_of(base, x);
 }
 

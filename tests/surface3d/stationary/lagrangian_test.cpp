@@ -140,6 +140,24 @@ TEST(Lagrangian3d, hessian_is_the_difference_of_the_gradient_in_every_block) {
   }
 }
 
+TEST(Lagrangian3d, has_the_same_gradient_without_its_hessian) {
+  const Case c = any_case();
+  for (const Model model : {Model::SBEH, Model::SSH}) {
+    const StationaryLayout layout(c.mesh, model);
+    const LagrangianDerivatives with = assembled(general_material(), layout, c, c.state);
+    LagrangianGradient without;
+    assemble(general_material(), layout, c.state, c.normals, without);
+    // Sums of about 100 terms each.
+    const auto expect_same = [](const auto& a, const auto& b) {
+      EXPECT_LT((a - b).cwiseAbs().maxCoeff(), 1e-13 * b.cwiseAbs().maxCoeff());
+    };
+    expect_same(without.gradient, with.gradient);
+    expect_same(without.constraints, with.constraints);
+    expect_same(Eigen::Vector3d(without.area, without.volume, without.value),
+                Eigen::Vector3d(with.area, with.volume, with.value));
+  }
+}
+
 TEST(Lagrangian3d, hessian_is_symmetric) {
   const Case c = any_case();
   const StationaryLayout layout(c.mesh, Model::SBEH);

@@ -1,5 +1,6 @@
 // Steps by Onsager's principle: what they dissipate, where they lead, and that the energy falls.
 #include "surface3d/stationary/stationary.h"
+#include "surface3d/variational/growth_rates.h"
 #include "surface3d/variational/variational_stepper.h"
 #include "tests/surface3d/cases.h"
 
@@ -105,6 +106,64 @@ TEST(VariationalStep, has_the_flow_of_the_split_scheme_in_the_first_order_of_its
   EXPECT_LT((2 * four - two).cwiseAbs().maxCoeff(), 0.02);
 }
 
+// What is left of a solution is a thousandth of the tolerance and of the step: both runs are so near to each other.
+TEST(VariationalStep, is_with_the_matrix_of_earlier_steps_what_it_is_with_its_own) {
+  const Material material = viscous_material();
+  const Surface s = relaxed_oblate(material, Model::SBEH, 80);
+  Numerics numerics;
+  numerics.tolerance = 1e-3;
+  const auto after_ten = [&](Factorisation factorisation) {
+    numerics.factorisation = factorisation;
+    VariationalStepper stepper(s.mesh, material, Model::SBEH, numerics);
+    State state = s.state;
+    for (int i = 0; i < 10; ++i) {
+      const FlowStep step = stepper.step(state, s.target(), 0.01 + 0.001 * i);
+      EXPECT_TRUE(step.ok()) << describe(step.fault);
+      state = step.state;
+    }
+    if (factorisation == Factorisation::lagged) {
+      EXPECT_GT(stepper.memory().solves, 2);
+    }
+    return state;
+  };
+  const State exact = after_ten(Factorisation::every_step),
+              lagged = after_ten(Factorisation::lagged);
+  const auto largest = [](const State& a, const State& b) {
+    return std::max((a.X - b.X).cwiseAbs().maxCoeff(), (a.beta - b.beta).cwiseAbs().maxCoeff());
+  };
+  const double moved = largest(exact, s.state), apart = largest(exact, lagged);
+  EXPECT_GT(moved, 1e-3);
+  EXPECT_GT(apart, 0);
+  EXPECT_LT(apart, 1e-3 * moved);
+}
+
+// The oblate of V_r = 0.8 falls towards the prolate: within the time in which this grows there are steps, in longer ones nothing
+// is minimal.
+TEST(VariationalStep,
+     next_to_a_saddle_has_a_fault_where_it_exceeds_the_time_in_which_perturbations_grow) {
+  const Material material = viscous_material();
+  const Surface s = ordered_spheroid(0.8, 80);
+  NewtonSystem system(*s.mesh, material, Model::SSH);
+  const NewtonResult saddle =
+      solve_stationary(system, s.target(), guess_from(*s.mesh, material, Model::SSH, s.state));
+  ASSERT_EQ(saddle.status, NewtonStatus::converged);
+  ASSERT_EQ(saddle.negative_directions, 2);
+  const auto rates = growth_rates(material, *s.mesh, Model::SSH, saddle.state, 1);
+  ASSERT_TRUE(rates);
+  const double time = 1 / rates->front().rate;
+  ASSERT_GT(time, 0);
+  VariationalStepper stepper(s.mesh, material, Model::SSH, {});
+  State state = saddle.state;
+  for (const double tau : {0.2 * time, 0.3 * time, 0.9 * time}) {
+    const FlowStep step = stepper.step(state, s.target(), tau);
+    ASSERT_TRUE(step.ok()) << describe(step.fault);
+    state = step.state;
+  }
+  for (const double tau : {1.1 * time, 10 * time})
+    EXPECT_EQ(stepper.step(state, s.target(), tau).fault, model::FlowFault::energy_rises);
+  EXPECT_TRUE(stepper.step(state, s.target(), 0.9 * time).ok());
+}
+
 TEST(VariationalStep, comes_to_rest_in_few_steps) {
   const Material material = paper_material(0.05);
   const Surface s = ordered_spheroid(0.8, 80);
@@ -123,7 +182,8 @@ TEST(VariationalStep, comes_to_rest_in_few_steps) {
   EXPECT_LT((rest.state.X - run.state.X).cwiseAbs().maxCoeff(), 1e-5);
   // As multiplier of the flow λ is −P.
   EXPECT_NEAR(run.last.lambda, -rest.state.pressure, 1e-4);
-  EXPECT_NEAR(run.last.energy.total(), energy(material, *s.mesh, rest.state).total(), 1e-8);
+  // What still moves is the mesh along itself, which changes U by an error of discretisation: 2e-8 in the end.
+  EXPECT_NEAR(run.last.energy.total(), energy(material, *s.mesh, rest.state).total(), 1e-7);
 }
 
 TEST(VariationalStep, is_not_for_a_global_area_constraint) {
