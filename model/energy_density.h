@@ -9,7 +9,7 @@ namespace sbeh::model {
 template <class T>
 struct EnergyDensity {
   T distortion;    ///< (l₁/2)|∇β|²                             (E1)
-  T bending;       ///< (κ(β)/2)(H − H₀)²                        (E2)
+  T bending;       ///< (κ(β)/2)(H − H₀)² + f(β)H                (E2) (E5)
   T gaussian;      ///< κ_G(β) K                                 (E3)
   T thermotropic;  ///< u(β)                                     (E4)
   T total() const { return distortion + bending + gaussian + thermotropic; }
@@ -22,7 +22,8 @@ EnergyDensity<T> energy_density(const Material& material, const T& beta, const T
   const T excess = H - material.spontaneous_curvature;
   return {
       .distortion = 0.5 * material.l1() * grad_beta_squared,
-      .bending = 0.5 * material.kappa(beta) * excess * excess,
+      .bending = 0.5 * material.kappa(beta) * excess * excess  // (E2)
+               + material.flexoelectric.value(beta) * H,       // (E5)
       .gaussian = material.kappa_gauss(beta) * K,
       .thermotropic = material.potential.value(beta),
   };

@@ -17,8 +17,15 @@ Material effective(const Material& material, Model model) {
 
 Material Material::without_gaussian() const {
   Material copy = *this;
-  copy.L2 = 2 * L1 + L2 + L3;
-  copy.L1 = copy.L3 = 0;
+  copy.kappa_gauss_powers = Polynomial({0});
+  return copy;
+}
+
+Material Material::with_given_scaled(double factor) const {
+  Material copy = *this;
+  copy.flexoelectric = flexoelectric.times(factor);
+  copy.kappa_powers = kappa_powers.times(factor);
+  copy.kappa_gauss_powers = kappa_gauss_powers.times(factor);
   return copy;
 }
 
@@ -44,6 +51,12 @@ void Material::validate() const {
   require(2 * L1 + L3 >= 0, "2 L1 + L3", 2 * L1 + L3, ">= 0 (Gaussian energy)");
   require(2 * L1 + 2 * L2 + L3 >= 0, "2 L1 + 2 L2 + L3", 2 * L1 + 2 * L2 + L3,
           ">= 0 (Gaussian energy)");
+  // Given ones are told by the order at which they fail.
+  constexpr int samples = 1000;
+  for (int k = 0; k <= samples && !kappa_powers.empty(); ++k)
+    if (const double beta = double(k) / samples; kappa(beta) < 0)
+      throw std::invalid_argument(
+          fmt::format("kappa = {:.4g} at β = {}: must be >= 0 for 0 <= β <= 1", kappa(beta), beta));
   require(viscosity + friction_tangential > 0, "viscosity + friction_tangential",
           viscosity + friction_tangential, "> 0 (else nothing resists the flow)");
 }

@@ -37,8 +37,8 @@ inline AreaConstraint area_constraint(Model model) {
 inline constexpr double full_order = 2.0 / 3.0;
 
 /// The material parameters; all dimensionless, lengths in radii of the sphere of equal area. Their meanings
-/// and ranges are in the table below; the defaults are the paper's. A residual bending stiffness k0 and a
-/// spontaneous curvature H0 are added to the paper's energy; see equations.md.
+/// and ranges are in the table below; the defaults are the paper's. A residual bending stiffness k0 a
+/// spontaneous curvature H0 and a flexoelectric coupling f are added to the paper's energy; see equations.md.
 struct Material {
   double L1 = 0.05, L2 = 0, L3 = 0;
   Potential potential;
@@ -48,29 +48,59 @@ struct Material {
   double order_viscosity = 0;
   double residual_stiffness = 0;
   double spontaneous_curvature = 0;
+  Polynomial flexoelectric{{0}};
+  Polynomial kappa_powers{}, kappa_gauss_powers{};  ///< empty: by the elastic constants and k₀
 
   /// l₁ of the distortion energy (l₁/2)|∇β|².
   double l1() const { return (6 * L1 + L2 + L3) / 4; }
 
-  /// κ(β) = (9/4)β²(2L₁ + L₂ + L₃) + k₀ of the bending energy (κ/2)(H − H₀)².
+  /// κ(β) of the bending energy (κ/2)(H − H₀)², where it is not given (9/4)β²(2L₁ + L₂ + L₃) + k₀.
   template <class T>
   T kappa(const T& beta) const {
+    if (!kappa_powers.empty()) return kappa_powers.value(beta);
     return splay() * beta * beta + residual_stiffness;
   }
   /// κ'(β)
   template <class T>
   T kappa_slope(const T& beta) const {
-    return 2 * splay() * beta;
+    return kappa_secant(beta) * beta + kappa_slope_at_zero();
   }
-  /// κ_G(β) = −(9/4)β²(2L₁ + L₃) of the Gaussian energy κ_G K.
+  /// (κ'(β) − κ'(0))/β, and κ'(0): what the order step has on either side.
+  template <class T>
+  T kappa_secant(const T& beta) const {
+    return kappa_powers.empty() ? T(2 * splay()) : kappa_powers.secant(beta);
+  }
+  double kappa_slope_at_zero() const { return kappa_powers.slope_at_zero(); }
+  /// κ_G(β) of the Gaussian energy κ_G K, where it is not given −(9/4)β²(2L₁ + L₃).
   template <class T>
   T kappa_gauss(const T& beta) const {
+    if (!kappa_gauss_powers.empty()) return kappa_gauss_powers.value(beta);
     return -saddle_splay() * beta * beta;
   }
-  /// κ_G'(β)
+  /// κ_G'(β), and its parts as of κ'
   template <class T>
   T kappa_gauss_slope(const T& beta) const {
-    return -2 * saddle_splay() * beta;
+    return kappa_gauss_secant(beta) * beta + kappa_gauss_slope_at_zero();
+  }
+  template <class T>
+  T kappa_gauss_secant(const T& beta) const {
+    return kappa_gauss_powers.empty() ? T(-2 * saddle_splay()) : kappa_gauss_powers.secant(beta);
+  }
+  double kappa_gauss_slope_at_zero() const { return kappa_gauss_powers.slope_at_zero(); }
+  /// κ(β)(H − H₀) + f(β), the moment that bends: ∂(energy density)/∂H.
+  template <class T, class S>
+  T moment(const S& beta, const T& H) const {
+    return T(kappa(beta)) * (H - spontaneous_curvature) + T(flexoelectric.value(beta));
+  }
+  /// ∂/∂β of it: κ'(β)(H − H₀) + f'(β)
+  template <class T, class S>
+  T moment_slope(const S& beta, const T& H) const {
+    return T(kappa_slope(beta)) * (H - spontaneous_curvature) + T(flexoelectric.slope(beta));
+  }
+  /// H₀ − f/κ at full order, the H₀ with which SSH has the same shapes.
+  double preferred_curvature() const {
+    const double f = flexoelectric.value(full_order);
+    return f == 0 ? spontaneous_curvature : spontaneous_curvature - f / kappa(full_order);
   }
   /// η(β) = μ(1 + ξβ/2)² of the viscous stress ησ(V).
   double eta(double beta) const {
@@ -88,11 +118,18 @@ struct Material {
   /// One-constant approximation with elastic constant L, the rest as here.
   Material with_L(double L) const;
 
+  /// f, and κ and κ_G where they are given, times a factor.
+  Material with_given_scaled(double factor) const;
+  /// Whether κ, κ_G or f is given: states do not go along with L then.
+  bool has_given() const {
+    return !kappa_powers.empty() || !kappa_gauss_powers.empty() || !flexoelectric.vanishes();
+  }
+
   /// The same κ(β), but κ_G = 0. No material of its own: only what a uniform order feels, whose κ_G K adds up to a constant.
   Material without_gaussian() const;
 
   /// Throws std::invalid_argument with name, value and constraint unless the energy is bounded
-  /// below in the gradients (l₁ > 0, −2κ <= κ_G <= 0) and the dissipation is positive.
+  /// below in the gradients (l₁ > 0, −2κ <= κ_G <= 0; of given κ and κ_G for 0 <= β <= 1 κ >= 0) and the dissipation is positive.
   void validate() const;
 
   bool operator==(const Material&) const = default;
@@ -122,6 +159,11 @@ void for_each_parameter(M& m, auto&& visit) {
   visit(P{"spontaneous_curvature", any_number,
           "H0, of the sign of the trace H (−2 on the unit sphere)"},
         m.spontaneous_curvature);
+  visit(P{"kappa", {}, "κ(β), coefficients of its powers, instead of that by L1, L2, L3 and k0"},
+        m.kappa_powers);
+  visit(P{"kappa_gauss", {}, "κ_G(β), likewise"}, m.kappa_gauss_powers);
+  visit(P{"flexoelectric", {}, "f(β) of f(β)H, coefficients of its powers: two sides that differ"},
+        m.flexoelectric);
 }
 
 /// The material as the model's flow has it: where has_own_drag, without viscosity and with friction 1,

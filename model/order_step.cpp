@@ -6,16 +6,20 @@ namespace sbeh::model {
 
 OrderData order_step_point(const Material& m, const OrderPoint& x, double tau) {
   const double drag = m.order_drag();
-  // What is linear in β has its value at β = 1 as the factor of βⁿ.
+  const double excess = x.H - m.spontaneous_curvature, splay = excess * excess / 2;
   return {
-      .reaction = drag / tau                   // (B1)
-                + bending_force(m, 1., x.H)    // (B3)
-                + gaussian_force(m, 1., x.K)   // (B4)
-                + m.potential.secant(x.beta),  // (B5)
-      .advection = drag * x.slip,              // (B1)
-      .diffusion = m.l1(),                     // (B2)
-      .rhs = drag * x.beta_from / tau          // (B1)
-           - m.potential.slope_at_zero(),      // (B5)
+      .reaction = drag / tau                             // (B1)
+                + m.kappa_secant(x.beta) * splay         // (B3)
+                + m.kappa_gauss_secant(x.beta) * x.K     // (B4)
+                + m.potential.secant(x.beta)             // (B5)
+                + m.flexoelectric.secant(x.beta) * x.H,  // (B6)
+      .advection = drag * x.slip,                        // (B1)
+      .diffusion = m.l1(),                               // (B2)
+      .rhs = drag * x.beta_from / tau                    // (B1)
+           - m.kappa_slope_at_zero() * splay             // (B3)
+           - m.kappa_gauss_slope_at_zero() * x.K         // (B4)
+           - m.potential.slope_at_zero()                 // (B5)
+           - m.flexoelectric.slope_at_zero() * x.H,      // (B6)
   };
 }
 

@@ -15,8 +15,7 @@ struct OrderPoint {
   Tangent<double> slip;
 };
 
-/// (B1)–(B5), linear in β. The potential enters as u'(0) + [(u'(β*) − u'(0))/β*] βⁿ,
-/// linearised at β* = `beta`.
+/// (B1)–(B6), linear in β. The potential enters as u'(0) + [(u'(β*) − u'(0))/β*] βⁿ, linearised at β* = `beta`, and κ, κ_G, f likewise.
 struct OrderData {
   double reaction;            ///< of (β, ψ)
   Tangent<double> advection;  ///< of (∇β, ψ)
@@ -25,7 +24,7 @@ struct OrderData {
 };
 OrderData order_step_point(const Material& m, const OrderPoint& x, double tau);
 
-/// Largest β in (0, 1] with (κ'/2)(H − H₀)² + κ_G' K + u' = 0 at H = −2, K = 1 and rising there: the
+/// Largest β in (0, 1] with (κ'/2)(H − H₀)² + κ_G' K + f' H + u' = 0 at H = −2, K = 1 and rising there: the
 /// rest state of a uniform order on the unit sphere. Paper's potential: larger root of
 /// 60.75β² − 40.5β + 9L = 0. Empty when only the disordered state is left (L > 0.75 there).
 std::optional<double> sphere_rest_order(const Material& material);

@@ -26,7 +26,8 @@ constexpr Interval at_least(double low) { return {.low = low}; }
 constexpr Interval between(double low, double high) { return {.low = low, .high = high}; }
 
 struct Parameter {
-  const char* name;     ///< in files; that of the member
+  const char*
+      name;  ///< in files; that of the member, but for powers that stand for a function of that name
   Interval allowed;     ///< of numbers
   const char* meaning;  ///< with its letter, and its unit where it has one
 };

@@ -15,8 +15,8 @@ double relaxation_rate(const Material& material, Model model) {
   const double drag = m.friction_normal + 2. / 3 * m.friction_tangential + 8. / 3 * eta;
   const double of_shape = m.kappa(order) / drag;
   if (!has_free_order(model)) return of_shape;
-  // What is linear in β has its value at β = 1 as its slope.
-  const double stiffness = bending_force(m, 1., -2.) + gaussian_force(m, 1., 1.)
+  const double excess = -2 - m.spontaneous_curvature;
+  const double stiffness = m.kappa_secant(order) * excess * excess / 2 + m.kappa_gauss_secant(order)
                          + std::abs(m.potential.curvature(order));
   return std::min(of_shape, stiffness / m.order_drag());
 }

@@ -60,10 +60,10 @@ Gradient<T> distortion_stress(const Material& m, const ElasticPoint<S, T>& x) {
   return detail::tangential_rows<T>(tensor.template cast<T>());
 }
 
-/// (V6) κ (H − H₀) B
+/// (V6) [κ (H − H₀) + f] B
 template <class S, class T>
 Gradient<T> bending_stress(const Material& m, const ElasticPoint<S, T>& x) {
-  const T factor = m.kappa(x.beta) * (x.H - m.spontaneous_curvature);
+  const T factor = m.moment(x.beta, x.H);
   return detail::tangential_rows<T>(x.B.template cast<T>() * factor);
 }
 
@@ -73,10 +73,10 @@ Gradient<T> curvature_gradient_stress(const Material& m, const ElasticPoint<S, T
   return detail::normal_row<T>(T(m.kappa(x.beta)) * x.grad_H);
 }
 
-/// (V8) ν ⊗ (H − H₀) ∇κ
+/// (V8) ν ⊗ [(H − H₀) ∇κ + ∇f]
 template <class S, class T>
 Gradient<T> stiffness_gradient_stress(const Material& m, const ElasticPoint<S, T>& x) {
-  const T factor = m.kappa_slope(x.beta) * (x.H - m.spontaneous_curvature);
+  const T factor = m.moment_slope(x.beta, x.H);
   return detail::normal_row<T>(x.grad_beta.template cast<T>() * factor);
 }
 
@@ -94,14 +94,14 @@ Gradient<T> gaussian_shape_stress(const Material& m, const ElasticPoint<S, T>& x
   return detail::normal_row<T>(g.template cast<T>());
 }
 
-/// (V11) of (E2): (κ/2)(tr B − H₀)(H − H₀), isotropic. For β ≡ 2/3 it is all that varies of e.
+/// (V11) of (E2), (E5): (κ/2)(tr B − H₀)(H − H₀) + f H, isotropic. For β ≡ 2/3 it is all that varies of e.
 template <class S, class T>
 T bending_tension(const Material& m, const ElasticPoint<S, T>& x) {
   const S known = m.kappa(x.beta) / 2. * (x.B.trace() - m.spontaneous_curvature);
-  return T(known) * (x.H - m.spontaneous_curvature);
+  return T(known) * (x.H - m.spontaneous_curvature) + T(m.flexoelectric.value(x.beta)) * x.H;
 }
 
-/// (V11) e = (E1) + (E2) + (E4), isotropic: −(e, Div_C W) stands in the momentum equation where the pressure
+/// (V11) e = (E1) + (E2) + (E4) + (E5), isotropic: −(e, Div_C W) stands in the momentum equation where the pressure
 /// does not take it up. (E2) in the form that is linear in H.
 template <class S, class T>
 T energy_tension(const Material& m, const ElasticPoint<S, T>& x) {
@@ -151,6 +151,12 @@ T bending_force(const Material& m, const T& beta, const T& H) {
   return m.kappa_slope(beta) / 2. * excess * excess;
 }
 
+/// (B6) f' H
+template <class T>
+T flexoelectric_force(const Material& m, const T& beta, const T& H) {
+  return m.flexoelectric.slope(beta) * H;
+}
+
 /// (B4) κ_G' K, linear in β.
 template <class T>
 T gaussian_force(const Material& m, const T& beta, const T& K) {
@@ -160,9 +166,10 @@ T gaussian_force(const Material& m, const T& beta, const T& K) {
 /// ∂(energy density)/∂β.
 template <class T>
 T order_force(const Material& m, const T& beta, const T& H, const T& K) {
-  return bending_force(m, beta, H)   // (B3)
-       + gaussian_force(m, beta, K)  // (B4)
-       + m.potential.slope(beta);    // (B5) u'
+  return bending_force(m, beta, H)        // (B3)
+       + gaussian_force(m, beta, K)       // (B4)
+       + flexoelectric_force(m, beta, H)  // (B6)
+       + m.potential.slope(beta);         // (B5) u'
 }
 
 }  // namespace sbeh::model

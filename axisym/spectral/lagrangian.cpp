@@ -53,7 +53,7 @@ Point<T> energy_gradient(const model::Material& m, const Point<T>& q) {
   const T slope = q[dorder] / l, turn = sin(q[psi]) / r, turn_psi = cos(q[psi]) / r;
   const auto [H, K] = curvatures(q);
   const T e = density(m, q).total();
-  const T e_H = m.kappa(beta) * (H - m.spontaneous_curvature), e_K = m.kappa_gauss(beta);
+  const T e_H = m.moment(beta, H), e_K = m.kappa_gauss(beta);
   const T e_beta = model::order_force(m, beta, H, K);
   const T e_slope = m.l1() * slope;
   const T e_turn = -e_H / l + e_K * q[dpsi] / (l * l);

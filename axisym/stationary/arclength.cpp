@@ -40,12 +40,14 @@ PlanePoint Line::at(double mu) const {
 
 model::Material Line::material_at(double mu) const {
   model::Material m = material.with_L(at(mu).L);
-  if (mu != 1) m.spontaneous_curvature = first_H0 + mu * (m.spontaneous_curvature - first_H0);
-  return m;
+  if (mu == 1) return m;
+  m.spontaneous_curvature = first_H0 + mu * (m.spontaneous_curvature - first_H0);
+  if (first_coupling != 1) m.flexoelectric = m.flexoelectric.times(coupling(mu));
+  return first_scale == 1 ? m : m.with_given_scaled(scale(mu));
 }
 
 Eigen::VectorXd Line::gradient_rate(const LineState& state) const {
-  constexpr double h = 1e-3;  // the energy is linear in L and quadratic in H₀: a cubic in μ
+  constexpr double h = 1e-3;  // the energy is linear in L and f and quadratic in H₀: a cubic in μ
   const model::Material before = felt_material(material_at(state.mu - h), model),
                         after = felt_material(material_at(state.mu + h), model);
   if (before == after) return Eigen::VectorXd::Zero(node_unknowns * state.beta.size());

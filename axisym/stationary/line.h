@@ -17,17 +17,19 @@ struct LineState : StationaryState {
 
 struct PathState;
 
-/// A straight line in V_r, L and H₀, μ = 0 at `from`, 1 at `to`, and beyond both.
+/// A straight line in V_r, L, H₀ and f, μ = 0 at `from`, 1 at `to`, and beyond both.
 struct Line {
   using Solution = LineState;
   using Point = PathState;
   static constexpr model::ContinuationLimits limits{
       .most_iterations = 9, .tolerance = 1e-6, .far = 0.3, .fold = 1e-8};
 
-  model::Material material;  ///< but for L, and for H₀ that at `to`
+  model::Material material;  ///< but for L, and for H₀ and f that at `to`
   model::Model model;
   PlanePoint from, to;
   double first_H0 = material.spontaneous_curvature;  ///< at `from`
+  double first_coupling = 1;                         ///< f at `from`, as a share of that at `to`
+  double first_scale = 1;  ///< all of f, κ, κ_G that are given, likewise
   /// Whether only states are looked for that are symmetric top to bottom: branches that break the symmetry
   /// cross theirs and are not seen.
   bool symmetric = false;
@@ -35,6 +37,9 @@ struct Line {
   PlanePoint at(double mu) const;
   Target target(double mu) const { return target_of(at(mu).reduced_volume); }
   model::Material material_at(double mu) const;
+  /// The shares at mu of f, and of all that are given.
+  double coupling(double mu) const { return first_coupling + mu * (1 - first_coupling); }
+  double scale(double mu) const { return first_scale + mu * (1 - first_scale); }
   /// Whether there are states to look for: V_r <= 1, L > 0.
   bool contains(double mu) const { return at(mu).L > 0 && at(mu).reduced_volume <= 1; }
 

@@ -45,6 +45,7 @@ const std::optional<BranchState>& kept(std::map<int, std::optional<BranchState>>
 SshBranch::SshBranch(Branch branch, const model::Material& material, const Numerics& numerics)
     : branch_(branch), material_(material), classical_material_(material), numerics_(numerics) {
   classical_material_.spontaneous_curvature = 0;
+  classical_material_.flexoelectric = {};
 }
 
 const std::optional<BranchState>& SshBranch::entry() {
@@ -65,6 +66,7 @@ FollowResult SshBranch::with_H0(const BranchState& classical) const {
                      .from = classical.at,
                      .to = classical.at,
                      .first_H0 = 0,
+                     .first_coupling = 0,
                      .symmetric = branch_ != Branch::stomatocyte},
                 classical, numerics_);
 }
@@ -109,7 +111,7 @@ const SshBranch::Waypoint& SshBranch::downward(int k) {
 }
 
 const SshBranch::Waypoint& SshBranch::waypoint(int k) {
-  if (material_.spontaneous_curvature == 0) return classical(k);
+  if (material_.preferred_curvature() == 0) return classical(k);
   return kept(waypoints_, k, [&] {
     Waypoint best = downward(k);
     if (share_of_closing(volume_at(k)) > dear) return best;
@@ -122,7 +124,7 @@ const SshBranch::Waypoint& SshBranch::waypoint(int k) {
 
 std::optional<FollowResult> SshBranch::at(double reduced_volume) {
   if (!entry()) return {};
-  const bool classical_only = material_.spontaneous_curvature == 0;
+  const bool classical_only = material_.preferred_curvature() == 0;
   std::optional<FollowResult> best;
   const auto ends_nearer = [&](const FollowResult& a, const FollowResult& b) {
     return std::abs(a.state.at.reduced_volume - reduced_volume)
@@ -165,7 +167,7 @@ std::optional<FollowResult> SshBranch::at(double reduced_volume) {
 
 double SshBranch::share_of_closing(double reduced_volume) const {
   if (branch_ != Branch::stomatocyte) return 0;
-  return material_.spontaneous_curvature / closing_H0(sphere_in_sphere(reduced_volume));
+  return material_.preferred_curvature() / closing_H0(sphere_in_sphere(reduced_volume));
 }
 
 const SshBranch::Waypoint& SshBranch::with_open_neck() {
@@ -180,15 +182,20 @@ const SshBranch::Waypoint& SshBranch::with_open_neck() {
     const double last = model::root_between([&](double v) { return share_of_closing(v) - share; },
                                             volume_at(first), highest_volume)
                             .middle();
-    double H0 = 0;
+    double part = 0;  // of H₀ and f
     const auto go = [&](double v) {
+      const double next = v == last ? 1 : share / share_of_closing(v);
       Line line{.material = material_,
                 .model = Model::SSH,
                 .from = here->at,
                 .to = {v, material_.L1},
-                .first_H0 = H0};
-      if (v != last) line.material.spontaneous_curvature *= share / share_of_closing(v);
-      H0 = line.material.spontaneous_curvature;
+                .first_H0 = part * material_.spontaneous_curvature,
+                .first_coupling = part / next};
+      if (v != last) {
+        line.material.spontaneous_curvature *= next;
+        line.material.flexoelectric = material_.flexoelectric.times(next);
+      }
+      part = next;
       const FollowResult found = follow(line, *here, numerics_);
       here = found.arrival == Arrival::reached ? Waypoint(found.state) : Waypoint{};
     };

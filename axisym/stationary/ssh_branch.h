@@ -8,12 +8,12 @@
 
 namespace sbeh::axisym {
 
-/// A branch of SSH at one material. Without spontaneous curvature it is followed from its entry over
+/// A branch of SSH at one material. Without spontaneous curvature, H₀ or that of f, it is followed from its entry over
 /// waypoints, multiples of 0.05 in V_r; these are then carried on to H₀ at fixed V_r, and from both neighbours
 /// along V_r at fixed H₀, since neither way reaches all: where several states of the branch's class are found,
 /// that with the fewest negative directions counts, of these the lowest. Stomatocytes whose necks H₀ closes up to V_r = 0.65
 /// are reached where it leaves them open. Symmetric branches stay symmetric.
-/// The shapes depend on H₀ alone of the material.
+/// The shapes depend on H₀ − f/κ alone of the material.
 class SshBranch {
  public:
   SshBranch(Branch branch, const model::Material& material, const Numerics& numerics);

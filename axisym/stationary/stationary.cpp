@@ -23,8 +23,7 @@ StationaryState guess_from(const model::Material& whole, model::Model model, con
   for (Eigen::Index i = 0; i < nodes; ++i) {
     const double r = shape.X(0, i), beta = shape.beta[i];
     const double B_phi = r > 0 ? -n(0, i) / r : guess.H[i] / 2;
-    guess.Lambda[i] = -(material.kappa(beta) * (guess.H[i] - material.spontaneous_curvature)
-                        + material.kappa_gauss(beta) * B_phi);
+    guess.Lambda[i] = -(material.moment(beta, guess.H[i]) + material.kappa_gauss(beta) * B_phi);
   }
   const LagrangianGradient lagrangian =
       gradient_at(material, guess, n, {element_count(shape.X), false});

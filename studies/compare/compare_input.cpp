@@ -98,15 +98,17 @@ void require_histories(const TomlTable& tolerance_3d, const CompareInput& input)
                       "needs the methods \"flow\" and \"surface3d\", both from an ellipsoid");
 }
 
-// With a spontaneous curvature the classical shapes are others.
+// With a spontaneous curvature, or one by f, the classical shapes are others.
 void refuse_spontaneous_curvature(const TomlTable& material, const CompareInput& input) {
-  if (input.state.material.spontaneous_curvature == 0 || input.state.model != model::Model::SSH)
-    return;
-  for (const Witness witness : {Witness::shooting, Witness::minimiser, Witness::harmonics})
-    if (input.has(witness))
-      material.fail(
-          "spontaneous_curvature",
-          fmt::format("must be 0 for the method \"{}\" of model = \"SSH\"", name(witness)));
+  const model::Material& m = input.state.material;
+  if (input.state.model != model::Model::SSH) return;
+  for (const Witness witness : {Witness::shooting, Witness::minimiser, Witness::harmonics}) {
+    if (!input.has(witness)) continue;
+    const std::string reason =
+        fmt::format("must be 0 for the method \"{}\" of model = \"SSH\"", name(witness));
+    if (m.spontaneous_curvature != 0) material.fail("spontaneous_curvature", reason);
+    if (!m.flexoelectric.vanishes()) material.fail("flexoelectric", reason);
+  }
 }
 
 void write_surface_method(TomlText& toml, const SurfaceMethod& method) {

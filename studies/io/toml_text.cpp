@@ -22,7 +22,9 @@ std::string as_toml(const axisym::Mode& mode) {
   return fmt::format("[{}, {}]", mode.l, mode.amplitude);
 }
 
-std::string as_toml(const model::Potential& potential) { return as_toml(potential.coefficients()); }
+std::string as_toml(const model::Polynomial& polynomial) {
+  return as_toml(polynomial.coefficients());
+}
 
 std::string list_as_toml(const std::vector<std::string>& values) {
   std::string text = "[", separator;

@@ -27,7 +27,7 @@ requires std::is_enum_v<Choice> std::string as_toml(Choice choice) {
 }
 
 /// The coefficients of its powers.
-std::string as_toml(const model::Potential& potential);
+std::string as_toml(const model::Polynomial& polynomial);
 
 /// A list of values as they stand in a file, broken into lines that are not too long.
 std::string list_as_toml(const std::vector<std::string>& values);

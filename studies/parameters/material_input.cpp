@@ -52,6 +52,9 @@ model::Potential potential_of(const TomlTable& table, const char* key, bool powe
 // All but the elastic constants.
 model::Material read_rest(const TomlTable& table, model::Material material) {
   read_friction(table, material);
+  if (table.has("kappa"))
+    refuse(table, {"residual_stiffness"},
+           "must not be given together with kappa, which says all of the bending stiffness");
   read_parameters(table, material, elastic_constants);
   check(table, material);
   return material;
@@ -70,6 +73,10 @@ void read_value(const TomlTable& table, const char* powers, model::Potential& po
   }
 }
 
+void read_value(const TomlTable& table, const char* key, model::Polynomial& polynomial) {
+  if (table.has(key)) polynomial = model::Polynomial(table.numbers(key));
+}
+
 bool is_complete(const TomlTable& table, model::Model model) {
   bool complete = table.has("L"), all = true;
   for (const std::string_view key : elastic_constants) all = table.has(key) && all;
@@ -79,6 +86,7 @@ bool is_complete(const TomlTable& table, model::Model model) {
   for_each_parameter(any, [&](const model::Parameter& parameter, const auto&) {
     const std::string_view key = parameter.name;
     if (contains(elastic_constants, key)) return;
+    if (key == "kappa" || key == "kappa_gauss") return;  // as the elastic constants say
     bool said = table.has(key);
     if (key == "potential") said = table.has(potential_shorthand) || said;
     if (contains(parameters_of_drag, key))

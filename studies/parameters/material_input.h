@@ -25,6 +25,8 @@ model::Material read_material_without_L(
 
 /// The coefficients, or landau_de_gennes. Throws InputError unless the potential is bounded below.
 void read_value(const TomlTable& table, const char* key, model::Potential& potential);
+/// Coefficients of the powers of the order, one at least.
+void read_value(const TomlTable& table, const char* key, model::Polynomial& polynomial);
 
 /// Writes the table, without what the model says itself; the other form without L1, L2, L3.
 void write_material(TomlText& toml, const model::Material& material, model::Model model);

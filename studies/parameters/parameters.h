@@ -2,11 +2,13 @@
 #pragma once
 
 #include "model/parameter.h"
+#include "model/polynomial.h"
 #include "studies/io/description.h"
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"
 
 #include <algorithm>
+#include <concepts>
 #include <limits>
 #include <optional>
 #include <stdexcept>
@@ -66,18 +68,27 @@ void read_some(const TomlTable& table, Struct& into, const ParameterNames& these
   });
 }
 
+/// What stands in files: of polynomials those that are given.
+template <class Value>
+bool is_said(const Value& value) {
+  if constexpr (std::derived_from<Value, model::Polynomial>)
+    return !value.empty();
+  else
+    return true;
+}
+
 /// Writes them; `these` in their own order.
 template <class Struct>
 void write_parameters(TomlText& toml, const Struct& from, const ParameterNames& without = {}) {
   for_each_parameter(from, [&](const model::Parameter& parameter, const auto& value) {
-    if (!contains(without, parameter.name)) toml.value(parameter.name, value);
+    if (!contains(without, parameter.name) && is_said(value)) toml.value(parameter.name, value);
   });
 }
 template <class Struct>
 void write_some(TomlText& toml, const Struct& from, const ParameterNames& these) {
   for (const std::string_view key : these)
     for_each_parameter(from, [&](const model::Parameter& parameter, const auto& value) {
-      if (key == parameter.name) toml.value(key, value);
+      if (key == parameter.name && is_said(value)) toml.value(key, value);
     });
 }
 

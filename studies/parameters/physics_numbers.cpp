@@ -1,10 +1,12 @@
 #include "studies/parameters/physics_numbers.h"
 
 #include "model/names.h"
+#include "studies/parameters/parameters.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <concepts>
 #include <string_view>
 
 namespace sbeh::studies {
@@ -14,13 +16,14 @@ namespace {
 constexpr std::string_view parameter_prefix = "material.";
 
 Eigen::VectorXd as_numbers(double value) { return Eigen::VectorXd::Constant(1, value); }
-Eigen::VectorXd as_numbers(const model::Potential& potential) {
-  const std::vector<double>& c = potential.coefficients();
+Eigen::VectorXd as_numbers(const model::Polynomial& polynomial) {
+  const std::vector<double>& c = polynomial.coefficients();
   return Eigen::Map<const Eigen::VectorXd>(c.data(), Eigen::Index(c.size()));
 }
 void set(double& value, const Eigen::VectorXd& numbers) { value = numbers[0]; }
-void set(model::Potential& potential, const Eigen::VectorXd& numbers) {
-  potential = model::Potential({numbers.begin(), numbers.end()});
+template <std::derived_from<model::Polynomial> Polynomial>
+void set(Polynomial& polynomial, const Eigen::VectorXd& numbers) {
+  polynomial = Polynomial({numbers.begin(), numbers.end()});
 }
 
 }  // namespace
@@ -28,7 +31,7 @@ void set(model::Potential& potential, const Eigen::VectorXd& numbers) {
 void write_physics(const Physics& physics, std::map<std::string, Eigen::VectorXd>& numbers) {
   numbers["model"] = as_numbers(double(int(physics.model)));
   for_each_parameter(physics.material, [&](const model::Parameter& parameter, const auto& value) {
-    numbers[std::string(parameter_prefix) + parameter.name] = as_numbers(value);
+    if (is_said(value)) numbers[std::string(parameter_prefix) + parameter.name] = as_numbers(value);
   });
 }
 

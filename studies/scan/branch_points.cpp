@@ -174,26 +174,34 @@ PointOutcome none_here(std::string reason) {
   return point;
 }
 
-PointOutcome outcome_of(const StationaryCase& of, const axisym::FollowResult& result) {
+// `share`: of what is given of κ, κ_G, f, at the end of the line that was followed.
+PointOutcome outcome_of(const StationaryCase& of, const axisym::FollowResult& result,
+                        double share = 1) {
   const PlanePoint at = result.state.at;
-  const double H0 = result.line.material_at(result.mu).spontaneous_curvature;
-  const bool is_on_the_way = H0 != of.material.spontaneous_curvature;
+  const double H0 = result.line.material_at(result.mu).spontaneous_curvature,
+               coupling = result.line.coupling(result.mu) * result.line.scale(result.mu) * share;
+  const bool is_on_the_way = H0 != of.material.spontaneous_curvature || coupling != 1;
   if (result.arrival == axisym::Arrival::reached) return resolved_point(of, result.state);
   if (result.arrival == axisym::Arrival::neck) return limit_point(of, result.state);
+  const std::string where =
+      fmt::format("H0 = {:.6g}{}", H0,
+                  of.material.has_given()
+                      ? fmt::format(", {:.4g} of flexoelectric, kappa and kappa_gauss", coupling)
+                      : "");
   const std::string shape = name(axisym::classify(result.state.X));
   if (result.arrival == axisym::Arrival::lost && shape != name(of.branch))
-    return none_here(fmt::format(
-        "the states to which the {} branch leads are of class {} at V_r = {:.4g}, H0 = {:.4g}",
-        name(of.branch), shape, at.reduced_volume, H0));
+    return none_here(
+        fmt::format("the states to which the {} branch leads are of class {} at V_r = {:.4g}, {}",
+                    name(of.branch), shape, at.reduced_volume, where));
   if (result.arrival == axisym::Arrival::lost)
     return failed_point(
-        fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}, H0 = {:.4g}",
-                    at.reduced_volume, at.L, H0));
+        fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}, {}",
+                    at.reduced_volume, at.L, where));
   if (!is_on_the_way) return fold_point(of, result);
-  return none_here(
-      fmt::format("the smooth {} branch ends in a fold at H0 = {:.6g}, V_r = {:.6g}, before this "
-                  "spontaneous curvature",
-                  name(of.branch), H0, at.reduced_volume));
+  return none_here(fmt::format(
+      "the smooth {} branch ends in a fold at {}, V_r = {:.6g}, L = {:.6g}, before this "
+      "material",
+      name(of.branch), where, at.reduced_volume, at.L));
 }
 
 // Follows along L in stages, so that a fold at a small L is no tiny piece of the way.
@@ -204,6 +212,30 @@ axisym::FollowResult follow_up(const StationaryCase& of, BranchState from, doubl
     const double next = from.at.L > 0 && stage * from.at.L < L ? stage * from.at.L : L;
     auto result = axisym::follow(of.material, of.model, from, {v, next}, of.numerics);
     if (next == L || result.arrival != axisym::Arrival::reached) return result;
+    from = result.state;
+  }
+}
+
+// As it is on the way to its L: what is given of κ, κ_G, f goes along with L, so that the shape of a uniform order stays the same.
+StationaryCase scaled(const StationaryCase& of, double share) {
+  StationaryCase there = of;
+  if (share != 1) there.material = of.material.with_given_scaled(share);
+  return there;
+}
+
+PointOutcome order_up(const StationaryCase& of, BranchState from) {
+  if (!of.material.has_given()) return outcome_of(of, follow_up(of, from, of.L()));
+  constexpr double stage = 4;
+  while (true) {
+    const double next = std::min(of.L(), stage * from.at.L), share = next / of.L();
+    const auto result = axisym::follow(axisym::Line{.material = scaled(of, share).material,
+                                                    .model = of.model,
+                                                    .from = from.at,
+                                                    .to = {of.reduced_volume, next},
+                                                    .first_scale = from.at.L / next},
+                                       from, of.numerics);
+    if (next == of.L() || result.arrival != axisym::Arrival::reached)
+      return outcome_of(of, result, share);
     from = result.state;
   }
 }
@@ -302,9 +334,9 @@ PointOutcome order_from(const StationaryCase& of, const State& ssh) {
   // well below any fold: beyond one, Newton may find a state of another branch.
   const double first_L = std::min(of.L(), small_L);
   for (double L = first_L; L > first_L / 1000; L /= 2) {
-    const auto first = settled(moved_to({of.reduced_volume, L}, of), ssh);
+    const auto first = settled(moved_to({of.reduced_volume, L}, scaled(of, L / of.L())), ssh);
     if (!first) continue;
-    PointOutcome point = outcome_of(of, follow_up(of, *first, of.L()));
+    PointOutcome point = order_up(of, *first);
     point.row.wall_seconds = watch.seconds();
     return point;
   }

@@ -21,9 +21,11 @@ struct Trial {
   const PointResult* row;
   double L;
 
-  // Its energy at another L. Scaled up, the share of k₀ > 0 counts too much; scaled down, too little: then none.
-  std::optional<double> energy_at(double other, double residual_stiffness) const {
-    if (residual_stiffness > 0 && other < L) return {};
+  // Its energy at another L. Scaled up, the share of k₀ > 0 counts too much; scaled down, too little: then none, and none with what
+  // does not go along with L.
+  std::optional<double> energy_at(double other, const model::Material& material) const {
+    if (other != L && material.has_given()) return {};
+    if (material.residual_stiffness > 0 && other < L) return {};
     const axisym::Energy& energy = row->diagnostics->energy;
     return (energy.distortion + energy.bending) * other / L + energy.thermotropic;
   }
@@ -104,7 +106,7 @@ class Lowest {
     if (trials == trials_.end()) return;
     for (const Trial& trial : trials->second) {
       if (!trial.serves(lowest.model, lowest.L)) continue;
-      const auto energy = trial.energy_at(lowest.L, grid_.material.residual_stiffness);
+      const auto energy = trial.energy_at(lowest.L, grid_.material);
       if (!energy || *energy >= lowest.bound) continue;
       lowest.bound = *energy;
       lowest.bound_of = trial.name(lowest.L);

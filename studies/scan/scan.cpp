@@ -160,8 +160,10 @@ void walk_volumes(Scan& scan, Branch branch, BranchOff&& branch_off) {
       continue;
     }
     // Without it nothing of this reduced volume can be reached: all its points share the reason.
-    scan_all_of(scan, v, branch,
-                [&](const StationaryCase& of) { return without_ssh(of, *ssh, L); });
+    scan_all_of(scan, v, branch, [&](const StationaryCase& of) {
+      return scan.input.material.has_given() ? branch_point(of)  // SSH's shape is another at each L
+                                             : without_ssh(of, *ssh, L);
+    });
   }
 }
 

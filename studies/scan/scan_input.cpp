@@ -95,6 +95,19 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
                            point_count(input), most_points));
 }
 
+// What is given of κ, κ_G, f does not go along with L.
+void refuse_given(const TomlTable& material, const ScanInput& input) {
+  for (const char* key : {"flexoelectric", "kappa", "kappa_gauss"}) {
+    if (!input.material.has_given() || !material.has(key)) continue;
+    if (input.beyond_fold)
+      material.fail(key, "must not be given with beyond_fold: sharp rims are known without it");
+    if (input.has(model::Model::SSH))
+      material.fail(key,
+                    "needs models = [\"SBEH\"]: SSH, of uniform order, has all its shapes by "
+                    "spontaneous_curvature");
+  }
+}
+
 }  // namespace
 
 ScanInput read_scan(const std::filesystem::path& path) {
@@ -108,6 +121,7 @@ ScanInput read_scan(const std::filesystem::path& path) {
   read_scan_table(scan, input);
   material.measured_by(lengths_of(input.units));
   input.material = read_material_without_L(material);
+  refuse_given(material, input);
   input.numerics = read_numerics<axisym::Numerics>(numerics);
   return input;
 }

@@ -72,7 +72,8 @@ std::string stem(const StabilityKey& key) {
 std::vector<StabilityKey> keys_of(const StabilityInput& input) {
   std::vector<StabilityKey> keys;
   for (const PointKey& point : points_of(input)) {
-    const bool once = point.model == model::Model::SSH && input.material.residual_stiffness == 0;
+    const bool once = point.model == model::Model::SSH && input.material.residual_stiffness == 0
+                   && !input.material.has_given();
     if (once && point.L != input.L.back()) continue;
     for (const meshing::Harmonic& mode : input.perturbations)
       keys.push_back({point, mode.l, mode.m});

@@ -52,7 +52,7 @@ struct StabilityKey : PointKey {
 std::string stem(const StabilityKey& key);
 
 /// All runs, in order. Of SSH only those with the largest L: the shapes do not depend on it, and rates are
-/// proportional to it; with residual_stiffness > 0 that is not so, and all are there.
+/// proportional to it; with residual_stiffness > 0 or κ, κ_G, f that are given that is not so, and all are there.
 std::vector<StabilityKey> keys_of(const StabilityInput& input);
 
 /// Of one of these.

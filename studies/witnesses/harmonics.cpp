@@ -70,7 +70,7 @@ WitnessState harmonic_state(const axisym::StationaryCase& of, const HarmonicMeth
 std::optional<HarmonicState> classical_saddle(const axisym::StationaryCase& of) {
   constexpr double least_volume = 0.65;
   constexpr int degree = 16;
-  if (of.model != model::Model::SSH || of.material.spontaneous_curvature != 0
+  if (of.model != model::Model::SSH || of.material.preferred_curvature() != 0
       || of.reduced_volume < least_volume)
     return {};
   const HarmonicState shape =

@@ -16,8 +16,7 @@ StationaryState guess_from(const Triangulation& mesh, const model::Material& mat
   if (!curvature) throw std::runtime_error("stationary state: the surface is degenerate");
   StationaryState guess{shape, curvature->H, Field(mesh.nodes)};
   for (int i = 0; i < mesh.nodes; ++i)
-    guess.Lambda[i] =
-        -material.kappa(shape.beta[i]) * (guess.H[i] - material.spontaneous_curvature);
+    guess.Lambda[i] = -material.moment(shape.beta[i], guess.H[i]);
   const StationaryLayout layout(mesh, model);
   LagrangianGradient lagrangian;
   assemble(material, layout, guess, curvature->node_normals, lagrangian);

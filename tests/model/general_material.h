@@ -5,7 +5,7 @@
 
 namespace sbeh::model::test {
 
-/// Unequal elastic constants, residual stiffness, spontaneous curvature, and a potential of degree 6
+/// Unequal elastic constants, residual stiffness, spontaneous curvature, flexoelectric coupling, and a potential of degree 6
 /// with a linear term.
 inline Material general_material() {
   return {
@@ -16,7 +16,17 @@ inline Material general_material() {
       .order_viscosity = 0.4,
       .residual_stiffness = 0.02,
       .spontaneous_curvature = -0.7,
+      .flexoelectric = Polynomial({0.3, -0.8, 0.5, 0.2}),
   };
+}
+
+/// The same with κ and κ_G of its own.
+inline Material given_material() {
+  Material material = general_material();
+  material.residual_stiffness = 0;
+  material.kappa_powers = Polynomial({0.3, -0.2, 0.4, 0.1});
+  material.kappa_gauss_powers = Polynomial({-0.1, 0.05, -0.3, 0.2});
+  return material;
 }
 
 }  // namespace sbeh::model::test

@@ -32,7 +32,7 @@ inline const std::vector<OrderCase>& order_cases() {
   static const std::vector<OrderCase> table{
       {"B2", elastic_alone(0.05, 0, -0.1)},  {"B3", elastic_alone(0.05, -0.2, -0.1)},
       {"B4", elastic_alone(0, -0.05, 0.05)}, {"B5", elastic(0, 0, 0)},
-      {"all", general_material()},
+      {"all", general_material()},           {"all, given", given_material()},
   };
   return table;
 }

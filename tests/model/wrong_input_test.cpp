@@ -94,7 +94,7 @@ TEST(Potential, that_is_not_finite_is_refused_with_the_place_of_the_coefficient)
       Potential({0, 1, bad});
       FAIL() << "accepted";
     } catch (const std::invalid_argument& error) {
-      EXPECT_STREQ(error.what(), "potential: coefficient 2 is not finite");
+      EXPECT_STREQ(error.what(), "coefficient 2 is not finite");
     }
   }
 }

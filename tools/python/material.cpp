@@ -3,6 +3,9 @@
 
 #include "tools/python/bindings.h"
 
+#include <array>
+#include <utility>
+
 namespace sbeh::python {
 
 namespace {
@@ -16,6 +19,22 @@ void for_each_number(Material& material, Visit&& visit) {
   });
 }
 
+std::array<std::pair<const char*, model::Polynomial*>, 3> polynomials_of(Material& material) {
+  return {{{"flexoelectric", &material.flexoelectric},
+           {"kappa", &material.kappa_powers},
+           {"kappa_gauss", &material.kappa_gauss_powers}}};
+}
+
+// A list of coefficients; what is wrong with it is said with the parameter's name.
+template <class Powers>
+Powers powers_of(const std::string& name, const py::handle& value) {
+  try {
+    return Powers(py::cast<std::vector<double>>(value));
+  } catch (const std::invalid_argument& error) {
+    throw py::value_error(name + ": " + error.what());
+  }
+}
+
 // As `material` but for the parameters given by name, L for the one-constant approximation.
 Material changed(Material material, const py::kwargs& values) {
   for (const auto& item : values) {
@@ -23,8 +42,12 @@ Material changed(Material material, const py::kwargs& values) {
     const py::handle value = item.second;
     bool known = name == "L" || name == "potential";
     if (name == "L") material = material.with_L(py::cast<double>(value));
-    if (name == "potential")
-      material.potential = model::Potential(py::cast<std::vector<double>>(value));
+    if (name == "potential") material.potential = powers_of<model::Potential>(name, value);
+    for (const auto& [key, powers] : polynomials_of(material)) {
+      if (name != key) continue;
+      *powers = powers_of<model::Polynomial>(name, value);
+      known = true;
+    }
     for_each_number(material, [&](const model::Parameter& p, double& number) {
       if (name != p.name) return;
       number = py::cast<double>(value);
@@ -41,6 +64,7 @@ py::dict dict_of(Material material) {
   for_each_number(material,
                   [&](const model::Parameter& p, double& number) { values[p.name] = number; });
   values["potential"] = material.potential.coefficients();
+  for (const auto& [key, powers] : polynomials_of(material)) values[key] = powers->coefficients();
   return values;
 }
 
@@ -54,7 +78,7 @@ void add_material(py::module_& m) {
 Parameters are given by name, the others are those of the paper: L (one-constant approximation, instead of
 L1, L2, L3), L1, L2, L3, potential (coefficients of the powers of the order), viscosity, immobility,
 friction_tangential, friction_normal, order_viscosity, residual_stiffness, spontaneous_curvature (of the
-sign of the trace H, -2 on the unit sphere). Raises ValueError for values that are not allowed.)");
+sign of the trace H, -2 on the unit sphere), flexoelectric (coefficients of f(order) in f H), kappa and kappa_gauss (coefficients too, instead of those by the elastic constants). Raises ValueError for values that are not allowed.)");
   material.def(py::init([](const py::kwargs& values) { return changed({}, values); }))
       .def("replace", &changed, "The same with other values of the parameters that are named.")
       .def("to_dict", &dict_of, "All parameters by name.")
@@ -78,6 +102,9 @@ sign of the trace H, -2 on the unit sphere). Raises ValueError for values that a
         },
         p.meaning);
   });
+  material.def_property_readonly(
+      "flexoelectric", [](const Material& self) { return self.flexoelectric.coefficients(); },
+      "Coefficients of the powers of the order in f.");
   material.def_property_readonly(
       "potential", [](const Material& self) { return self.potential.coefficients(); },
       "u(order), coefficients of its powers");

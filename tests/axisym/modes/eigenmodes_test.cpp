@@ -74,6 +74,7 @@ TEST(SecondVariation, of_m_0_is_that_of_the_axisymmetric_Lagrangian) {
   material.L3 = 0.02;
   material.residual_stiffness = 0.03;
   material.spontaneous_curvature = -0.7;
+  material.flexoelectric = model::Polynomial({0.3, -0.8, 0.5});
   State shape{spheroid(0.8, false, 12, 0.5), Field::Constant(37, 0.6)};
   for (Eigen::Index i = 0; i < 37; ++i) {
     const double s = double(i) / 36;

@@ -80,6 +80,7 @@ std::vector<Case> cases() {
   general.L1 = 0.05, general.L2 = 0.031, general.L3 = -0.023;
   general.residual_stiffness = 0.017;
   general.spontaneous_curvature = -0.7;
+  general.flexoelectric = model::Polynomial({0.3, -0.8, 0.5});
   general.potential = model::Potential({0.3, -0.2, 1.1, -4., 5., 0.7});
   const auto whole = basis(Symmetry::none, 16, {.a = 0.6, .x0 = 0.4});
   const auto half = basis(Symmetry::top_bottom, 16, {.a = 0.5});

@@ -27,10 +27,11 @@ std::vector<NamedMaterial> materials() {
   general.L1 = 0.05, general.L2 = 0.031, general.L3 = -0.023;
   general.residual_stiffness = 0.017;
   general.spontaneous_curvature = -0.7;
+  general.flexoelectric = model::Polynomial({0.3, -0.8, 0.5});
   Material cubic = general;
   cubic.potential = model::Potential({0.3, -0.2, 1.1, -4., 5., 0.7});
   return {{"one constant", paper_material(0.05)},
-          {"unequal L, k0, H0", general},
+          {"unequal L, k0, H0, f", general},
           {"potential of degree 5", cubic}};
 }
 

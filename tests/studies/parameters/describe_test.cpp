@@ -66,7 +66,8 @@ TEST(Description, of_an_evolution_reads_back_as_the_same_evolution) {
   // All of the material: the scan is not asked.
   const std::string all_else =
       "potential = [0, 1, 2]\nfriction = 3\nviscosity = 4\nimmobility = 5\norder_viscosity = 6\n"
-      "residual_stiffness = 7\nspontaneous_curvature = 8\n";
+      "residual_stiffness = 7\nspontaneous_curvature = 8\n"
+      "flexoelectric = [0, 9]\n";
   const std::vector<std::string> texts{
       small_relax,
       ssh + ellipsoid + "reduced_volume = 0.7\nkind = 'prolate'\n" + end,

@@ -28,7 +28,7 @@ TEST(Material, takes_every_parameter_of_its_own) {
   const model::Material material = material_of(
       "L1 = 0.02\nL2 = 0.01\nL3 = -0.005\nviscosity = 2\nimmobility = 3\n"
       "friction_tangential = 0.2\nfriction_normal = 0.3\norder_viscosity = -0.5\n"
-      "residual_stiffness = 0.01\nspontaneous_curvature = -1\n"
+      "residual_stiffness = 0.01\nspontaneous_curvature = -1\nflexoelectric = [0.1, -2]\n"
       "potential = [1, 0, -3, 0, 2, 0]\n");
   model::Material expected{
       .L1 = 0.02,
@@ -42,6 +42,7 @@ TEST(Material, takes_every_parameter_of_its_own) {
       .order_viscosity = -0.5,
       .residual_stiffness = 0.01,
       .spontaneous_curvature = -1,
+      .flexoelectric = model::Polynomial({0.1, -2}),
   };
   EXPECT_EQ(material, expected);
 }

@@ -1,0 +1,117 @@
+// Branches with a flexoelectric coupling f(β)H against what is exact of them.
+#include "studies/scan/branch_points.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+namespace sbeh::studies {
+namespace {
+
+using axisym::Branch;
+using axisym::StationaryCase;
+using model::Model;
+
+StationaryCase case_of(Model model, Branch branch, double v, const std::vector<double>& f) {
+  StationaryCase of{.model = model, .branch = branch, .reduced_volume = v};
+  of.material = of.material.with_L(0.05);
+  of.material.flexoelectric = model::Polynomial(f);
+  return of;
+}
+
+PointOutcome at_rest(const StationaryCase& of) {
+  PointOutcome point = branch_point(of);
+  EXPECT_EQ(point.row.status, PointStatus::stationary) << point.row.stop_reason;
+  return point;
+}
+
+double energy_with(const model::Material& material, const PointOutcome& point) {
+  return axisym::energy(material, *point.state, point.state->H).total();
+}
+
+// Of a uniform order fH is a spontaneous curvature −f/κ, and ((κ/2)(H₀² − (H₀ − f/κ)²)) A.
+TEST(FlexoelectricShape, of_a_uniform_order_is_that_of_a_spontaneous_curvature) {
+  for (const Branch branch : {Branch::oblate, Branch::prolate}) {
+    StationaryCase of = case_of(Model::SSH, branch, 0.75, {0.05, 0.3, -0.15});
+    of.material.spontaneous_curvature = 0.4;
+    const double kappa = of.material.kappa(model::full_order);
+    StationaryCase with_H0 = of;
+    with_H0.material.flexoelectric = model::Polynomial({0});
+    with_H0.material.spontaneous_curvature =
+        0.4
+        - (0.05 + 0.3 * model::full_order - 0.15 * model::full_order * model::full_order) / kappa;
+    const PointOutcome a = at_rest(of), b = at_rest(with_H0);
+    const double square = with_H0.material.spontaneous_curvature,
+                 constant = kappa / 2 * (0.16 - square * square);
+    EXPECT_NEAR(energy_with(of.material, a),
+                energy_with(with_H0.material, b) + constant * 4 * std::numbers::pi, 1e-9);
+    EXPECT_NEAR(a.row.diagnostics->W2, b.row.diagnostics->W2, 1e-7);
+    EXPECT_NEAR(a.state->pressure, b.state->pressure, 1e-6);
+    EXPECT_NEAR(a.state->tension, b.state->tension - constant, 1e-6);
+  }
+}
+
+// dU/df₁ = ∫βH, which the same state has with two materials.
+TEST(FlexoelectricBranch, changes_its_energy_by_the_integral_of_order_times_curvature) {
+  constexpr double h = 1e-3;
+  for (const Branch branch : {Branch::oblate, Branch::prolate})
+    for (const double f1 : {-0.1, 0.1}) {
+      const auto with = [&](double change) {
+        return case_of(Model::SBEH, branch, 0.8, {0, f1 + change, 0.05});
+      };
+      const PointOutcome here = at_rest(with(0));
+      const double slope = (energy_with(with(h).material, at_rest(with(h)))
+                            - energy_with(with(-h).material, at_rest(with(-h))))
+                         / (2 * h),
+                   integral =
+                       (energy_with(with(h).material, here) - energy_with(with(-h).material, here))
+                       / (2 * h);
+      EXPECT_NEAR(slope, integral, 1e-5 * std::abs(integral)) << name(branch) << ", f₁ = " << f1;
+    }
+}
+
+// κ and κ_G given as those that the elastic constants make are these.
+TEST(GivenStiffness, as_the_elastic_constants_have_it_gives_the_same_state) {
+  StationaryCase of = case_of(Model::SBEH, Branch::oblate, 0.8, {0});
+  const PointOutcome by_L = at_rest(of);
+  of.material.kappa_powers = model::Polynomial({0, 0, 4.5 * 0.05});
+  of.material.kappa_gauss_powers = model::Polynomial({0, 0, -4.5 * 0.05});
+  const PointOutcome given = at_rest(of);
+  EXPECT_NEAR(energy_with(of.material, given), energy_with(of.material.with_L(0.05), by_L), 1e-9);
+  EXPECT_NEAR(given.row.diagnostics->W2, by_L.row.diagnostics->W2, 1e-7);
+}
+
+TEST(GivenStiffness, changes_the_energy_by_its_own_integral) {
+  constexpr double h = 1e-4;
+  const auto with = [](double change) {
+    StationaryCase of = case_of(Model::SBEH, Branch::oblate, 0.8, {0});
+    of.material.kappa_powers = model::Polynomial({0.02, 0.1, 0.1 + change});
+    of.material.kappa_gauss_powers = model::Polynomial({0, -0.05, -0.1});
+    return of;
+  };
+  const PointOutcome here = at_rest(with(0));
+  const double slope = (energy_with(with(h).material, at_rest(with(h)))
+                        - energy_with(with(-h).material, at_rest(with(-h))))
+                     / (2 * h),
+               integral =
+                   (energy_with(with(h).material, here) - energy_with(with(-h).material, here))
+                   / (2 * h);
+  EXPECT_NEAR(slope, integral, 1e-5 * std::abs(integral));
+}
+
+// Whatever the way: from SSH's shape at this L, or from a state at another L with the same f.
+TEST(FlexoelectricBranch, is_the_same_from_the_side_and_from_its_beginning) {
+  const auto at = [](double L) {
+    StationaryCase of = case_of(Model::SBEH, Branch::oblate, 0.8, {0, 0.1});
+    of.material = of.material.with_L(L);
+    return of;
+  };
+  const PointOutcome first = at_rest(at(0.03)), direct = at_rest(at(0.05));
+  const PointOutcome along = follow_to(at(0.05), {at(0.03).at(), *first.state});
+  EXPECT_EQ(along.row.status, PointStatus::stationary) << along.row.stop_reason;
+  EXPECT_NEAR(energy_with(at(0.05).material, along), energy_with(at(0.05).material, direct), 1e-9);
+}
+
+}  // namespace
+}  // namespace sbeh::studies
