@@ -31,6 +31,7 @@ struct StationaryState : State {
   Field Lambda{};  // nodes, multiplier of the curvature equation, about −(κ(H − H₀) + κ_G B_φφ)
   double tension = 0;   ///< Σ = −∂U/∂A
   double pressure = 0;  ///< P = ∂U/∂V
+  double moment = 0;    ///< c = −∂U/∂W₂⁰ of the area difference (model/material.h)
 };
 
 /// Shape functions of one element at one quadrature point; derivatives by the element's own

@@ -19,6 +19,7 @@ Energy energy(const model::Material& material, const State& state, const Field& 
   const bool uniform = (state.beta.array() - beta).abs().maxCoeff() < 1e-9;
   const double constant = uniform ? material.kappa_gauss(beta) : 0;
   Energy sum{.bending = 4 * std::numbers::pi * constant};
+  double area = 0, W2 = 0;
   for_each_point(
       state.X, diagnostic_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
         const double h = value_at(H, e, s), K = gauss_curvature(h, p.B_phi);
@@ -28,7 +29,10 @@ Energy energy(const model::Material& material, const State& state, const Field& 
         sum.distortion += p.dS * density.distortion;
         sum.bending += p.dS * (density.bending + density.gaussian - constant * K);
         sum.thermotropic += p.dS * density.thermotropic;
+        area += p.dS;
+        W2 += p.dS * h;
       });
+  sum.area_difference = material.area_difference.energy(area, W2);
   return sum;
 }
 

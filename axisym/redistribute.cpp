@@ -142,8 +142,12 @@ State redistribute(const State& state, double grading, int elements) {
 
 StationaryState redistribute(const StationaryState& state, double grading, int elements) {
   const auto at = places(state.X, state.H, grading, elements);
-  return {interpolate(static_cast<const State&>(state), at), interpolate(state.H, at),
-          interpolate(state.Lambda, at), state.tension, state.pressure};
+  return {interpolate(static_cast<const State&>(state), at),
+          interpolate(state.H, at),
+          interpolate(state.Lambda, at),
+          state.tension,
+          state.pressure,
+          state.moment};
 }
 
 StationaryState fitted(const StationaryState& state, const Numerics& numerics) {

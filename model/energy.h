@@ -8,12 +8,14 @@ namespace sbeh::model {
 /// Integrals of the energy density over the surface, dimensionless. Unlike EnergyDensity's the bending part
 /// contains the Gaussian one.
 struct Energy {
-  double distortion = 0;    ///< ∫ (l₁/2)|∇β|²              (E1)
-  double bending = 0;       ///< ∫ (κ/2)(H − H₀)² + κ_G K   (E2) + (E3)
-  double thermotropic = 0;  ///< ∫ u(β)                     (E4)
-  double total() const { return distortion + bending + thermotropic; }
+  double distortion = 0;       ///< ∫ (l₁/2)|∇β|²              (E1)
+  double bending = 0;          ///< ∫ (κ/2)(H − H₀)² + κ_G K   (E2) + (E3)
+  double thermotropic = 0;     ///< ∫ u(β)                     (E4)
+  double area_difference = 0;  ///< (k_ad π/(2A))(W₂ − W₂⁰)², 0 where k_ad is infinite
+  double total() const { return distortion + bending + thermotropic + area_difference; }
   double magnitude() const {
-    return std::abs(distortion) + std::abs(bending) + std::abs(thermotropic);
+    return std::abs(distortion) + std::abs(bending) + std::abs(thermotropic)
+         + std::abs(area_difference);
   }
 };
 

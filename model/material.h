@@ -6,6 +6,7 @@
 #include "model/potential.h"
 
 #include <array>
+#include <numbers>
 
 namespace sbeh::model {
 
@@ -36,6 +37,25 @@ inline AreaConstraint area_constraint(Model model) {
 /// The fully ordered state.
 inline constexpr double full_order = 2.0 / 3.0;
 
+/// The elasticity of the area difference of the two leaflets, (k_ad π/(2A))(W₂ − W₂⁰)² with W₂ = ∫H dS (Miao, Seifert,
+/// Wortis, Döbereiner, Phys. Rev. E 49, 5389, 1994).
+struct AreaDifference {
+  double stiffness = 0;  ///< k_ad >= 0; infinite in the bilayer-coupling model, where W₂ = W₂⁰
+  double W2 = 0;         ///< W₂⁰ = −8π Δa₀
+
+  bool is_there() const { return stiffness > 0; }
+  /// 1/(π k_ad), 0 where it is infinite: W₂ − W₂⁰ = A c/(π k_ad), c the moment that it makes.
+  double compliance() const { return 1 / (std::numbers::pi * stiffness); }
+
+  /// 0 where the stiffness is infinite, for W₂ is W₂⁰ then.
+  double energy(double area, double total) const {
+    const double excess = total - W2;
+    return is_there() && compliance() > 0 ? excess * excess / (2 * area * compliance()) : 0;
+  }
+
+  bool operator==(const AreaDifference&) const = default;
+};
+
 /// The material parameters; all dimensionless, lengths in radii of the sphere of equal area. Their meanings
 /// and ranges are in the table below; the defaults are the paper's. A residual bending stiffness k0 a
 /// spontaneous curvature H0 and a flexoelectric coupling f are added to the paper's energy; see equations.md.
@@ -49,6 +69,7 @@ struct Material {
   double residual_stiffness = 0;
   double spontaneous_curvature = 0;
   Polynomial flexoelectric{{0}};
+  AreaDifference area_difference{};                 ///< axisym/stationary alone has it
   Polynomial kappa_powers{}, kappa_gauss_powers{};  ///< empty: by the elastic constants and k₀
 
   /// l₁ of the distortion energy (l₁/2)|∇β|².

@@ -26,6 +26,13 @@ Polynomial Polynomial::times(double factor) const {
   return Polynomial(std::move(c));
 }
 
+Polynomial Polynomial::plus(double constant) const {
+  std::vector<double> c = coefficients_;
+  if (c.empty()) c.push_back(0);
+  c[0] += constant;
+  return Polynomial(std::move(c));
+}
+
 Potential Potential::landau_de_gennes(double a, double b, double c) {
   return Potential({0, 0, 1.5 * a, 0.5 * b, 1.125 * c});
 }

@@ -19,6 +19,7 @@ class Polynomial {
   bool vanishes() const;
 
   Polynomial times(double factor) const;
+  Polynomial plus(double constant) const;
 
   /// p(β)
   template <class T>

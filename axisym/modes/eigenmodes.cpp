@@ -53,14 +53,19 @@ std::optional<ModeSpectrum> lowest_modes(const SecondVariation& second, int m, i
 
 std::optional<ModeSpectrum> lowest_and_negative_modes(const SecondVariation& second, int m,
                                                       int count) {
-  return of_all_parities(second.sector, [&](Parity parity) -> std::optional<ModeSpectrum> {
-    for (int several = count; several <= 64 * count; several *= 2) {
-      auto found = lowest_modes(second, m, parity, several);
-      if (!found || found->modes.empty()) return {};
-      if (found->modes.back().eigenvalue >= 0 || int(found->modes.size()) < several) return found;
-    }
-    return {};
+  return of_all_parities(second.sector, [&](Parity parity) {
+    return lowest_and_negative_modes(second, m, parity, count);
   });
+}
+
+std::optional<ModeSpectrum> lowest_and_negative_modes(const SecondVariation& second, int m,
+                                                      Parity parity, int count) {
+  for (int several = count; several <= 64 * count; several *= 2) {
+    auto found = lowest_modes(second, m, parity, several);
+    if (!found || found->modes.empty()) return {};
+    if (found->modes.back().eigenvalue >= 0 || int(found->modes.size()) < several) return found;
+  }
+  return {};
 }
 
 }  // namespace sbeh::axisym

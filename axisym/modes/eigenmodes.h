@@ -35,5 +35,7 @@ std::optional<ModeSpectrum> lowest_modes(const SecondVariation& second, int m, P
 /// not found.
 std::optional<ModeSpectrum> lowest_and_negative_modes(const SecondVariation& second, int m,
                                                       int count);
+std::optional<ModeSpectrum> lowest_and_negative_modes(const SecondVariation& second, int m,
+                                                      Parity parity, int count);
 
 }  // namespace sbeh::axisym

@@ -241,7 +241,7 @@ void keep_what_is_free(const SecondVariation& of, int m, Parity parity, double d
 
 SecondVariation second_variation(const model::Material& whole, model::Model model,
                                  const StationaryState& state) {
-  const model::Material material = felt_material(whole, model);
+  const model::Material material = at_moment(felt_material(whole, model), state.moment);
   const Sector sector{element_count(state.X), is_symmetric(state.X)};
   const NodeChain empty(sector.elements());
   SecondVariation out{.sector = sector,
@@ -251,6 +251,7 @@ SecondVariation second_variation(const model::Material& whole, model::Model mode
                       .has_order = has_free_order(model),
                       .stiffness = material.kappa(state.beta.maxCoeff()),
                       .state = sector.is_half ? symmetric_part(state) : state};
+  out.state.tension = felt_tension(whole, state);
   const Nodes normals = node_normals(out.state.X);
   for (int e = 0; e < sector.elements(); ++e) assemble(material, normals, e, out);
   return out;

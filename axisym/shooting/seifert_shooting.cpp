@@ -6,6 +6,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <optional>
 #include <stdexcept>
 
 namespace sbeh::axisym {
@@ -17,14 +18,18 @@ using std::numbers::pi;
 
 // Where the branches start.
 
-// The limit of oblates and prolates. There Σ and P are such that the l = 2 mode costs nothing.
-VectorXd sphere() { return VectorXd{{-2, pi / 2, -6 / multiplier_unit, -12 / multiplier_unit, 1}}; }
+// The limit of oblates and prolates. There Σ and P are such that the l = 2 mode costs nothing: −W₂ goes with such a mode
+// like 2A, so that Σ + H₀²/2 + 2H₀ is −6.
+VectorXd sphere(double H0) {
+  const double tension = -6 - 2 * H0 - H0 * H0 / 2, pressure = -12 - 2 * H0;
+  return VectorXd{{-2, pi / 2, tension / multiplier_unit, pressure / multiplier_unit, 1}};
+}
 
 // r = 1 + u Y₂ has the excess area 2u² = (8π/3)(1 − V_r), and H = −2 − 4u Y₂ at the pole.
 Point near_sphere(Branch branch, const Options& options) {
   const double volume = 0.99;
   const double u = std::sqrt(4 * pi / 3 * (1 - volume)), Y2 = std::sqrt(5 / (4 * pi));
-  VectorXd guess = sphere();
+  VectorXd guess = sphere(options.H0);
   guess[Unknown::H] -= (branch == Branch::prolate ? 4 : -4) * u * Y2;
   guess[Unknown::volume] = volume;
   auto point = solve(guess, VectorXd::Unit(symmetric_size, Unknown::H), options);
@@ -36,24 +41,25 @@ Point near_sphere(Branch branch, const Options& options) {
 // Deviations from the sphere grow with the root of 1 − V_r.
 Point between_sphere_and(const Point& start, double volume, const Options& options) {
   const double ratio = std::sqrt((1 - volume) / (1 - start.volume()));
-  VectorXd guess = sphere() + ratio * (start.y - sphere());
+  const VectorXd limit = sphere(options.H0);
+  VectorXd guess = limit + ratio * (start.y - limit);
   guess[Unknown::volume] = volume;
   const auto point = solve_at_volume(guess, options);
   if (!point) throw std::runtime_error("shooting: no shape between the sphere and its neighbour");
   return *point;
 }
 
-// On the branch of odd perturbations, a little off the oblate that loses its symmetry.
-Point branch_off(const Point& oblate, const Options& options) {
-  const double amplitude = 0.15;  // in H
+// On the branch of odd perturbations, a little off the shape that loses its symmetry. Empty where none is: odd_closure
+// vanishes too where the equator of a prolate ceases to bulge.
+std::optional<Point> branch_off(const Point& symmetric, const Options& options) {
+  constexpr double amplitude = 0.15;  // in H
   VectorXd guess(full_size), odd = VectorXd::Zero(full_size);
-  guess << oblate.y, oblate.y[Unknown::H], oblate.y[Unknown::length];
+  guess << symmetric.y, symmetric.y[Unknown::H], symmetric.y[Unknown::length];
   odd[Unknown::H] = 1;
   odd[Unknown::other_H] = -1;
   auto point = solve(guess + amplitude * odd, odd, options);
-  if (!point) throw std::runtime_error("shooting: found no stomatocyte next to the oblates");
-  if (point->tangent.dot(odd) < 0) point->tangent *= -1;
-  return *point;
+  if (point && point->tangent.dot(odd) < 0) point->tangent *= -1;
+  return point;
 }
 
 double symmetry_loss(const Point& p) { return p.odd_closure; }
@@ -62,7 +68,9 @@ double self_contact(const Point& p) { return p.pole_distance; }
 
 // With the tangent from the oblates on.
 Point walk_to_fold(const Point& oblate_at_symmetry_loss, const Options& options) {
-  Walk walk(Branch::stomatocyte, branch_off(oblate_at_symmetry_loss, options), options);
+  const auto start = branch_off(oblate_at_symmetry_loss, options);
+  if (!start) throw std::runtime_error("shooting: found no stomatocyte next to the oblates");
+  Walk walk(Branch::stomatocyte, *start, options);
   return walk.go_to_zero(fold);
 }
 
@@ -142,7 +150,8 @@ std::vector<ClassicalShape> shoot_branch(Branch branch, std::span<const double> 
   std::vector<ClassicalShape> shapes;
   for (const double volume : reduced_volumes) {
     if (from_sphere && volume == 1) {
-      shapes.push_back(shape_of(branch, sphere(), 1, options));
+      shapes.push_back(
+          shape_of(branch, sphere(options.H0), std::pow(1 + options.H0 / 2, 2), options));
     } else {
       const Point p = from_sphere && volume > start.volume()
                         ? between_sphere_and(start, volume, options)
@@ -151,6 +160,30 @@ std::vector<ClassicalShape> shoot_branch(Branch branch, std::span<const double> 
     }
   }
   return shapes;
+}
+
+namespace {
+
+Options coarser(const Options& options) {
+  return {100 * options.tolerance, 10 * options.series_start, options.H0};
+}
+
+}  // namespace
+
+LossAndFold shoot_symmetry_loss(Branch branch, const ShootingOptions& options) {
+  validate(options);
+  Walk symmetric = walk_from_sphere(branch, options);
+  Point loss = symmetric.go_to_zero(symmetry_loss);
+  if (!branch_off(loss, options)) {
+    constexpr double aside = 0.01;
+    symmetric.go_to(loss.volume() - aside);
+    loss = symmetric.go_to_zero(symmetry_loss);
+  }
+  const Point turn = walk_to_fold(loss, options);
+  const auto zero = [&](const Point& p, const Quantity& f) {
+    return special_point(p, find_zero(p, f, 1e-3, coarser(options)));
+  };
+  return {zero(loss, symmetry_loss), zero(turn, fold)};
 }
 
 SpecialPoints shoot_special_points(const ShootingOptions& options) {
@@ -165,7 +198,7 @@ SpecialPoints shoot_special_points(const ShootingOptions& options) {
   Walk stomatocytes = walk_beyond(turn, options);
   const auto oblate_stomatocyte = find_crossing(oblate, stomatocytes.go_to(0.59), options);
 
-  const Options coarse{100 * options.tolerance, 10 * options.series_start};
+  const Options coarse = coarser(options);
   const auto crossing = [&](const std::pair<Point, Point>& p) {
     return special_point(p.first, find_crossing(p.first, p.second, coarse).first);
   };

@@ -26,4 +26,11 @@ std::vector<ClassicalShape> shoot_branch(Branch branch, std::span<const double> 
 /// series start: the error is what that changes, and 1e-12 for rounding.
 SpecialPoints shoot_special_points(const ShootingOptions& options = {});
 
+/// Where oblates or prolates with the spontaneous curvature of the options lose their symmetry, and the first fold of the
+/// stomatocytes or pears that leave there; errors likewise. Throws std::runtime_error where shooting cannot follow.
+struct LossAndFold {
+  SpecialPoint loss, fold;
+};
+LossAndFold shoot_symmetry_loss(Branch branch, const ShootingOptions& options = {});
+
 }  // namespace sbeh::axisym

@@ -29,13 +29,14 @@ using Shape = std::array<T, Row::count>;
 template <class T>
 struct Constants {
   T H, tension, pressure;
+  double H0;
 };
 template <class T>
-Constants<T> constants(const Pole& pole) {
+Constants<T> constants(const Pole& pole, double H0) {
   if constexpr (std::is_same_v<T, Jet>)
-    return {Jet(pole.H, 0), Jet(pole.tension, 1), Jet(pole.pressure, 2)};
+    return {Jet(pole.H, 0), Jet(pole.tension, 1), Jet(pole.pressure, 2), H0};
   else
-    return {pole.H, pole.tension, pole.pressure};
+    return {pole.H, pole.tension, pole.pressure, H0};
 }
 
 template <class T>
@@ -44,36 +45,37 @@ Shape<T> right_hand_side(const Shape<T>& x, const Constants<T>& pole) {
   const T &Sigma = pole.tension, &P = pole.pressure;
   const T sin_psi = sin(psi), cos_psi = cos(psi);
   const T c = sin_psi / X;
-  const T PX = P * X, HH = H * H;
+  const T PX = P * X, excess = H - pole.H0;
 
   Shape<T> d;
   d[Row::psi] = -H - c;
   d[Row::H] = 0.5 * PX * cos_psi - gamma * c;
   d[Row::X] = cos_psi;
-  d[Row::gamma] = 0.5 * HH + H * c + Sigma - PX * sin_psi;
+  d[Row::gamma] = 0.5 * excess * excess + excess * c + Sigma - PX * sin_psi;
   d[Row::Z] = sin_psi;
   d[Row::area] = 2 * pi * X;
   d[Row::volume] = pi * X * X * sin_psi;
-  d[Row::energy] = 0.125 * HH * X;
+  d[Row::energy] = 0.125 * excess * excess * X;
   return d;
 }
 
 // ψ = u s + a₃s³ + a₅s⁵, −H = 2u + C₂s² + C₄s⁴, c = u + a₃s² + c₄s⁴, X = s + x₃s³ + x₅s⁵,
-// γ = Σs + g₃s³ + g₅s⁵: coefficients compared in the equations, power by power.
+// γ = g₁s + g₃s³ + g₅s⁵, w = 2u + H₀: coefficients compared in the equations, power by power.
 template <class T>
 Shape<T> pole_series(const Constants<T>& pole, double s) {
-  const T &Sigma = pole.tension, &P = pole.pressure;
-  const T u = -0.5 * pole.H, uu = u * u;
+  const T& P = pole.pressure;
+  const T u = -0.5 * pole.H, uu = u * u, w = 2. * u + pole.H0;
 
-  const T C2 = 0.5 * (Sigma * u - 0.5 * P);
+  const T g1 = pole.tension + 0.5 * pole.H0 * w;
+  const T C2 = 0.5 * (g1 * u - 0.5 * P);
   const T a3 = 0.25 * C2;
-  const T g3 = u * (0.5 * C2 - P) / 3.;
+  const T g3 = (C2 * (0.75 * w - u) - P * u) / 3.;
   const T x3 = -uu / 6.;
 
-  const T C4 = 0.25 * (g3 * u + Sigma * a3 + P * uu / 3.);
+  const T C4 = 0.25 * (g3 * u + g1 * a3 + P * uu / 3.);
   const T a5 = (C4 + 2. / 15 * a3 * uu) / 6.;
   const T c4 = a5 - 2. / 15 * a3 * uu;
-  const T g5 = (u * C4 + 0.5 * C2 * C2 - 2. * u * c4 - C2 * a3 - P * (a3 - uu * u / 3.)) / 5.;
+  const T g5 = ((w - u) * C4 + 0.5 * C2 * C2 - w * c4 - C2 * a3 - P * (a3 - uu * u / 3.)) / 5.;
   const T x5 = (uu * uu / 24. - u * a3) / 5.;
 
   const double ss = s * s;
@@ -81,11 +83,11 @@ Shape<T> pole_series(const Constants<T>& pole, double s) {
   x[Row::psi] = s * (u + ss * (a3 + ss * a5));
   x[Row::H] = -(2. * u + ss * (C2 + ss * C4));
   x[Row::X] = s * (1. + ss * (x3 + ss * x5));
-  x[Row::gamma] = s * (Sigma + ss * (g3 + ss * g5));
+  x[Row::gamma] = s * (g1 + ss * (g3 + ss * g5));
   x[Row::Z] = ss * (0.5 * u + 0.25 * ss * (a3 - uu * u / 6.));
   x[Row::area] = pi * ss * (1. + ss * (x3 / 2. + ss * x5 / 3.));
   x[Row::volume] = pi * ss * ss * (u / 4. + ss * (a3 - uu * u / 2.) / 6.);
-  x[Row::energy] = 0.125 * ss * (2. * uu + ss * u * (C2 + u * x3));
+  x[Row::energy] = 0.125 * ss * w * (0.5 * w + ss * (0.5 * C2 + 0.25 * w * x3));
   return x;
 }
 
@@ -138,9 +140,9 @@ const Stepper<T> blank;
 template <class T>
 class Integration {
  public:
-  Integration(const Pole& pole, double start, double tolerance)
-      : system_{constants<T>(pole)},
-        stepper_(odeint::make_controlled(tolerance, tolerance, blank<T>)),
+  Integration(const Pole& pole, double start, const Options& options)
+      : system_{constants<T>(pole, options.H0)},
+        stepper_(odeint::make_controlled(options.tolerance, options.tolerance, blank<T>)),
         s_(start),
         x_(pack<T>(pole_series(system_.pole, start))) {}
 
@@ -184,7 +186,7 @@ void validate(const Options& options) {
 }
 
 std::optional<End> integrate(const Pole& pole, double arc_length, const Options& options) {
-  Integration<Jet> solution(pole, std::min(options.series_start, arc_length), options.tolerance);
+  Integration<Jet> solution(pole, std::min(options.series_start, arc_length), options);
   if (!solution.advance_to(arc_length)) return std::nullopt;
   const Shape<Jet> x = unpack<Jet>(solution.state());
   const Shape<Jet> d = right_hand_side(x, solution.pole());
@@ -199,7 +201,7 @@ std::optional<End> integrate(const Pole& pole, double arc_length, const Options&
 
 Eigen::Matrix<double, Row::count, Eigen::Dynamic> sample(const Pole& pole, double arc_length,
                                                          int intervals, const Options& options) {
-  Integration<double> solution(pole, options.series_start, options.tolerance);
+  Integration<double> solution(pole, options.series_start, options);
   Eigen::Matrix<double, Row::count, Eigen::Dynamic> states(int(Row::count), intervals + 1);
   for (int i = 0; i <= intervals; ++i) {
     const double s = arc_length * i / intervals;

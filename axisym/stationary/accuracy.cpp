@@ -60,12 +60,15 @@ bool is_within(const Accuracy& error, const Diagnostics& d) {
 
 // `over` gives a state over so many elements, if it can.
 template <class Over>
-ResolvedState refined(const model::Material& material, const BranchState& state, Over&& over) {
+ResolvedState refined(const model::Material& material, const BranchState& state, double place,
+                      Over&& over) {
   const auto measures = [&](const BranchState& s) { return diagnose(material.with_L(s.at.L), s); };
   const auto compare = [&](ResolvedState& fine, const BranchState& coarse, const Diagnostics& d) {
     fine.error = difference(fine.diagnostics, d);
-    fine.L_error = overestimate * std::abs(fine.state.at.L - coarse.at.L);
-    fine.is_resolved = is_within(fine.error, fine.diagnostics);
+    fine.place_error = overestimate
+                     * std::max(std::abs(fine.state.at.L - coarse.at.L),
+                                std::abs(fine.state.at.reduced_volume - coarse.at.reduced_volume));
+    fine.is_resolved = is_within(fine.error, fine.diagnostics) && fine.place_error <= place;
   };
   ResolvedState result{state, measures(state), {unknown, unknown, unknown}, unknown, false};
   const int elements = element_count(state.X);
@@ -84,7 +87,7 @@ ResolvedState refined(const model::Material& material, const BranchState& state,
 
 ResolvedState resolved(const model::Material& material, model::Model model,
                        const BranchState& state, const Numerics& numerics) {
-  return refined(material, state, [&](const BranchState& from, int elements) {
+  return refined(material, state, unknown, [&](const BranchState& from, int elements) {
     // Of fewer no more is asked than their error.
     const bool fewer = elements < element_count(from.X);
     return on_elements(
@@ -93,8 +96,8 @@ ResolvedState resolved(const model::Material& material, model::Model model,
   });
 }
 
-ResolvedState resolved_fold(const FollowResult& fold, const Numerics& numerics) {
-  return refined(fold.line.material, fold.state, [&](const BranchState& from, int elements) {
+ResolvedState resolved_fold(const FollowResult& fold, const Numerics& numerics, double place) {
+  return refined(fold.line.material, fold.state, place, [&](const BranchState& from, int elements) {
     return fold_on_elements(fold, from, elements, numerics.grading);
   });
 }

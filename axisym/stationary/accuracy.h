@@ -4,6 +4,8 @@
 #include "axisym/diagnostics.h"
 #include "axisym/stationary/continuation.h"
 
+#include <limits>
+
 namespace sbeh::axisym {
 
 /// Estimated errors of a state's measures: a sixteenth of what half as many elements give differently. The
@@ -23,7 +25,8 @@ struct ResolvedState {
   BranchState state;
   Diagnostics diagnostics;
   Accuracy error;
-  double L_error;    ///< likewise, of the place of a fold; 0 of states at a given place
+  double
+      place_error;  ///< likewise, of a fold's L or V_r, where its line goes; 0 of states at a given place
   bool is_resolved;  ///< within what is promised
 };
 
@@ -38,6 +41,8 @@ ResolvedState resolved(const model::Material& material, model::Model model,
                        const BranchState& state, const Numerics& numerics);
 
 /// The same of a fold to which `follow` has led.
-ResolvedState resolved_fold(const FollowResult& fold, const Numerics& numerics);
+/// Its place within `place`, too.
+ResolvedState resolved_fold(const FollowResult& fold, const Numerics& numerics,
+                            double place = std::numeric_limits<double>::infinity());
 
 }  // namespace sbeh::axisym

@@ -28,6 +28,7 @@ Increment scaled(Increment t, double factor) {
   for (Field* f : {&t.d, &t.Lambda, &t.H, &t.beta}) *f *= factor;
   t.tension *= factor;
   t.pressure *= factor;
+  t.moment *= factor;
   t.mu *= factor;
   return t;
 }
@@ -42,6 +43,7 @@ model::Material Line::material_at(double mu) const {
   model::Material m = material.with_L(at(mu).L);
   if (mu == 1) return m;
   m.spontaneous_curvature = first_H0 + mu * (m.spontaneous_curvature - first_H0);
+  m.area_difference.W2 = first_W2 + mu * W2_rate();
   if (first_coupling != 1) m.flexoelectric = m.flexoelectric.times(coupling(mu));
   return first_scale == 1 ? m : m.with_given_scaled(scale(mu));
 }
@@ -62,7 +64,7 @@ PathEquation across(const Line& line, const Eigen::VectorXd& gradient_rate,
   Increment row = scaled(direction, 1. / double(direction.d.size()));
   row.d = row.d.cwiseProduct(weights);
   row.mu = direction.mu;
-  return {gradient_rate, line.volume_rate(), row};
+  return {gradient_rate, line.volume_rate(), line.W2_rate(), row};
 }
 
 NewtonSystem system_at(const Line& line, const LineState& state) {
@@ -116,7 +118,7 @@ std::optional<PathState> with_tangent(const Line& line, const LineState& state,
   Increment t, ahead;
   const Eigen::VectorXd gradient_rate = line.gradient_rate(state);
   // Along μ for the sign of the determinant, and for the direction where there is no other.
-  const bool regular = system.tangent(gradient_rate, line.volume_rate(), ahead);
+  const bool regular = system.tangent(gradient_rate, line.volume_rate(), line.W2_rate(), ahead);
   const int sign = regular ? system.determinant_sign() : 0;
   if (forward) {
     if (!system.tangent(across(line, gradient_rate, *forward, weights_of(state)), t)) return {};

@@ -61,10 +61,9 @@ struct PointDerivatives {
   Eigen::Matrix<double, data, 1> gradient;
   Eigen::Matrix<double, data, data> hessian;
 };
-PointDerivatives differentiate(const model::Material& material, const StationaryState& state,
+PointDerivatives differentiate(const model::Material& material, double tension, double pressure,
                                const std::array<double, data>& q) {
-  const auto density =
-      lagrangian_density(material, state.tension, state.pressure, independent<Second>(q));
+  const auto density = lagrangian_density(material, tension, pressure, independent<Second>(q));
   PointDerivatives d;
   d.hessian.setZero();
   auto gradient = d.gradient.head<nonlinear_data>();
@@ -95,88 +94,114 @@ Eigen::Matrix<double, data, 1> padded(const First& density) {
   return g;
 }
 
+// From ∂W₂ to what the moment's equation has: less c/(π k_ad) ∂A.
+template <class Derivatives>
+void finish(const model::Material& material, double moment, Derivatives& out) {
+  if (!material.area_difference.is_there())
+    out.of_W2.setZero();
+  else
+    out.of_W2 -= moment * material.area_difference.compliance() * out.constraints.col(0);
+}
+
 }  // namespace
 
 LagrangianDerivatives::LagrangianDerivatives(const Sector& of)
     : sector(of),
       hessian(node_unknowns * of.nodes(), 4 * node_unknowns - 1),
       gradient(node_unknowns * of.nodes()),
-      constraints(node_unknowns * of.nodes(), 2) {}
+      constraints(node_unknowns * of.nodes(), 2),
+      of_W2(node_unknowns * of.nodes()) {}
 
-void assemble(const model::Material& material, const StationaryState& state, const Nodes& normals,
+void assemble(const model::Material& whole, const StationaryState& state, const Nodes& normals,
               LagrangianDerivatives& out) {
+  const model::Material material = at_moment(whole, state.moment);
+  const double tension = felt_tension(whole, state);
   out.hessian.set_zero();
   out.gradient.setZero();
   out.constraints.setZero();
-  out.area = out.volume = 0;
+  out.of_W2.setZero();
+  out.area = out.volume = out.W2 = 0;
   Eigen::Matrix<double, element_unknowns, element_unknowns> matrix;
-  Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV;
+  Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV, dW2;
   for (int e = 0; e < out.sector.elements(); ++e) {
     matrix.setZero();
     vector.setZero();
     dA.setZero();
     dV.setZero();
+    dW2.setZero();
     for (const ShapeValues& s : assembly_points()) {
       const NormalShapes shapes(normals, e, s);
       const auto rows = data_rows(shapes, s);
       const auto q = point_data(state, shapes, e, s);
-      const PointDerivatives density = differentiate(material, state, q);
-      const First A = area_density(independent<First>(q)),
-                  V = volume_density(independent<First>(q));
+      const PointDerivatives density = differentiate(material, tension, state.pressure, q);
+      const auto x = independent<First>(q);
+      const First A = area_density(x), V = volume_density(x), W2 = A * x[at_H];
       const double weight = out.sector.copies(e) * s.weight;
       model::add_matrix(rows, rows, density.hessian, weight, matrix);
       model::add_vector(rows, density.gradient, weight, vector);
       model::add_vector(rows, padded(A), weight, dA);
       model::add_vector(rows, padded(V), weight, dV);
+      model::add_vector(rows, padded(W2), weight, dW2);
       out.area += weight * A.a;
       out.volume += weight * V.a;
+      out.W2 += weight * W2.a;
     }
     const auto global = [&](int k) { return global_index(out.sector, e, k); };
     for (int j = 0; j < element_unknowns; ++j) {
       out.gradient[global(j)] += vector[j];
       out.constraints(global(j), 0) += dA[j];
       out.constraints(global(j), 1) -= dV[j];
+      out.of_W2[global(j)] += dW2[j];
       for (int i = 0; i < element_unknowns; ++i) out.hessian(global(i), global(j)) += matrix(i, j);
     }
   }
+  finish(whole, state.moment, out);
 }
 
-LagrangianGradient gradient_at(const model::Material& material, const StationaryState& state,
+LagrangianGradient gradient_at(const model::Material& whole, const StationaryState& state,
                                const Nodes& normals, const Sector& sector) {
+  const model::Material material = at_moment(whole, state.moment);
+  const double tension = felt_tension(whole, state);
   const Eigen::Index unknowns = node_unknowns * sector.nodes();
-  LagrangianGradient out{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, 2)};
-  Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV;
+  LagrangianGradient out{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, 2),
+                         Eigen::VectorXd::Zero(unknowns)};
+  Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV, dW2;
   for (int e = 0; e < sector.elements(); ++e) {
     vector.setZero();
     dA.setZero();
     dV.setZero();
+    dW2.setZero();
     for (const ShapeValues& s : assembly_points()) {
       const NormalShapes shapes(normals, e, s);
       const auto rows = data_rows(shapes, s);
       const auto q = point_data(state, shapes, e, s);
       const auto x = independent<First>(q);
-      const auto density = lagrangian_density(material, state.tension, state.pressure, x);
+      const auto density = lagrangian_density(material, tension, state.pressure, x);
       Eigen::Matrix<double, data, 1> gradient = padded(density.energy);
       for (int k = 0; k < 4; ++k) {
         const First& c = density.curvature[k];
         gradient += padded(q[nonlinear_data + k] * c);
         gradient[nonlinear_data + k] = c.a;
       }
-      const First A = area_density(x), V = volume_density(x);
+      const First A = area_density(x), V = volume_density(x), W2 = A * x[at_H];
       const double weight = sector.copies(e) * s.weight;
       model::add_vector(rows, gradient, weight, vector);
       model::add_vector(rows, padded(A), weight, dA);
       model::add_vector(rows, padded(V), weight, dV);
+      model::add_vector(rows, padded(W2), weight, dW2);
       out.area += weight * A.a;
       out.volume += weight * V.a;
+      out.W2 += weight * W2.a;
     }
     for (int k = 0; k < element_unknowns; ++k) {
       const int i = global_index(sector, e, k);
       out.gradient[i] += vector[k];
       out.constraints(i, 0) += dA[k];
       out.constraints(i, 1) -= dV[k];
+      out.of_W2[i] += dW2[k];
     }
   }
+  finish(whole, state.moment, out);
   return out;
 }
 

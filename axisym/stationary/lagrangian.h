@@ -81,7 +81,8 @@ struct LagrangianDerivatives {
   model::BandMatrix hessian;    // 4 nodes x 4 nodes
   Eigen::VectorXd gradient;     // 4 nodes
   Eigen::MatrixXd constraints;  // 4 nodes x 2: ∂A, −∂V
-  double area = 0, volume = 0;
+  Eigen::VectorXd of_W2;  // 4 nodes: ∂(W₂ − c A/(π k_ad)); 0 without an area difference
+  double area = 0, volume = 0, W2 = 0;
   explicit LagrangianDerivatives(const Sector& sector);
 };
 
@@ -93,7 +94,8 @@ void assemble(const model::Material& material, const StationaryState& state, con
 struct LagrangianGradient {
   Eigen::VectorXd gradient;     // 4 nodes
   Eigen::MatrixXd constraints;  // 4 nodes x 2: ∂A, −∂V
-  double area = 0, volume = 0;
+  Eigen::VectorXd of_W2;        // 4 nodes
+  double area = 0, volume = 0, W2 = 0;
 };
 LagrangianGradient gradient_at(const model::Material& material, const StationaryState& state,
                                const Nodes& normals, const Sector& sector);

@@ -55,6 +55,7 @@ Diagnostics diagnose(const model::Material& material, const TouchingSpheres& sph
   }
   d.energy.bending -=
       necks * 4 * pi * material.kappa_gauss(beta);  // ∫K = −4π over a vanishing neck
+  d.energy.area_difference = material.area_difference.energy(d.area, d.W2);
   d.reduced_volume = reduced_volume(d.area, d.volume);
   d.order_min = d.order_mean = d.order_max = beta;
   d.radius_equator = spheres.radii[0];

@@ -10,7 +10,7 @@ namespace sbeh::axisym {
 /// Spheres of together the area of the unit sphere.
 struct TouchingSpheres {
   std::vector<double> radii;  ///< the largest first
-  bool nested;                ///< two, the smaller within the larger, its outside in; else a chain
+  bool nested;                ///< the others within the first, their outsides in; else a chain
 };
 
 /// Those of a reduced volume 0 < V_r < 1: R₁² + R₂² = 1, R₁³ − R₂³ = V_r.

@@ -17,17 +17,18 @@ struct LineState : StationaryState {
 
 struct PathState;
 
-/// A straight line in V_r, L, H₀ and f, μ = 0 at `from`, 1 at `to`, and beyond both.
+/// A straight line in V_r, L, H₀, W₂⁰ and f, μ = 0 at `from`, 1 at `to`, and beyond both.
 struct Line {
   using Solution = LineState;
   using Point = PathState;
   static constexpr model::ContinuationLimits limits{
       .most_iterations = 9, .tolerance = 1e-6, .far = 0.3, .fold = 1e-8};
 
-  model::Material material;  ///< but for L, and for H₀ and f that at `to`
+  model::Material material;  ///< but for L, and for H₀, W₂⁰ and f that at `to`
   model::Model model;
   PlanePoint from, to;
   double first_H0 = material.spontaneous_curvature;  ///< at `from`
+  double first_W2 = material.area_difference.W2;     ///< W₂⁰, likewise
   double first_coupling = 1;                         ///< f at `from`, as a share of that at `to`
   double first_scale = 1;  ///< all of f, κ, κ_G that are given, likewise
   /// Whether only states are looked for that are symmetric top to bottom: branches that break the symmetry
@@ -44,6 +45,7 @@ struct Line {
   bool contains(double mu) const { return at(mu).L > 0 && at(mu).reduced_volume <= 1; }
 
   double volume_rate() const { return target(1).volume - target(0).volume; }
+  double W2_rate() const { return material.area_difference.W2 - first_W2; }
   Eigen::VectorXd gradient_rate(const LineState& state) const;
 };
 

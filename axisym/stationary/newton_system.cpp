@@ -35,45 +35,53 @@ Eigen::VectorXd NewtonSystem::folded(const Eigen::VectorXd& load) const {
 
 bool NewtonSystem::linearise(const StationaryState& state) {
   assemble(material_, state, node_normals(state.X), derivatives_);
+  moment_ = state.moment;
   for_each_pinned(model_, derivatives_.sector, [&](int i) {
     derivatives_.hessian.set_identity_row(i);
     derivatives_.gradient[i] = 0;
     derivatives_.constraints.row(i).setZero();
+    derivatives_.of_W2[i] = 0;
   });
   return derivatives_.gradient.allFinite() && derivatives_.hessian.factor();
 }
 
+template <class Derivatives>
+Eigen::Vector3d NewtonSystem::miss(const Derivatives& there, const Target& target,
+                                   double moment) const {
+  const model::AreaDifference& ad = material_.area_difference;
+  const double of_W2 = ad.is_there() ? ad.W2 + moment * ad.compliance() * there.area - there.W2 : 0;
+  return {target.area - there.area, there.volume - target.volume, of_W2};
+}
+
 bool NewtonSystem::newton_step(const Target& target, Increment& step) {
-  const Eigen::Vector2d miss(target.area - derivatives_.area, derivatives_.volume - target.volume);
-  return solve(-derivatives_.gradient, miss, nullptr, step);
+  return solve(-derivatives_.gradient, miss(derivatives_, target, moment_), nullptr, step);
 }
 
 bool NewtonSystem::newton_step_from(const StationaryState& state, const Target& target,
                                     Increment& step) {
   const LagrangianGradient there =
       gradient_at(material_, state, node_normals(state.X), derivatives_.sector);
-  const Eigen::Vector2d miss(target.area - there.area, there.volume - target.volume);
-  return solve(-there.gradient, miss, nullptr, step);
+  return solve(-there.gradient, miss(there, target, state.moment), nullptr, step);
 }
 
 bool NewtonSystem::newton_step(const Target& target, const PathEquation& path, double arc,
                                Increment& step) {
-  const Eigen::Vector3d miss(target.area - derivatives_.area, derivatives_.volume - target.volume,
-                             arc);
-  return solve(-derivatives_.gradient, miss, &path, step);
+  Eigen::Vector4d border;
+  border << miss(derivatives_, target, moment_), arc;
+  return solve(-derivatives_.gradient, border, &path, step);
 }
 
-bool NewtonSystem::tangent(const Eigen::VectorXd& gradient_rate, double volume_rate,
+bool NewtonSystem::tangent(const Eigen::VectorXd& gradient_rate, double volume_rate, double W2_rate,
                            Increment& direction) {
   const bool ok =
-      solve(-folded(gradient_rate), Eigen::Vector2d(0, -volume_rate), nullptr, direction);
+      solve(-folded(gradient_rate), Eigen::Vector3d(0, -volume_rate, W2_rate), nullptr, direction);
   direction.mu = 1;
   return ok;
 }
 
 bool NewtonSystem::tangent(const PathEquation& path, Increment& direction) {
-  return solve(Eigen::VectorXd::Zero(derivatives_.gradient.size()), Eigen::Vector3d(0, 0, 1), &path,
-               direction);
+  return solve(Eigen::VectorXd::Zero(derivatives_.gradient.size()), Eigen::Vector4d(0, 0, 0, 1),
+               &path, direction);
 }
 
 bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& border_rhs,
@@ -81,11 +89,15 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
   const Eigen::Index n = rhs.size(), m = border_rhs.size();
   Eigen::MatrixXd B(n, m), C(n, m), D = Eigen::MatrixXd::Zero(m, m);
   B.leftCols(2) = C.leftCols(2) = derivatives_.constraints;
+  B.col(2) = C.col(2) = derivatives_.of_W2;
+  const model::AreaDifference& ad = material_.area_difference;
+  D(2, 2) = ad.is_there() ? -ad.compliance() * derivatives_.area : 1;
   if (path) {
-    B.col(2) = folded(path->gradient_rate);
-    C.col(2) = folded(scattered(path->row));
-    D(1, 2) = path->volume_rate;
-    D(2, 2) = path->row.mu;
+    B.col(3) = folded(path->gradient_rate);
+    C.col(3) = folded(scattered(path->row));
+    D(1, 3) = path->volume_rate;
+    D(2, 3) = ad.is_there() ? -path->W2_rate : 0;
+    D(3, 3) = path->row.mu;
   }
   Eigen::VectorXd f = rhs;
   const Sector& sector = derivatives_.sector;
@@ -108,7 +120,8 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
   }
   out.tension = solution.y[0];
   out.pressure = solution.y[1];
-  out.mu = path ? solution.y[2] : 0;
+  out.moment = solution.y[2];
+  out.mu = path ? solution.y[3] : 0;
   return true;
 }
 
@@ -144,6 +157,7 @@ void displace(const Increment& step, double scale, StationaryState& state) {
   state.H += scale * step.H;
   state.tension += scale * step.tension;
   state.pressure += scale * step.pressure;
+  state.moment += scale * step.moment;
 }
 
 }  // namespace sbeh::axisym

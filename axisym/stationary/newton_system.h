@@ -20,7 +20,7 @@ void for_each_pinned(model::Model model, const Sector& sector, Visit&& visit) {
 /// A direction or a step in all unknowns; fields are nodal, `d` along the node normals.
 struct Increment {
   Field d, Lambda, H, beta;
-  double tension = 0, pressure = 0;
+  double tension = 0, pressure = 0, moment = 0;
   double mu = 0;  ///< parameter of a path; 0 where there is none
 };
 
@@ -31,6 +31,7 @@ double largest_change(const Increment& step);
 struct PathEquation {
   Eigen::VectorXd gradient_rate;  // 4 nodes of the whole: ∂(gradient of 𝓛)/∂μ
   double volume_rate;             ///< ∂V₀/∂μ
+  double W2_rate;                 ///< ∂W₂⁰/∂μ
   Increment row;                  ///< only d, β and μ are used
 };
 
@@ -59,7 +60,8 @@ class NewtonSystem {
   bool newton_step_from(const StationaryState& state, const Target& target, Increment& step);
   bool newton_step(const Target& target, const PathEquation& path, double arc, Increment& step);
   /// The change of the solution per change of μ (mu = 1).
-  bool tangent(const Eigen::VectorXd& gradient_rate, double volume_rate, Increment& direction);
+  bool tangent(const Eigen::VectorXd& gradient_rate, double volume_rate, double W2_rate,
+               Increment& direction);
   /// The direction along the branch with row·(d, β, μ) = 1; regular at folds as well.
   bool tangent(const PathEquation& path, Increment& direction);
 
@@ -69,12 +71,16 @@ class NewtonSystem {
 
  private:
   Eigen::VectorXd folded(const Eigen::VectorXd& load) const;
+  // What area, volume and moment miss; `there` is a LagrangianDerivatives or LagrangianGradient.
+  template <class Derivatives>
+  Eigen::Vector3d miss(const Derivatives& there, const Target& target, double moment) const;
   bool solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& border_rhs,
              const PathEquation* path, Increment& out);
 
   model::Material material_;
   model::Model model_;
   LagrangianDerivatives derivatives_;
+  double moment_ = 0;  // of the state of linearise
   int determinant_sign_ = 0;
 };
 

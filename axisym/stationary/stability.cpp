@@ -8,14 +8,17 @@ namespace sbeh::axisym {
 
 namespace {
 
+constexpr int global_multipliers = 3;     // tension, pressure, moment
 constexpr int block = 3 * node_unknowns;  // an element without its last node
 using Block = Eigen::Matrix<double, block, block>;
-using Border = Eigen::Matrix<double, block, 2>;
+using Border = Eigen::Matrix<double, block, global_multipliers>;
+using Corner = Eigen::Matrix<double, global_multipliers, global_multipliers>;
 
 // Counts negative eigenvalues while eliminating the blocks of a symmetric block tridiagonal matrix
-// with two border columns.
+// with a few border columns.
 class InertiaCounter {
  public:
+  explicit InertiaCounter(const Corner& corner) : corner_(corner) {}
   // `below` couples the block to the next one.
   void eliminate(const Block& diagonal, const Block& below, const Border& border) {
     const Block pivot = diagonal - coupling_ * carried_;
@@ -30,14 +33,14 @@ class InertiaCounter {
     carried_border_ = inverse * b;
   }
   int finish() {
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix2d> eigen(corner_);
+    const Eigen::SelfAdjointEigenSolver<Corner> eigen(corner_);
     return negative_ + int((eigen.eigenvalues().array() < 0).count());
   }
 
  private:
   Block coupling_ = Block::Zero(), carried_ = Block::Zero();
   Border carried_border_ = Border::Zero();
-  Eigen::Matrix2d corner_ = Eigen::Matrix2d::Zero();
+  Corner corner_;
   int negative_ = 0;
 };
 
@@ -45,10 +48,11 @@ class InertiaCounter {
 
 int negative_directions(const model::Material& material, model::Model model,
                         const StationaryState& state) {
-  return negative_directions(lagrangian_at(material, model, state), model);
+  return negative_directions(lagrangian_at(material, model, state), material, model);
 }
 
-int negative_directions(const LagrangianDerivatives& lagrangian, model::Model model) {
+int negative_directions(const LagrangianDerivatives& lagrangian, const model::Material& material,
+                        model::Model model) {
   const int size = int(lagrangian.gradient.size()), nodes = size / node_unknowns;
   // Pinned unknowns leave the matrix symmetrically; a 1 on the diagonal counts as no negative.
   std::vector<bool> pinned(std::size_t(size), false);
@@ -59,7 +63,11 @@ int negative_directions(const LagrangianDerivatives& lagrangian, model::Model mo
     return std::abs(i - j) <= lagrangian.hessian.half_width() ? lagrangian.hessian(i, j) : 0.;
   };
 
-  InertiaCounter counter;
+  // Without an area difference nothing couples to the moment, whose 1 counts as no negative.
+  const model::AreaDifference& ad = material.area_difference;
+  Corner corner = Corner::Zero();
+  corner(2, 2) = ad.is_there() ? -ad.compliance() * lagrangian.area : 1;
+  InertiaCounter counter(corner);
   const int blocks = (size + block - 1) / block;  // the last one is padded
   for (int k = 0; k < blocks; ++k) {
     Block diagonal, below;
@@ -70,13 +78,13 @@ int negative_directions(const LagrangianDerivatives& lagrangian, model::Model mo
         diagonal(i, j) = entry(row, block * k + j);
         below(i, j) = entry(row + block, block * k + j);
       }
-      for (int c = 0; c < 2; ++c)
-        border(i, c) = row < size && !pinned[std::size_t(row)] ? lagrangian.constraints(row, c) : 0;
+      const bool is_free = row < size && !pinned[std::size_t(row)];
+      for (int c = 0; c < 2; ++c) border(i, c) = is_free ? lagrangian.constraints(row, c) : 0;
+      border(i, 2) = is_free ? lagrangian.of_W2[row] : 0;
     }
     counter.eliminate(diagonal, below, border);
   }
-  constexpr int global_multipliers = 2;  // tension and pressure
-  return counter.finish() - nodes - global_multipliers;
+  return counter.finish() - nodes - (ad.is_there() ? 3 : 2);
 }
 
 }  // namespace sbeh::axisym

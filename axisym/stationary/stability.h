@@ -9,7 +9,8 @@ namespace sbeh::axisym {
 /// in which the energy falls to second order: 0 for a local minimum. It is the number of negative
 /// eigenvalues of the matrix of the Lagrangian with all its multipliers, less the number of
 /// multipliers, counted by a block LDLᵀ factorisation (Sylvester's law of inertia); O(elements).
-int negative_directions(const LagrangianDerivatives& lagrangian, model::Model model);
+int negative_directions(const LagrangianDerivatives& lagrangian, const model::Material& material,
+                        model::Model model);
 int negative_directions(const model::Material& material, model::Model model,
                         const StationaryState& state);
 

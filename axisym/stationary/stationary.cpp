@@ -15,6 +15,18 @@ model::Material felt_material(const model::Material& material, model::Model mode
   return has_free_order(model) ? material : material.without_gaussian();
 }
 
+model::Material at_moment(const model::Material& material, double moment) {
+  if (moment == 0) return material;
+  model::Material felt = material;
+  felt.flexoelectric = material.flexoelectric.plus(moment);
+  return felt;
+}
+
+double felt_tension(const model::Material& material, const StationaryState& state) {
+  const double c = state.moment;
+  return c == 0 ? state.tension : state.tension - c * c * material.area_difference.compliance() / 2;
+}
+
 StationaryState guess_from(const model::Material& whole, model::Model model, const State& shape) {
   const model::Material material = felt_material(whole, model);
   const Eigen::Index nodes = shape.beta.size();
@@ -25,15 +37,27 @@ StationaryState guess_from(const model::Material& whole, model::Model model, con
     const double B_phi = r > 0 ? -n(0, i) / r : guess.H[i] / 2;
     guess.Lambda[i] = -(material.moment(beta, guess.H[i]) + material.kappa_gauss(beta) * B_phi);
   }
-  const LagrangianGradient lagrangian =
-      gradient_at(material, guess, n, {element_count(shape.X), false});
-  // Least squares over the displacements alone: the other rows do not feel tension and pressure.
+  const auto gradient = [&] {
+    return gradient_at(material, guess, n, {element_count(guess.X), false});
+  };
+  LagrangianGradient lagrangian = gradient();
+  const model::AreaDifference& ad = material.area_difference;
+  const bool is_couple = ad.is_there() && ad.compliance() == 0;  // whose moment may be any
+  if (ad.is_there() && !is_couple) {
+    guess.moment = (lagrangian.W2 - ad.W2) / (lagrangian.area * ad.compliance());
+    lagrangian = gradient();
+  }
+  // Least squares over the displacements alone: the other rows do not feel the multipliers.
   const auto displacements = Eigen::seqN(Eigen::Index(node_d), nodes, Eigen::Index(node_unknowns));
-  const Eigen::MatrixXd forces = lagrangian.constraints(displacements, Eigen::all);
-  const Eigen::Vector2d multipliers =
+  Eigen::MatrixXd forces(nodes, is_couple ? 3 : 2);
+  forces.leftCols(2) = lagrangian.constraints(displacements, Eigen::all);
+  if (is_couple) forces.col(2) = lagrangian.of_W2(displacements);
+  const Eigen::VectorXd multipliers =
       forces.completeOrthogonalDecomposition().solve(-lagrangian.gradient(displacements));
   guess.tension = multipliers[0];
   guess.pressure = multipliers[1];
+  if (is_couple) guess.moment = multipliers[2];
+  guess.Lambda.array() -= guess.moment;  // as with f + c for f
   return guess;
 }
 

@@ -3,6 +3,9 @@
 // The discrete Lagrangian is the energy of model/energy_density.h on the P3 curve, with the mean
 // curvature a P3 field H bound to the curve by the scheme's curvature equation (H1):
 //   𝓛 = U(X, β, H) + [(H ν, Λ) + (1, Div_C Λ)] + Σ (A − A₀) − P (V − V₀).
+// With an area difference (model/material.h) the moment c is one more number:
+//   … + c (W₂ − W₂⁰) − c² A/(2π k_ad),
+// which acts as f + c for f, and as Σ − c²/(2π k_ad) for Σ.
 // The curve moves along its node normals, X + Σ d_i φ_i n_i, and the multiplier is Λ = Σ Λ_i φ_i n_i;
 // the north pole is held to fix the position along the axis. All derivatives come from automatic
 // differentiation of the one pointwise density, so that residual and matrix cannot disagree and the
@@ -41,7 +44,12 @@ struct NewtonOptions {
 /// which is a constant, and whose parts would outweigh all others in narrow necks.
 model::Material felt_material(const model::Material& material, model::Model model);
 
-/// Completes position and order to a guess: H from the curve, Λ from H, tension and pressure by least
+/// Of `material` what the moment of a state makes of it: f + c for f.
+model::Material at_moment(const model::Material& material, double moment);
+/// Σ − c²/(2π k_ad), what multiplies the area in the Lagrangian.
+double felt_tension(const model::Material& material, const StationaryState& state);
+
+/// Completes position and order to a guess: H from the curve, Λ from H, tension, pressure and moment by least
 /// squares on the force balance.
 StationaryState guess_from(const model::Material& material, model::Model model, const State& shape);
 

@@ -10,17 +10,19 @@ InputKind kind_of(const std::filesystem::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const bool scan = file.has("scan"), relax = file.has("start"), run = file.has("surface"),
              compare = file.has("compare"), stability = file.has("stability"),
-             modes = file.has("modes"), states = file.has("states");
-  const int count = scan + relax + run + compare + stability + modes + states;
+             modes = file.has("modes"), states = file.has("states"), diagram = file.has("diagram");
+  const int count = scan + relax + run + compare + stability + modes + states + diagram;
   if (count == 0) {
     for (const char* known : {"model", "surface3d"}) file.has(known);
-    file.refuse_misspelt({"scan", "start", "surface", "compare", "stability", "modes", "states"});
+    file.refuse_misspelt(
+        {"scan", "start", "surface", "compare", "stability", "modes", "states", "diagram"});
   }
   if (count != 1)
     throw InputError(fmt::format(
         "{}: must have {}[scan] (a scan), [start] (one axisymmetric evolution), [surface] (one "
         "3D run), [compare] (one case by several methods), [stability] (axisymmetric states, "
-        "perturbed in 3D), [modes] (the modes of one state) or [states] (rest states in 3D){}",
+        "perturbed in 3D), [modes] (the modes of one state), [states] (rest states in "
+        "3D) or [diagram] (a classical phase diagram){}",
         path.string(), count > 1 ? "only one of " : "a table ",
         count > 1 ? "" : "; it has none of them"));
   return scan      ? InputKind::scan
@@ -29,7 +31,8 @@ InputKind kind_of(const std::filesystem::path& path) {
        : compare   ? InputKind::compare
        : stability ? InputKind::stability
        : modes     ? InputKind::modes
-                   : InputKind::states;
+       : states    ? InputKind::states
+                   : InputKind::diagram;
 }
 
 }  // namespace sbeh::studies

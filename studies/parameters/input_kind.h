@@ -15,12 +15,13 @@ enum class InputKind {
   compare,    ///< has a table [compare]: read_compare
   stability,  ///< has a table [stability]: read_stability
   modes,      ///< has a table [modes]: read_modes
-  states      ///< has a table [states]: read_states
+  states,     ///< has a table [states]: read_states
+  diagram     ///< has a table [diagram]: read_diagram
 };
 
 /// Those of the commands.
 constexpr auto names(InputKind) {
-  return std::array{"scan", "relax", "run", "compare", "stability", "modes", "states"};
+  return std::array{"scan", "relax", "run", "compare", "stability", "modes", "states", "diagram"};
 }
 
 /// Throws InputError if the file cannot be read or has not one of these tables.

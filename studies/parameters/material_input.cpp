@@ -52,10 +52,10 @@ model::Potential potential_of(const TomlTable& table, const char* key, bool powe
 // All but the elastic constants.
 model::Material read_rest(const TomlTable& table, model::Material material) {
   read_friction(table, material);
-  if (table.has("kappa"))
+  read_parameters(table, material, elastic_constants);
+  if (!material.kappa_powers.empty())
     refuse(table, {"residual_stiffness"},
            "must not be given together with kappa, which says all of the bending stiffness");
-  read_parameters(table, material, elastic_constants);
   check(table, material);
   return material;
 }

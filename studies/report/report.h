@@ -13,9 +13,10 @@
 namespace sbeh::studies {
 
 /// What a folder holds, by the command that made it.
-enum class ResultsKind { scan, run, relax, seifert, compare, stability, modes, states };
+enum class ResultsKind { scan, run, relax, seifert, compare, stability, modes, states, diagram };
 constexpr auto names(ResultsKind) {
-  return std::array{"scan", "run", "relax", "seifert", "compare", "stability", "modes", "states"};
+  return std::array{"scan",      "run",   "relax",  "seifert", "compare",
+                    "stability", "modes", "states", "diagram"};
 }
 
 /// Throws InputError where there is no folder.

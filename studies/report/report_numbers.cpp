@@ -1,5 +1,6 @@
 // The numbers of a folder of results that matter most.
 #include "studies/compare/compare.h"
+#include "studies/diagram/diagram_table.h"
 #include "studies/io/toml_reader.h"
 #include "studies/modes/modes.h"
 #include "studies/report/report.h"
@@ -207,6 +208,24 @@ KeyNumbers of_seifert(const fs::path& folder) {
   return {"The classical shapes by three witnesses", facts};
 }
 
+KeyNumbers of_diagram(const fs::path& folder) {
+  const DiagramInput input = read_diagram(folder / "run.toml");
+  const auto rows = rows_of(bifurcation_columns(), folder / "bifurcations.csv");
+  const auto of_kind = [&](std::string_view kind) {
+    return std::to_string(std::ranges::count(rows, kind, &Bifurcation::kind));
+  };
+  double error = 0;
+  for (const Bifurcation& row : rows)
+    if (!std::isnan(row.error)) error = std::max(error, row.error);
+  return {fmt::format("The {} diagram", name(input.kind)),
+          {{"values", std::to_string(input.values.size())},
+           {"losses of symmetry", of_kind("symmetry_loss")},
+           {"folds", of_kind("fold")},
+           {"closing necks", of_kind("limit")},
+           {"equal energies", of_kind("equal_energy")},
+           number("largest error of V_r", error)}};
+}
+
 KeyNumbers of_compare(const fs::path& folder, const ShownUnits& units) {
   const auto comparisons = read_rows(comparison_columns(), folder / "compare.csv");
   const auto methods = rows_of(method_columns(), folder / "methods.csv");
@@ -298,6 +317,8 @@ KeyNumbers key_numbers(const fs::path& folder, ResultsKind kind, const ShownUnit
       return of_evolution(folder, kind, units);
     case ResultsKind::seifert:
       return of_seifert(folder);
+    case ResultsKind::diagram:
+      return of_diagram(folder);
     case ResultsKind::compare:
       return of_compare(folder, units);
     case ResultsKind::stability:

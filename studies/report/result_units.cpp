@@ -42,7 +42,8 @@ DescribedUnits grid(const auto& input) {
 
 // The classical diagram has no run.toml: κ = 1.
 DescribedUnits described_results(const fs::path& folder) {
-  if (kind_of_results(folder) == ResultsKind::seifert)
+  if (const auto kind = kind_of_results(folder);
+      kind == ResultsKind::seifert || kind == ResultsKind::diagram)
     return {{}, {model::Model::SSH, axisym::classical_material()}};
   return described_units(folder / "run.toml");
 }
@@ -134,6 +135,8 @@ DescribedUnits described_units(const fs::path& input) {
       return one_state(read_run(input));
     case InputKind::compare:
       return one_case(read_compare(input));
+    case InputKind::diagram:
+      return {};
     case InputKind::states: {
       const StatesInput states = read_states(input);
       return {states.units, {states.model, states.material}, true};

@@ -40,7 +40,7 @@ std::vector<FoldRow> fold_of(const ScanInput& input, axisym::Branch branch, doub
   const auto fold =
       is_stationary(last) ? fold_above(case_of(input, last->row.key), *last->state) : std::nullopt;
   if (!fold) return {};
-  return fold_at(fold->state.at.L, fold->L_error, fold->diagnostics, fold->error.energy,
+  return fold_at(fold->state.at.L, fold->place_error, fold->diagnostics, fold->error.energy,
                  fold->state);
 }
 

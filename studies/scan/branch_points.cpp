@@ -80,7 +80,7 @@ void describe_fold(const StationaryCase& of, const axisym::ResolvedState& fold, 
   row.fold_side = "at";
   if (of.model == Model::SBEH) {
     row.fold_L = at.L;
-    row.fold_L_error = fold.L_error;
+    row.fold_L_error = fold.place_error;
   }
   row.stop_reason = fmt::format(
       "the smooth {} branch ends in a fold at V_r = {:.6g}{}{}; the values are those at the fold{}",
@@ -97,7 +97,7 @@ PointOutcome resolved_point(const StationaryCase& of, const BranchState& state) 
   PointResult& row = point.row;
   const auto lagrangian = axisym::lagrangian_at(of.material, of.model, found.state);
   row.residual = axisym::residual_of(lagrangian, of.model, found.state.X);
-  row.negative_directions = axisym::negative_directions(lagrangian, of.model);
+  row.negative_directions = axisym::negative_directions(lagrangian, of.material, of.model);
   row.fold_side = "before";
   row.error = found.error;
   if (!found.is_resolved && row.status == PointStatus::stationary) {

@@ -65,9 +65,10 @@ TEST(Material, that_is_not_finite_is_refused_with_name_and_value) {
       {"residual_stiffness", &Material::residual_stiffness},
       {"spontaneous_curvature", &Material::spontaneous_curvature},
   };
-  for (const auto& [name, value] : members)
+  for (const auto& member : members)
     for (const double bad : {nan, infinity}) {
-      const std::string message = refusal([&](Material& m) { m.*value = bad; });
+      const std::string& name = member.name;
+      const std::string message = refusal([&](Material& m) { m.*(member.value) = bad; });
       EXPECT_NE(message.find(name), std::string::npos) << name << ": " << message;
       EXPECT_NE(message.find(bad == infinity ? "= inf:" : "= nan:"), std::string::npos)
           << name << ": " << message;
@@ -91,7 +92,7 @@ TEST(Material, must_have_an_elastic_energy_bounded_below_in_the_curvatures) {
 TEST(Potential, that_is_not_finite_is_refused_with_the_place_of_the_coefficient) {
   for (const double bad : {nan, infinity}) {
     try {
-      Potential({0, 1, bad});
+      const Potential refused({0, 1, bad});
       FAIL() << "accepted";
     } catch (const std::invalid_argument& error) {
       EXPECT_STREQ(error.what(), "coefficient 2 is not finite");

@@ -171,12 +171,11 @@ TEST_F(WrongInput, is_refused_by_the_check_with_the_same_words) {
     must_refuse({"check", "in.toml"}, "in.toml" + in_double_quotes(wrong.message));
   }
   write("in.toml", "x = 1\n");
-  must_refuse(
-      {"check", "in.toml"},
-      "in.toml: must have a table [scan] (a scan), [start] (one axisymmetric evolution), "
-      "[surface] (one 3D run), [compare] (one case by several methods), [stability] "
-      "(axisymmetric states, perturbed in 3D), [modes] (the modes of one state) or [states] "
-      "(rest states in 3D); it has none of them");
+  must_refuse({"check", "in.toml"},
+              "in.toml: must have a table [scan] (a scan), [start] (one axisymmetric evolution), "
+              "[surface] (one 3D run), [compare] (one case by several methods), [stability] "
+              "(axisymmetric states, perturbed in 3D), [modes] (the modes of one state), [states] "
+              "(rest states in 3D) or [diagram] (a classical phase diagram); it has none of them");
 }
 
 TEST_F(WrongInput, that_is_no_readable_file_is_refused_with_the_reason) {

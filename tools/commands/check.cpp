@@ -26,6 +26,8 @@ void check(const std::string& file) {
       return check_modes(file);
     case studies::InputKind::states:
       return check_states(file);
+    case studies::InputKind::diagram:
+      return check_diagram(file);
   }
 }
 

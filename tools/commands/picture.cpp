@@ -34,7 +34,8 @@ Command add_picture(CLI::App& program) {
   CLI::App* app =
       program.add_subcommand("picture",
                              "draw the pictures of a folder again: picture "
-                             "scan|relax|run|seifert|compare|figures|stability|modes|states "
+                             "scan|relax|run|seifert|compare|figures|stability|modes|states|"
+                             "diagram "
                              "DIR");
   app->prefix_command();
   app->set_help_flag();  // `sbeh picture --help` is the picture program's

@@ -52,7 +52,8 @@ int report(const Words& words) {
   if (words.units || !words.units_from.empty())
     units.emplace(folder, words.units_from.empty() ? std::nullopt
                                                    : std::optional(fs::path(words.units_from)));
-  const bool have_units = units && kind != studies::ResultsKind::seifert;
+  const bool have_units =
+      units && kind != studies::ResultsKind::seifert && kind != studies::ResultsKind::diagram;
   if (!words.no_pictures) draw_pictures(words, kind, have_units);
   const studies::ReportSummary s =
       studies::write_report(folder, SBEH_VERSION, page_script(), units);
@@ -68,8 +69,9 @@ int report(const Words& words) {
 Command add_report(CLI::App& program) {
   const auto words = std::make_shared<Words>();
   CLI::App* app = program.add_subcommand("report", "a folder of results as one page of HTML");
-  app->add_option("DIR", words->folder,
-                  "folder of a scan, run, relax, seifert, compare, stability, modes or states")
+  app->add_option(
+         "DIR", words->folder,
+         "folder of a scan, run, relax, seifert, compare, stability, modes, states or diagram")
       ->required();
   app->add_flag("--no-pictures", words->no_pictures, "do not draw those that are missing");
   app->add_flag("--units", words->units,

@@ -64,7 +64,8 @@ py::dict dict_of(Material material) {
   for_each_number(material,
                   [&](const model::Parameter& p, double& number) { values[p.name] = number; });
   values["potential"] = material.potential.coefficients();
-  for (const auto& [key, powers] : polynomials_of(material)) values[key] = powers->coefficients();
+  for (const auto& [key, powers] : polynomials_of(material))
+    if (!powers->empty()) values[key] = powers->coefficients();
   return values;
 }
 

@@ -51,7 +51,7 @@ PointOutcome stationary(const std::string& branch, double reduced_volume,
     if (of.model == model::Model::SBEH && point.row.status == studies::PointStatus::stationary)
       if (const auto fold = studies::fold_above(of, *point.state)) {
         point.row.fold_L = fold->state.at.L;
-        point.row.fold_L_error = fold->L_error;
+        point.row.fold_L_error = fold->place_error;
       }
     return point;
   });

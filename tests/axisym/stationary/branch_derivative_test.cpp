@@ -48,7 +48,7 @@ Increment tangent_of(const BranchState& b, const Direction& direction) {
   NewtonSystem system(paper_material(b.at.L), Model::SBEH, {element_count(b.X), false});
   EXPECT_TRUE(system.linearise(b));
   Increment t;
-  EXPECT_TRUE(system.tangent(gradient_rate(b, direction), direction.volume, t));
+  EXPECT_TRUE(system.tangent(gradient_rate(b, direction), direction.volume, 0, t));
   EXPECT_EQ(t.mu, 1);
   return t;
 }

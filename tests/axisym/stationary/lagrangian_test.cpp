@@ -30,9 +30,12 @@ std::vector<NamedMaterial> materials() {
   general.flexoelectric = model::Polynomial({0.3, -0.8, 0.5});
   Material cubic = general;
   cubic.potential = model::Potential({0.3, -0.2, 1.1, -4., 5., 0.7});
+  Material coupled = general;
+  coupled.area_difference = {1.2, -20};
   return {{"one constant", paper_material(0.05)},
           {"unequal L, k0, H0, f", general},
-          {"potential of degree 5", cubic}};
+          {"potential of degree 5", cubic},
+          {"area difference", coupled}};
 }
 
 // No solution of anything: smooth fields that have nothing to do with each other.
@@ -64,6 +67,10 @@ double lagrangian(const Material& material, const StationaryState& s, const Node
                                   slope_at(s.beta, e, shape)};
       const auto density = lagrangian_density(material, s.tension, s.pressure, q);
       sum += shape.weight * density.energy;
+      if (const auto& ad = material.area_difference; ad.is_there()) {
+        const double c = s.moment;  // c (W₂ − W₂⁰) − c²A/(2π k_ad), but for the constant
+        sum += shape.weight * area_density(q) * (c * q[at_H] - c * c / (2 * pi * ad.stiffness));
+      }
       for (int k = 0; k < 2; ++k) {
         const Field Lambda_k = s.Lambda.cwiseProduct(normals.row(k).transpose());
         sum += shape.weight
@@ -115,12 +122,19 @@ LagrangianDerivatives assembled(const Material& material, const StationaryState&
   return out;
 }
 
+// With a moment where the material has one.
+StationaryState any_state_in(const Material& material) {
+  StationaryState s = any_state();
+  if (material.area_difference.is_there()) s.moment = 0.9;
+  return s;
+}
+
 TEST(Lagrangian, gradient_is_the_difference_of_the_value_in_every_block) {
-  const StationaryState s = any_state();
-  const Nodes n = node_normals(s.X);
   for (const NamedMaterial& of : materials()) {
     const auto& material = of.material;
     const auto& name = of.name;
+    const StationaryState s = any_state_in(material);
+    const Nodes n = node_normals(s.X);
     const LagrangianDerivatives L = assembled(material, s, n);
     for (int block = 0; block < node_unknowns; ++block)
       for (unsigned seed : {1u, 2u, 3u}) {
@@ -136,11 +150,11 @@ TEST(Lagrangian, gradient_is_the_difference_of_the_value_in_every_block) {
 }
 
 TEST(Lagrangian, hessian_is_the_difference_of_the_gradient_in_every_block) {
-  const StationaryState s = any_state();
-  const Nodes n = node_normals(s.X);
   for (const NamedMaterial& of : materials()) {
     const auto& material = of.material;
     const auto& name = of.name;
+    const StationaryState s = any_state_in(material);
+    const Nodes n = node_normals(s.X);
     const LagrangianDerivatives L = assembled(material, s, n);
     for (int block = 0; block < node_unknowns; ++block) {
       const Eigen::VectorXd v = random_direction(block, 7);
@@ -187,6 +201,26 @@ TEST(Lagrangian, knows_area_and_volume_and_their_gradients) {
       difference([&](double t) { return assembled({}, moved(s, n, v, t), n).volume; });
   EXPECT_NEAR(L.constraints.col(0).dot(v), dA, accuracy);
   EXPECT_NEAR(L.constraints.col(1).dot(v), -dV, accuracy);
+}
+
+TEST(Lagrangian, knows_how_its_gradient_goes_with_the_moment) {
+  for (const double stiffness : {1.2, std::numeric_limits<double>::infinity()}) {
+    Material material = materials()[1].material;
+    material.area_difference = {stiffness, -20};
+    StationaryState s = any_state_in(material);
+    const Nodes n = node_normals(s.X);
+    const LagrangianDerivatives L = assembled(material, s, n);
+    const Eigen::VectorXd expected = difference([&](double t) -> Eigen::VectorXd {
+      StationaryState at = s;
+      at.moment += t;
+      return assembled(material, at, n).gradient;
+    });
+    EXPECT_LT((L.of_W2 - expected).cwiseAbs().maxCoeff(), accuracy);
+    EXPECT_GT(L.of_W2.cwiseAbs().maxCoeff(), 0.1);
+    const LagrangianGradient alone = gradient_at(material, s, n, {elements, false});
+    EXPECT_LT((L.of_W2 - alone.of_W2).cwiseAbs().maxCoeff(), 1e-13);
+    EXPECT_NEAR(L.W2, alone.W2, 1e-13);
+  }
 }
 
 // Of a symmetric state's nodes, in columns: what a change of a node of the upper half is to the whole.

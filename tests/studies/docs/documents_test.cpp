@@ -1,5 +1,6 @@
 // The documents stay true: their inputs are accepted, their links lead somewhere, their tables are complete.
 #include "studies/compare/compare_input.h"
+#include "studies/diagram/diagram_input.h"
 #include "studies/evolution/relax.h"
 #include "studies/evolution/run_start.h"
 #include "studies/io/csv.h"
@@ -109,6 +110,9 @@ void check_input(const fs::path& path, std::vector<ScanInput>& scans) {
       break;
     case InputKind::states:
       read_states(path);
+      break;
+    case InputKind::diagram:
+      read_diagram(path);
       break;
   }
 }

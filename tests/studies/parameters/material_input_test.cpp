@@ -95,7 +95,8 @@ TEST(Material, that_is_wrong_is_refused_with_line_key_and_value) {
       {"viscocity = 1",
        ":5: [material] viscocity: unknown key; did you mean 'viscosity'? Known: friction, "
        "potential, landau_de_gennes, viscosity, immobility, friction_tangential, friction_normal, "
-       "order_viscosity, residual_stiffness, spontaneous_curvature"},
+       "order_viscosity, residual_stiffness, spontaneous_curvature, kappa, kappa_gauss, "
+       "flexoelectric"},
   };
   expect_messages(read_scan, small_scan + "[material]\n", in_scans);
   const std::vector<Case> in_evolutions{

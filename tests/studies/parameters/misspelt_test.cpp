@@ -1,5 +1,6 @@
 // Misspelt keys and tables of every kind of input are told with what was meant, before any fault that follows from them.
 #include "studies/compare/compare_input.h"
+#include "studies/diagram/diagram_input.h"
 #include "studies/evolution/relax_input.h"
 #include "studies/evolution/run_input.h"
 #include "studies/modes/modes_input.h"
@@ -40,6 +41,9 @@ void read(const fs::path& path) {
       break;
     case InputKind::states:
       read_states(path);
+      break;
+    case InputKind::diagram:
+      read_diagram(path);
       break;
   }
 }

@@ -11,6 +11,9 @@ namespace sbeh::picture {
 /// the first witness, the others as marks on them, and the special points with their names and shapes.
 void draw_classical_diagram(Canvas& canvas, const Options& options);
 
+/// diagram: the lines of bifurcations.csv of `sbeh diagram` over V_r, with the shapes of shapes.csv.
+void draw_phase_diagram(Canvas& canvas, const Options& options);
+
 /// profiles: from profiles.csv of `sbeh compare`. Cross sections of all methods on top of each other, the 3D
 /// solver's nodes as marks, and below them the distance from the first method over the arc length.
 void draw_compared_profiles(Canvas& canvas, const Options& options);

@@ -1,0 +1,21 @@
+// Shapes of touching spheres at which the necks of SSH's stationary states close.
+#pragma once
+
+#include "axisym/diagnostics.h"
+#include "axisym/stationary/limit_shape.h"
+
+#include <optional>
+#include <vector>
+
+namespace sbeh::axisym {
+
+/// Those with ideal necks in this material: κ times the mean of the two spheres' H is κH₀ − f − c, c the moment of the
+/// area difference (Miao, Seifert, Wortis, Döbereiner, Phys. Rev. E 49, 5389, 1994); where its stiffness is infinite, those of
+/// its W₂. One sphere with one or two within it, two beside each other, and chains in which two radii alternate, of `most` spheres.
+std::vector<TouchingSpheres> with_ideal_necks(const model::Material& material, int most = 5);
+
+/// To which of these, or of chains of equal spheres, a state with a narrow neck is near in V_r and W₂ both. Empty where none is.
+std::optional<TouchingSpheres> closing_shape(const model::Material& material,
+                                             const Diagnostics& state);
+
+}  // namespace sbeh::axisym
