@@ -11,6 +11,8 @@
 #include <algorithm>
 #include <map>
 #include <mutex>
+#include <string>
+#include <type_traits>
 #include <utility>
 
 namespace sbeh::studies {
@@ -24,8 +26,17 @@ struct OneValue {
   bool is_done = false;
 };
 
-OneValue at_value(const DiagramInput& input, double value,
+// Shapes are drawn at some eight of the values.
+bool has_shapes(std::size_t k, std::size_t count) {
+  constexpr std::size_t lines_of_shapes = 8;
+  const std::size_t stride = std::max<std::size_t>(1, count / lines_of_shapes);
+  return k % stride == stride / 2;
+}
+
+OneValue at_value(const DiagramInput& input, std::size_t k,
                   const std::vector<DiagramBranch>& classical) {
+  constexpr int numbers = 100;  // of shapes at one value, at the most
+  const double value = input.values[k];
   OneValue one;
   const auto branches = branches_at(input, value, classical);
   for (const DiagramBranch& branch : branches) {
@@ -33,9 +44,49 @@ OneValue at_value(const DiagramInput& input, double value,
     one.rows.insert(one.rows.end(), rows.begin(), rows.end());
   }
   one.bifurcations = bifurcations_of(input, value, branches);
-  one.shapes = lowest_shapes(input, value, branches);
+  if (has_shapes(k, input.values.size())) one.shapes = lowest_shapes(input, value, branches);
+  for (DiagramShapeRow& row : one.shapes) row.number += numbers * int(k);
   one.is_done = true;
   return one;
+}
+
+// The three tables: `visit` takes the name of each, its columns and where a value has its rows.
+template <class Visit>
+void for_each_table(Visit&& visit) {
+  visit("branches.csv", diagram_columns(), &OneValue::rows);
+  visit("bifurcations.csv", bifurcation_columns(), &OneValue::bifurcations);
+  visit("shapes.csv", diagram_shape_columns(), &OneValue::shapes);
+}
+
+double value_of(const DiagramRow& row) { return row.at.value; }
+double value_of(const Bifurcation& row) { return row.at.value; }
+double value_of(const DiagramShapeRow& row) { return row.value; }
+
+// What an earlier run has left, value by value.
+void read_tables(const OutputFolder& folder, const DiagramInput& input,
+                 std::vector<OneValue>& all) {
+  for_each_table([&](const char* name, const auto& columns, const auto member) {
+    if (!std::filesystem::exists(folder / name)) return;
+    for (const auto& row : read_rows(columns, folder / name)) {
+      const auto at = std::ranges::find(input.values, value_of(row));
+      if (at != input.values.end())
+        (all[std::size_t(at - input.values.begin())].*member).push_back(row);
+    }
+  });
+  for (OneValue& one : all) one.is_done = !one.rows.empty();
+}
+
+// branches.csv, by which a value counts as done, comes last.
+void write_tables(const OutputFolder& folder, const std::vector<OneValue>& all) {
+  std::map<std::string, std::string> texts;
+  for_each_table([&](const char* name, const auto& columns, const auto member) {
+    std::remove_cvref_t<decltype(all.front().*member)> rows;
+    for (const OneValue& one : all)
+      if (one.is_done) rows.insert(rows.end(), (one.*member).begin(), (one.*member).end());
+    texts[name] = table_text(columns, rows);
+  });
+  for (const char* name : {"shapes.csv", "bifurcations.csv", "branches.csv"})
+    write_file(folder / name, texts[name]);
 }
 
 }  // namespace
@@ -44,47 +95,39 @@ DiagramSummary run_diagram(const DiagramInput& input, const std::filesystem::pat
                            std::string_view version) {
   const Stopwatch watch;
   const OutputFolder folder(path);
-  refuse_results(folder, {"run.toml", "branches.csv", "bifurcations.csv"});
-  std::vector<DiagramBranch> classical;
-  if (input.kind == DiagramKind::bilayer_coupling) classical = classical_diagram_branches(input);
-
+  begin_or_continue(folder, describe(input, version), "branches.csv", "a diagram");
   std::vector<OneValue> all(input.values.size());
-  Progress progress("values", int(all.size()), 0);
-  std::mutex told;
+  read_tables(folder, input, all);
+  const auto there = int(std::ranges::count(all, true, &OneValue::is_done));
+  std::vector<DiagramBranch> classical;
+  if (input.kind == DiagramKind::bilayer_coupling && there < int(all.size()))
+    classical = classical_diagram_branches(input);
+
+  DiagramSummary summary;
+  Progress progress("values", int(all.size()), there);
+  std::mutex tables;
   tbb::parallel_for(
       std::size_t(0), all.size(),
       [&](std::size_t k) {
-        if (interrupt_signal()) return;
-        all[k] = at_value(input, input.values[k], classical);
-        const std::lock_guard lock(told);
+        if (all[k].is_done || interrupt_signal()) return;
+        OneValue one = at_value(input, k, classical);
+        const std::lock_guard lock(tables);
+        all[k] = std::move(one);
+        write_tables(folder, all);
+        ++summary.computed;
         progress.advance();
       },
       tbb::simple_partitioner());
   progress.finish();
 
-  DiagramSummary summary;
-  std::vector<DiagramRow> rows;
-  std::vector<DiagramShapeRow> shapes;
-  constexpr std::size_t lines_of_shapes = 8;
-  const std::size_t stride = std::max<std::size_t>(1, all.size() / lines_of_shapes);
   for (std::size_t k = 0; k < all.size(); ++k) {
-    rows.insert(rows.end(), all[k].rows.begin(), all[k].rows.end());
+    summary.states += all[k].rows.size();
     summary.bifurcations.insert(summary.bifurcations.end(), all[k].bifurcations.begin(),
                                 all[k].bifurcations.end());
-    if (k % stride == stride / 2)
-      for (DiagramShapeRow& row : all[k].shapes) {
-        row.number += 100 * int(k);
-        shapes.push_back(std::move(row));
-      }
     if (all[k].is_done && all[k].rows.empty()) summary.missing.push_back(input.values[k]);
     summary.interrupted = summary.interrupted || !all[k].is_done;
   }
-  summary.states = rows.size();
   summary.seconds = watch.seconds();
-  write_file(folder / "run.toml", describe(input, version));
-  write_file(folder / "branches.csv", table_text(diagram_columns(), rows));
-  write_file(folder / "bifurcations.csv", table_text(bifurcation_columns(), summary.bifurcations));
-  write_file(folder / "shapes.csv", table_text(diagram_shape_columns(), shapes));
   return summary;
 }
 

@@ -13,14 +13,15 @@ namespace sbeh::studies {
 struct DiagramSummary {
   std::vector<Bifurcation> bifurcations;
   std::size_t states = 0;
+  int computed = 0;             ///< values, in this call; the rest was there
   std::vector<double> missing;  ///< values at which no branch begins
   bool interrupted = false;
   double seconds = 0;
 };
 
-/// Leaves run.toml (the resolved input), branches.csv, bifurcations.csv and shapes.csv in the folder, by ascending values. Values are
-/// worked on in parallel; when interrupted only those are there that were done. A folder that holds results already is
-/// refused. Progress goes to standard error. Throws OutputError.
+/// Leaves run.toml (the resolved input), branches.csv, bifurcations.csv and shapes.csv in the folder, by ascending values,
+/// written anew after each value. Values are worked on in parallel; those that are there are not repeated. A folder that holds another
+/// study is refused. Progress goes to standard error. Throws OutputError.
 DiagramSummary run_diagram(const DiagramInput& input, const std::filesystem::path& folder,
                            std::string_view version);
 

@@ -1,7 +1,10 @@
 // `sbeh diagram`: the classical phase diagrams of SSH.
 #include "studies/diagram/diagram.h"
 
+#include "studies/io/errors.h"
 #include "tools/commands/commands.h"
+
+#include <fmt/ranges.h>
 
 namespace sbeh::tools {
 
@@ -10,23 +13,23 @@ namespace {
 // A kind stands for its whole diagram.
 studies::DiagramInput input_of(const std::string& word) {
   const auto kind = value_named<studies::DiagramKind>(word);
-  if (!kind) return studies::read_diagram(word);
-  return {.kind = *kind, .values = studies::usual_values(*kind)};
+  if (kind) return {.kind = *kind, .values = studies::usual_values(*kind)};
+  if (!std::filesystem::exists(word))
+    throw studies::InputError(fmt::format("{}: is no file, and no diagram: these are {}", word,
+                                          fmt::join(names(studies::DiagramKind{}), ", ")));
+  return studies::read_diagram(word);
 }
 
 int diagram(const Study& study) {
   const studies::DiagramInput input = input_of(study.input);
   const std::filesystem::path folder = study.results();
   const studies::DiagramSummary s = studies::run_diagram(input, folder, SBEH_VERSION);
-  fmt::print("{}{} states, {} bifurcations in {} in {:.0f} s\n", studies::table_of(s), s.states,
-             s.bifurcations.size(), folder.string(), s.seconds);
-  for (const double value : s.missing) complain(fmt::format("no branch at {}", value));
-  if (s.interrupted) {
-    complain("interrupted: the values that were done are in the tables");
-    return exit_code_of_interrupt();
-  }
-  if (!study.no_pictures) draw_results(studies::ResultsKind::diagram, folder);
-  return exit_code_of_success();
+  fmt::print("{}{} states and {} special ones at {} values in {}; {} values computed in {:.0f} s\n",
+             studies::table_of(s), s.states, s.bifurcations.size(), input.values.size(),
+             folder.string(), s.computed, s.seconds);
+  if (!s.missing.empty())
+    complain(fmt::format("no branch was found at {}", fmt::join(s.missing, ", ")));
+  return finish(study, studies::ResultsKind::diagram, s.interrupted);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 // The classical phase diagrams as `sbeh diagram` leaves them.
 #include "studies/diagram/diagram.h"
 
+#include "studies/io/output.h"
 #include "tests/temporary_folder.h"
 
 #include <gtest/gtest.h>
@@ -9,9 +10,9 @@
 #include <cmath>
 #include <numbers>
 #include <optional>
+#include <sstream>
 #include <string>
 #include <tuple>
-#include <utility>
 #include <vector>
 
 namespace sbeh::studies {
@@ -85,13 +86,14 @@ TEST(Diagram, of_spontaneous_curvature_has_the_known_points) {
 
 // The same shape in the three ensembles: where a pear leaves does not depend on it.
 TEST(Diagram, of_an_area_difference_has_the_shapes_of_spontaneous_curvature) {
-  for (const auto& [kind, value] :
-       {std::pair{DiagramKind::bilayer_coupling, 1.2}, {DiagramKind::area_difference, 1.7}}) {
+  for (const auto& [kind, value, least_volume] :
+       {std::tuple{DiagramKind::bilayer_coupling, 1.2, 0.7},
+        {DiagramKind::area_difference, 1.7, 0.83}}) {
     DiagramInput input;
     input.kind = kind;
     input.values = {value};
     input.modes = 0;
-    input.least_volume = 0.7;
+    input.least_volume = least_volume;
     const auto rows = rows_of_diagram(input);
     const auto loss = std::ranges::find_if(rows, [](const Bifurcation& row) {
       return row.kind == "symmetry_loss" && row.branch == "pear";
@@ -105,7 +107,7 @@ TEST(Diagram, of_an_area_difference_has_the_shapes_of_spontaneous_curvature) {
     DiagramInput same;
     same.values = {-loss->at.H0};
     same.modes = 0;
-    same.least_volume = 0.7;
+    same.least_volume = least_volume;
     const auto there = find(rows_of_diagram(same), "symmetry_loss", "pear", "prolate", loss->at.H0);
     ASSERT_TRUE(there) << name(kind);
     EXPECT_NEAR(there->at.reduced_volume, loss->at.reduced_volume, 5e-9) << name(kind);
@@ -113,14 +115,35 @@ TEST(Diagram, of_an_area_difference_has_the_shapes_of_spontaneous_curvature) {
   }
 }
 
-TEST(Diagram, takes_no_folder_that_holds_another) {
+TEST(Diagram, goes_on_where_values_are_there_and_takes_no_folder_of_another) {
   const sbeh::test::TemporaryFolder folder;
   DiagramInput input;
-  input.values = {0};
-  input.least_volume = 0.9;
+  input.values = {-1, 0, 1};
+  input.least_volume = 0.85;
   input.modes = 0;
-  run_diagram(input, folder.path() / "diagram", "test");
-  EXPECT_THROW(run_diagram(input, folder.path() / "diagram", "test"), OutputError);
+  const auto whole = folder.path() / "whole", cut = folder.path() / "cut";
+  EXPECT_EQ(run_diagram(input, whole, "test").computed, 3);
+  EXPECT_EQ(run_diagram(input, whole, "test").computed, 0);
+
+  // As if the middle value had not been reached.
+  std::filesystem::copy(whole, cut, std::filesystem::copy_options::recursive);
+  for (const char* name : {"branches.csv", "bifurcations.csv", "shapes.csv"}) {
+    std::istringstream lines(read_file(cut / name));
+    std::string kept, line;
+    while (std::getline(lines, line)) {
+      const bool is_middle = std::string(name) == "shapes.csv"
+                               ? line.find(",0,") != std::string::npos
+                               : line.ends_with(",0");
+      if (!is_middle) kept += line + "\n";
+    }
+    write_file(cut / name, kept);
+  }
+  EXPECT_EQ(run_diagram(input, cut, "test").computed, 1);
+  for (const char* name : {"branches.csv", "bifurcations.csv"})
+    EXPECT_EQ(read_file(cut / name), read_file(whole / name)) << name;
+
+  input.modes = 1;
+  EXPECT_THROW(run_diagram(input, whole, "test"), OutputError);
 }
 
 }  // namespace
