@@ -84,7 +84,8 @@ class Tracer {
       add(here_, *before_);
     }
     double ds = std::min(0.05, options_.longest_step);
-    for (int step = 0; step < options_.most_steps; ++step) {
+    const auto stops = [&] { return options_.stops && options_.stops(); };
+    for (int step = 0; step < options_.most_steps && !stops(); ++step) {
       auto next = advance(line_, here_, ds, shortest);
       if (!next) return ended(TraceEnd::lost);
       if (next->mu < 0 || next->mu > 1 || is_forced(*next)) return ended(TraceEnd::bound);

@@ -4,6 +4,7 @@
 
 #include "axisym/modes/threshold.h"
 
+#include <functional>
 #include <optional>
 #include <string_view>
 #include <vector>
@@ -15,7 +16,7 @@ enum class TraceEnd {
   bound,   ///< μ < 0 or μ > 1, or the moment of the area difference is larger than asked for
   limit,   ///< a neck closes
   parent,  ///< a branch of shapes without symmetry has passed through one that is symmetric
-  length,  ///< most_steps
+  length,  ///< most_steps, or stopped
   lost     ///< Newton's method finds no next state
 };
 constexpr auto names(TraceEnd) { return std::array{"bound", "limit", "parent", "length", "lost"}; }
@@ -60,6 +61,7 @@ struct TraceOptions {
   double narrowest = 2e-3;     ///< a neck whose radius is less counts as closed, if it closes
   double largest_moment = 40;  ///< of the area difference, in κ
   int most_steps = 400;
+  std::function<bool()> stops{};  ///< asked before each step; empty: never
   double promised =
       1e-9;  ///< errors of V_r of special states: elements are doubled until they are less
 };

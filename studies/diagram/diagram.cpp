@@ -111,6 +111,7 @@ DiagramSummary run_diagram(const DiagramInput& input, const std::filesystem::pat
       [&](std::size_t k) {
         if (all[k].is_done || interrupt_signal()) return;
         OneValue one = at_value(input, k, classical);
+        if (interrupt_signal()) return;  // it may be cut short
         const std::lock_guard lock(tables);
         all[k] = std::move(one);
         write_tables(folder, all);

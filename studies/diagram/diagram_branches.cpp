@@ -4,6 +4,7 @@
 #include "axisym/start_shapes.h"
 #include "axisym/stationary/stationary.h"
 #include "axisym/stationary/symmetry.h"
+#include "studies/io/interrupt.h"
 
 #include <fmt/format.h>
 
@@ -23,7 +24,9 @@ namespace {
 
 using Lines = std::vector<DiagramBranch>;
 
-axisym::TraceOptions options_of(const DiagramInput& input) { return {.largest_m = input.modes}; }
+axisym::TraceOptions options_of(const DiagramInput& input) {
+  return {.largest_m = input.modes, .stops = [] { return interrupt_signal() != 0; }};
+}
 
 // The oblate or prolate at the beginning of a line.
 std::optional<PathState> near_the_sphere(const DiagramInput& input, const Line& line,

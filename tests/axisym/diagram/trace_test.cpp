@@ -8,7 +8,7 @@
 namespace sbeh::axisym::test {
 namespace {
 
-constexpr TraceOptions no_modes{.largest_m = 0};
+const TraceOptions no_modes{.largest_m = 0};
 
 // An independent calculation: spectral, ten digits.
 struct Loss {
