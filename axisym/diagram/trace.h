@@ -43,6 +43,7 @@ struct TracePoint {
   int negative_directions;  ///< within axisymmetry, see stability.h
   /// Of all shapes, those of each m ≥ 1 counted twice; empty where an eigenvalue was not found, or is nearer to zero
   /// than what rigid motions leave.
+  /// Not known either where fewer modes are looked at than up to m = 4.
   std::optional<int> negative_directions_3d;
   bool self_contact;
 };

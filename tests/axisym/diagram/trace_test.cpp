@@ -106,6 +106,21 @@ TEST(Trace, of_pears_folds_and_ends_where_the_neck_closes) {
   EXPECT_NEAR(d.reduced_volume, limit, 0.02);  // a neck of radius a is off by a ln(1/a)
 }
 
+// The classical oblate falls into m = 2, twice, above V_r = 0.749729; with few modes that is not known.
+TEST(Trace, counts_directions_among_all_shapes_where_enough_modes_tell) {
+  const Line line = down_to(0.6, bare(0), true);
+  for (const int largest_m : {3, 4})
+    for (const TracePoint& p :
+         trace(line, round(line, false, 48), with_elements(48), {.largest_m = largest_m}).points) {
+      const double volume = line.at(p.state.mu).reduced_volume;
+      EXPECT_EQ(p.negative_directions, 0) << volume;
+      if (largest_m < 4)
+        EXPECT_FALSE(p.negative_directions_3d) << volume;
+      else
+        EXPECT_EQ(p.negative_directions_3d, volume > 0.749729 ? 2 : 0) << volume;
+    }
+}
+
 // dU/dV = P along a branch, by differences of order 4.
 TEST(Trace, has_energies_that_go_with_the_pressure) {
   const Line line = down_to(0.6, bare(1), true);

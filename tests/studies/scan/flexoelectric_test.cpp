@@ -5,6 +5,7 @@
 
 #include <cmath>
 #include <numbers>
+#include <string>
 
 namespace sbeh::studies {
 namespace {
@@ -52,6 +53,20 @@ TEST(FlexoelectricShape, of_a_uniform_order_is_that_of_a_spontaneous_curvature) 
   }
 }
 
+// Of states at rest the energy goes with a number of the material as that of one state does: `with` is the case at a change of
+// it, h small.
+template <class With>
+void expect_slope_by_material(const With& with, double h) {
+  const PointOutcome here = at_rest(with(0));
+  const double slope = (energy_with(with(h).material, at_rest(with(h)))
+                        - energy_with(with(-h).material, at_rest(with(-h))))
+                     / (2 * h),
+               integral =
+                   (energy_with(with(h).material, here) - energy_with(with(-h).material, here))
+                   / (2 * h);
+  EXPECT_NEAR(slope, integral, 1e-5 * std::abs(integral));
+}
+
 // dU/df₁ = ∫βH, which the same state has with two materials.
 TEST(FlexoelectricBranch, changes_its_energy_by_the_integral_of_order_times_curvature) {
   constexpr double h = 1e-3;
@@ -60,14 +75,8 @@ TEST(FlexoelectricBranch, changes_its_energy_by_the_integral_of_order_times_curv
       const auto with = [&](double change) {
         return case_of(Model::SBEH, branch, 0.8, {0, f1 + change, 0.05});
       };
-      const PointOutcome here = at_rest(with(0));
-      const double slope = (energy_with(with(h).material, at_rest(with(h)))
-                            - energy_with(with(-h).material, at_rest(with(-h))))
-                         / (2 * h),
-                   integral =
-                       (energy_with(with(h).material, here) - energy_with(with(-h).material, here))
-                       / (2 * h);
-      EXPECT_NEAR(slope, integral, 1e-5 * std::abs(integral)) << name(branch) << ", f₁ = " << f1;
+      SCOPED_TRACE(std::string(name(branch)) + ", f₁ = " + std::to_string(f1));
+      expect_slope_by_material(with, h);
     }
 }
 
@@ -90,14 +99,7 @@ TEST(GivenStiffness, changes_the_energy_by_its_own_integral) {
     of.material.kappa_gauss_powers = model::Polynomial({0, -0.05, -0.1});
     return of;
   };
-  const PointOutcome here = at_rest(with(0));
-  const double slope = (energy_with(with(h).material, at_rest(with(h)))
-                        - energy_with(with(-h).material, at_rest(with(-h))))
-                     / (2 * h),
-               integral =
-                   (energy_with(with(h).material, here) - energy_with(with(-h).material, here))
-                   / (2 * h);
-  EXPECT_NEAR(slope, integral, 1e-5 * std::abs(integral));
+  expect_slope_by_material(with, h);
 }
 
 // Whatever the way: from SSH's shape at this L, or from a state at another L with the same f.
