@@ -1,5 +1,6 @@
 #include "axisym/coupled_system.h"
 
+#include "axisym/curvature.h"
 #include "model/numerics/contraction.h"
 
 #include <ceres/jet.h>
@@ -81,7 +82,9 @@ Unknowns<Jet> independent_unknowns() {
 // The part of an element in the system; row: test function, column: unknown.
 struct Element {
   Eigen::Matrix<double, padded_unknowns, padded_unknowns> matrix;
-  Eigen::Matrix<double, padded_unknowns, 1> rhs, normal_flux;  // normal_flux: (ν, W) of (V4), (P2)
+  Eigen::Matrix<double, padded_unknowns, 1> rhs;
+  Eigen::Matrix<double, padded_unknowns, 1> normal_flux;  // (ν, W) of (V4), (P2)
+  Eigen::Matrix<double, padded_unknowns, 1> moment;       // of (V13), (P3)
 };
 
 Element assemble_element(const model::Material& m, const State& old, const Field& H,
@@ -91,6 +94,7 @@ Element assemble_element(const model::Material& m, const State& old, const Field
   out.matrix.setZero();
   out.rhs.setZero();
   out.normal_flux.setZero();
+  out.moment.setZero();
   for (const ShapeValues& s : assembly_points()) {
     OldPoint point{.geometry = curve_point(old.X, e, s),
                    .beta = value_at(old.beta, e, s),
@@ -100,6 +104,7 @@ Element assemble_element(const model::Material& m, const State& old, const Field
     const auto factors = in_order(coupled_step_point(m, point, step, independent));
     const auto tests = test_rows(s);
     const double dS = point.geometry.dS;
+    const auto moment = moment_point(point);
     model::add_matrix(
         tests, unknown_rows(s),
         [&factors](Eigen::Index i, Eigen::Index j) { return factors[std::size_t(i)].v[j]; }, dS,
@@ -108,8 +113,10 @@ Element assemble_element(const model::Material& m, const State& old, const Field
     for (std::size_t i = 0; i < tested_size; ++i) constant[Eigen::Index(i)] = -factors[i].a;
     model::add_vector(tests, constant, dS, out.rhs);
     for (int a = 0; a < 4; ++a)
-      for (int k = 0; k < 2; ++k)
+      for (int k = 0; k < 2; ++k) {
         out.normal_flux[4 * k + a] += dS * s.phi[a] * point.geometry.nu[k];
+        out.moment[4 * k + a] += dS * (s.phi[a] * moment.W[k] + s.dphi[a] * moment.dW[k]);
+      }
   }
   return out;
 }
@@ -130,6 +137,7 @@ void restrict_to_normals(const Eigen::Matrix<double, 2, 4>& n, Element& element)
   element.matrix = (T.transpose() * element.matrix * T).eval();
   element.rhs = (T.transpose() * element.rhs).eval();
   element.normal_flux = (T.transpose() * element.normal_flux).eval();
+  element.moment = (T.transpose() * element.moment).eval();
 }
 
 // Takes the mean axial velocity from the surface, and its displacement from the mesh.
@@ -155,7 +163,7 @@ CoupledSystem::CoupledSystem(const model::Material& material, AreaConstraint are
 void CoupledSystem::Multiplier::set_zero(Eigen::Index size) {
   column.setZero(size);
   row.setZero(size);
-  rhs = 0;
+  rhs = diagonal = 0;
 }
 
 void CoupledSystem::assemble(const State& old, const Field& H, const StepParameters& step) {
@@ -163,6 +171,7 @@ void CoupledSystem::assemble(const State& old, const Field& H, const StepParamet
   rhs_.setZero();
   lambda_.set_zero(rhs_.size());
   p_.set_zero(rhs_.size());
+  moment_.set_zero(rhs_.size());
   normals_ = node_normals(old.X);
   for (int e = 0; e < elements_; ++e) {
     Element element = assemble_element(material_, old, H, step, e);
@@ -181,15 +190,24 @@ void CoupledSystem::assemble(const State& old, const Field& H, const StepParamet
     for (int i = 0; i < element_unknowns; ++i) {
       rhs_[index[i]] += element.rhs[i];
       lambda_.row[index[i]] += element.normal_flux[i];  // (P2)
+      moment_.row[index[i]] += element.moment[i];       // (P3)
     }
   }
   lambda_.column = lambda_.row;  // (V4)
+  moment_.column = moment_.row;  // (V13)
+}
+
+// c A/(π k_ad) = W₂ − W₂⁰ at the end of the step, W₂ to first order.
+void CoupledSystem::set_moment(const Nodes& X, const Field& H, double tau, double area) {
+  const model::AreaDifference& ad = material_.area_difference;
+  moment_.diagonal = -area * ad.compliance() / tau;
+  moment_.rhs = (ad.W2 - total_mean_curvature(X, H)) / tau;  // (P3)
 }
 
 // The unknown is 0.
 void CoupledSystem::pin(int i) {
   matrix_.set_identity_row(i);
-  rhs_[i] = lambda_.column[i] = p_.column[i] = 0;
+  rhs_[i] = lambda_.column[i] = p_.column[i] = moment_.column[i] = 0;
 }
 
 void CoupledSystem::pin_what_is_not_free() {
@@ -208,19 +226,20 @@ bool CoupledSystem::solve_with(const std::vector<const Multiplier*>& multipliers
   const auto count = Eigen::Index(multipliers.size());
   Eigen::MatrixXd columns(rhs_.size(), count), rows(rhs_.size(), count);
   Eigen::VectorXd values(count);
+  Eigen::MatrixXd diagonal = Eigen::MatrixXd::Zero(count, count);
   for (Eigen::Index k = 0; k < count; ++k) {
     const Multiplier& multiplier = *multipliers[std::size_t(k)];
     columns.col(k) = multiplier.column;
     rows.col(k) = multiplier.row;
     values[k] = multiplier.rhs;
+    diagonal(k, k) = multiplier.diagonal;
   }
-  const auto solution = model::solve_bordered(matrix_, columns, rows,
-                                              Eigen::MatrixXd::Zero(count, count), rhs_, values);
+  const auto solution = model::solve_bordered(matrix_, columns, rows, diagonal, rhs_, values);
   const Eigen::VectorXd& x = solution.x;
   if (x.size() == 0 || !x.allFinite()) return false;
 
   const int nodes = 3 * elements_ + 1;
-  out = {Nodes(2, nodes), Nodes(2, nodes), Field(nodes), Field(2 * elements_ + 1), 0};
+  out = {Nodes(2, nodes), Nodes(2, nodes), Field(nodes), Field(2 * elements_ + 1), 0, 0};
   for (int i = 0; i < nodes; ++i) {
     out.V.col(i) << x[unknown(i, V_r)], x[unknown(i, V_z)];
     if (area_ == AreaConstraint::global) out.V.col(i) = x[unknown(i, V_r)] * normals_.col(i);
@@ -231,6 +250,7 @@ bool CoupledSystem::solve_with(const std::vector<const Multiplier*>& multipliers
   for (Eigen::Index k = 0; k < count; ++k) {
     if (multipliers[std::size_t(k)] == &p_) out.p.setConstant(solution.y[k]);
     if (multipliers[std::size_t(k)] == &lambda_) out.lambda = solution.y[k];
+    if (multipliers[std::size_t(k)] == &moment_) out.moment = solution.y[k];
   }
   return true;
 }
@@ -242,6 +262,7 @@ bool CoupledSystem::solve(const State& old, const Field& H, const std::optional<
   assemble(old, H,
            {.tau = tau, .area_rate = (wanted.area - A) / (tau * A), .area_constraint = area_});
   lambda_.rhs = (wanted.volume - V) / tau;
+  if (material_.area_difference.is_there()) set_moment(old.X, H, tau, A);
   pin_what_is_not_free();
   // Without friction nothing resists a motion along the axis: hold the north pole, and let the whole
   // surface rest in the mean, the limit of small friction.
@@ -250,8 +271,11 @@ bool CoupledSystem::solve(const State& old, const Field& H, const std::optional<
 
   std::vector<const Multiplier*> multipliers;
   if (area_ == AreaConstraint::global) multipliers.push_back(&p_);
-  // On a sphere a constant p and λ are the same unknown: area alone is kept there.
-  if (!is_sphere(A, V)) multipliers.push_back(&lambda_);
+  // On a sphere a constant p, λ and c are the same unknown: area alone is kept there.
+  if (!is_sphere(A, V)) {
+    multipliers.push_back(&lambda_);
+    if (material_.area_difference.is_there()) multipliers.push_back(&moment_);
+  }
   if (!solve_with(multipliers, out)) return false;
   if (material_.frictionless()) rest_in_the_mean(old.X, tau, out);
   return true;

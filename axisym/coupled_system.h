@@ -23,6 +23,7 @@ struct StepFields {
   Field H;        // nodes, curvature of the next surface as the scheme knows it
   Field p;        // 2 elements + 1, surface pressure
   double lambda;  ///< volume multiplier
+  double moment;  ///< c of the area difference
 };
 
 /// Assembles and solves the system of a step; keeps its memory.
@@ -40,10 +41,12 @@ class CoupledSystem {
   struct Multiplier {
     Eigen::VectorXd column, row;
     double rhs = 0;
+    double diagonal = 0;
     void set_zero(Eigen::Index size);
   };
 
   void assemble(const State& old, const Field& H, const StepParameters& step);
+  void set_moment(const Nodes& X, const Field& H, double tau, double area);
   void pin(int i);
   void pin_what_is_not_free();
   [[nodiscard]] bool solve_with(const std::vector<const Multiplier*>& multipliers,
@@ -55,7 +58,7 @@ class CoupledSystem {
   Nodes normals_;  // at the nodes of the old curve
   model::BandMatrix matrix_;
   Eigen::VectorXd rhs_;
-  Multiplier lambda_, p_;  // p only under a global area constraint
+  Multiplier lambda_, p_, moment_;  // p only under a global area constraint
 };
 
 }  // namespace sbeh::axisym

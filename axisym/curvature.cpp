@@ -23,6 +23,14 @@ Field mean_curvature(const Nodes& X) {
   return rhs;
 }
 
+double total_mean_curvature(const Nodes& X, const Field& H) {
+  double total = 0;
+  for_each_point(X, diagnostic_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
+    total += p.dS * value_at(H, e, s);
+  });
+  return total;
+}
+
 double resolution(const Nodes& X, const Field& H) {
   constexpr int samples = 12;  // of an element
   const Eigen::VectorXd length = element_lengths(X);

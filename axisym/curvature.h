@@ -10,6 +10,9 @@ namespace sbeh::axisym {
 /// normal direction. Empty when the curve is degenerate.
 Field mean_curvature(const Nodes& X);
 
+/// W₂ = ∫ H dS of a curve whose H is known.
+double total_mean_curvature(const Nodes& X, const Field& H);
+
 /// How well the nodes resolve the curve: the largest |B_ss| times the node spacing, B_ss = H − B_φφ.
 double resolution(const Nodes& X, const Field& H);
 

@@ -69,11 +69,11 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
   d.area = area(state.X);
   d.volume = volume(state.X);
   d.reduced_volume = reduced_volume(d.area, d.volume);
+  d.W2 = total_mean_curvature(state.X, H);
 
   double beta_1 = 0;
   for_each_point(state.X, diagnostic_points(),
                  [&](int e, const ShapeValues& s, const CurvePoint& p) {
-                   d.W2 += p.dS * value_at(H, e, s);
                    beta_1 += p.dS * value_at(state.beta, e, s);
                  });
   d.order_mean = beta_1 / d.area;

@@ -47,6 +47,7 @@ static_assert(model::FlowIntegrator<model::StepDoubling<Solver>, State>);
 FlowResult run_flow(const model::Material& material, model::Model model, const State& start,
                     const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe) {
+  material.area_difference.check_start(diagnose(material, start).W2);
   Solver solver(material, model, element_count(start.X));
   model::StepDoubling<Solver> integrator(solver, target, numerics.extrapolate);
   const double at_rest = model::speed_at_rest(numerics.rest_speed, material, model);

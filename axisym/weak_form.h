@@ -74,6 +74,17 @@ inline model::ShapeOperator<double> shape_operator(double H, double B_phi) {
   return B;
 }
 
+/// (V13): the force of a unit moment of the area difference.
+struct MomentForce {
+  Eigen::Vector2d W, dW;
+};
+inline MomentForce moment_point(const OldPoint& old) {
+  MomentForce test{Eigen::Vector2d::Zero(), Eigen::Vector2d::Zero()};
+  const auto stress = model::moment_stress(shape_operator(old.H, old.geometry.B_phi));  // (V13)
+  test_with_gradient(old.geometry, stress, test.W, test.dW);
+  return test;
+}
+
 /// Momentum (V1)–(V11) without (V4), incompressibility (P1), normal motion (Y1) and curvature (H1).
 template <class T>
 Tested<T> coupled_step_point(const model::Material& m, const OldPoint& old,

@@ -2,9 +2,19 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <stdexcept>
 
 namespace sbeh::model {
+
+void AreaDifference::check_start(double total) const {
+  constexpr double near = 1e-5;  // nothing next to the tolerance of a step
+  if (is_there() && compliance() == 0 && std::abs(total - W2) > near)
+    throw std::invalid_argument(fmt::format(
+        "area_difference of infinite stiffness: the start has W2 = {:.10g}, which stays, "
+        "not {}: say W2 = {:.10g}, or a finite stiffness",
+        total, W2, total));
+}
 
 Material effective(const Material& material, Model model) {
   Material copy = material;
@@ -23,9 +33,24 @@ Material Material::without_gaussian() const {
 
 Material Material::with_given_scaled(double factor) const {
   Material copy = *this;
+  copy.L2 *= factor;
+  copy.L3 *= factor;
+  copy.area_difference.stiffness *= factor;
   copy.flexoelectric = flexoelectric.times(factor);
   copy.kappa_powers = kappa_powers.times(factor);
   copy.kappa_gauss_powers = kappa_gauss_powers.times(factor);
+  return copy;
+}
+
+Material Material::at_moment(double c) const {
+  Material copy = *this;
+  if (c != 0) copy.flexoelectric = flexoelectric.plus(c);
+  return copy;
+}
+
+Material Material::with_L1(double L) const {
+  Material copy = *this;
+  copy.L1 = L;
   return copy;
 }
 
@@ -45,6 +70,8 @@ void require(bool holds, const char* name, double value, const char* constraint)
 
 void Material::validate() const {
   check_parameters(*this);
+  require(area_difference.stiffness >= 0, "stiffness", area_difference.stiffness, ">= 0");
+  require(std::isfinite(area_difference.W2), "W2", area_difference.W2, "finite");
   require(l1() > 0, "6 L1 + L2 + L3", 4 * l1(), "> 0 (distortion energy)");
   require(splay() >= 0, "2 L1 + L2 + L3", splay() / 2.25, ">= 0 (bending energy)");
   // (κ/2)H² + κ_G K as a form in the principal curvatures: −2κ <= κ_G <= 0.

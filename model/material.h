@@ -50,8 +50,12 @@ struct AreaDifference {
   /// 0 where the stiffness is infinite, for W₂ is W₂⁰ then.
   double energy(double area, double total) const {
     const double excess = total - W2;
-    return is_there() && compliance() > 0 ? excess * excess / (2 * area * compliance()) : 0;
+    if (!is_there() || compliance() == 0) return 0;
+    return excess * excess / (2 * area * compliance());  // (E6)
   }
+
+  /// Throws std::invalid_argument where a flow cannot begin with this ∫ H dS, which the bilayer-coupling model keeps.
+  void check_start(double total) const;
 
   bool operator==(const AreaDifference&) const = default;
 };
@@ -69,7 +73,7 @@ struct Material {
   double residual_stiffness = 0;
   double spontaneous_curvature = 0;
   Polynomial flexoelectric{{0}};
-  AreaDifference area_difference{};                 ///< axisym/stationary alone has it
+  AreaDifference area_difference{};
   Polynomial kappa_powers{}, kappa_gauss_powers{};  ///< empty: by the elastic constants and k₀
 
   /// l₁ of the distortion energy (l₁/2)|∇β|².
@@ -108,6 +112,8 @@ struct Material {
     return kappa_gauss_powers.empty() ? T(-2 * saddle_splay()) : kappa_gauss_powers.secant(beta);
   }
   double kappa_gauss_slope_at_zero() const { return kappa_gauss_powers.slope_at_zero(); }
+  /// With f + c for f: what the moment c of the area difference makes of a membrane.
+  Material at_moment(double c) const;
   /// κ(β)(H − H₀) + f(β), the moment that bends: ∂(energy density)/∂H.
   template <class T, class S>
   T moment(const S& beta, const T& H) const {
@@ -138,12 +144,18 @@ struct Material {
 
   /// One-constant approximation with elastic constant L, the rest as here.
   Material with_L(double L) const;
+  /// L where it is one of three: L1 = L, the rest as here.
+  Material with_L1(double L) const;
 
-  /// f, and κ and κ_G where they are given, times a factor.
+  /// L2, L3, f and k_ad, and κ and κ_G where they are given, times a factor.
   Material with_given_scaled(double factor) const;
-  /// Whether κ, κ_G or f is given: states do not go along with L then.
-  bool has_given() const {
+  /// Whether κ, κ_G or f is given.
+  bool has_functions() const {
     return !kappa_powers.empty() || !kappa_gauss_powers.empty() || !flexoelectric.vanishes();
+  }
+  /// Whether these, L2, L3 or an area difference are there: states do not go along with L then.
+  bool has_given() const {
+    return has_functions() || L2 != 0 || L3 != 0 || area_difference.is_there();
   }
 
   /// The same κ(β), but κ_G = 0. No material of its own: only what a uniform order feels, whose κ_G K adds up to a constant.
@@ -185,6 +197,11 @@ void for_each_parameter(M& m, auto&& visit) {
   visit(P{"kappa_gauss", {}, "κ_G(β), likewise"}, m.kappa_gauss_powers);
   visit(P{"flexoelectric", {}, "f(β) of f(β)H, coefficients of its powers: two sides that differ"},
         m.flexoelectric);
+  visit(
+      P{"area_difference",
+        {},
+        "of the two leaflets: stiffness k_ad, inf in the bilayer-coupling model, and W2 = −8π Δa₀"},
+      m.area_difference);
 }
 
 /// The material as the model's flow has it: where has_own_drag, without viscosity and with friction 1,

@@ -109,6 +109,13 @@ T energy_tension(const Material& m, const ElasticPoint<S, T>& x) {
        + T(m.l1() / 2. * x.grad_beta.squaredNorm() + m.potential.value(x.beta));
 }
 
+/// (V13) H P − B, of which (…, ∇_C W) is ∂W₂: what a unit moment of (E6) makes, of the sign of what resists.
+template <class S>
+Gradient<S> moment_stress(const ShapeOperator<S>& B) {
+  const Eigen::Matrix<S, 2, 2> tensor = B.trace() * Eigen::Matrix<S, 2, 2>::Identity() - B;
+  return detail::tangential_rows<S>(tensor);  // (V13)
+}
+
 /// (V12) h ∇β, h = δU/δβ: what the elastic forces are along the surface, but for gradients.
 template <class T>
 Tangent<T> order_traction(const T& h, const Tangent<T>& grad_beta) {

@@ -34,9 +34,11 @@ CoupledSystem::CoupledSystem(const Triangulation& mesh, const model::Material& m
       area_(area),
       nodes_(mesh.nodes),
       quadratic_nodes_(mesh.quadratic_nodes),
-      multipliers_(along_normals() ? 1 : 7),
+      multipliers_((along_normals() ? 1 : 7) + (material.area_difference.is_there() ? 1 : 0)),
       scheme_(chosen(scheme, mesh)),
-      layout_(flow_layout(mesh, area, has_displacement(), along_normals() ? 2 : multipliers_)) {}
+      layout_(
+          flow_layout(mesh, area, has_displacement(), multipliers_ + (along_normals() ? 1 : 0))),
+      has_moment_(material.area_difference.is_there()) {}
 
 bool CoupledSystem::has_displacement() const {
   return std::visit([](const auto& scheme) { return scheme.has_displacement; }, scheme_);
@@ -46,16 +48,20 @@ bool CoupledSystem::has_displacement() const {
 void CoupledSystem::set_flow(const ElementSystem& element, bool keep_volume,
                              FlowPiece& piece) const {
   const int lambda = FlowPiece::Y + (has_displacement() ? 30 : 0), size = lambda + multipliers_;
-  const auto constraints = element.constraints.leftCols(multipliers_);
+  Eigen::MatrixXd constraints(30, multipliers_);
+  constraints.leftCols(multipliers_ - has_moment_) =
+      element.constraints.leftCols(multipliers_ - has_moment_);
+  if (has_moment_) constraints.rightCols<1>() = element.moment;
   piece.matrix.setZero(size, size);
   piece.rhs.setZero(size);
   piece.matrix.topLeftCorner<ElementSystem::tests, ElementSystem::unknowns>() = element.flow;
   piece.rhs.head<ElementSystem::tests>() = element.rhs;
-  piece.matrix.topRightCorner(30, multipliers_) = constraints;                // (V4)
-  piece.matrix.bottomLeftCorner(multipliers_, 30) = constraints.transpose();  // (P2)
-  if (!keep_volume) {
-    piece.matrix.col(lambda).setZero();
-    piece.matrix.row(lambda).setZero();
+  piece.matrix.topRightCorner(30, multipliers_) = constraints;                // (V4), (V13)
+  piece.matrix.bottomLeftCorner(multipliers_, 30) = constraints.transpose();  // (P2), (P3)
+  for (const int k : {lambda, lambda + multipliers_ - 1}) {
+    if (keep_volume || (k > lambda && !has_moment_)) continue;
+    piece.matrix.col(k).setZero();
+    piece.matrix.row(k).setZero();
   }
 }
 
@@ -100,14 +106,37 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
     add_flow(e, triangle.node_normals, piece);
   });
   set_multipliers(constraints);
+  if (has_moment_)
+    set_moment(total_mean_curvature(mesh, old.X, curvature.H), constraints, from.X - old.X, tau);
 }
 
 // What a pattern does not add: their rows are common to all elements.
 void CoupledSystem::set_multipliers(const Constraints& constraints) {
   const int lambda = layout_.lambda;
-  if (along_normals()) flow_.rhs[lambda + 1] = total_area_rate_.sum();
+  if (along_normals()) flow_.rhs[flow_.rhs.size() - 1] = total_area_rate_.sum();
   flow_.rhs[lambda] = constraints.keep_volume ? constraints.volume_rate : 0;  // (P2)
   if (!constraints.keep_volume) flow_.matrix.coeffRef(lambda, lambda) = 1;
+}
+
+// (P3) at the end of the step, W₂ to first order there: the way from the surface of the integrals to where Y begins, and V.
+void CoupledSystem::set_moment(double W2, const Constraints& constraints, const Nodes& way,
+                               double tau) {
+  const model::AreaDifference& ad = material_.area_difference;
+  const int moment = layout_.lambda + multipliers_ - 1;
+  if (!constraints.keep_volume) {  // on a sphere W₂ changes with the area alone
+    flow_.matrix.coeffRef(moment, moment) = 1;
+    flow_.rhs[moment] = 0;
+    return;
+  }
+  double on_way = 0;
+  for (SparseMatrix::InnerIterator it(flow_.matrix, moment); it; ++it) {
+    if (along_normals() && it.col() < nodes_)
+      on_way += it.value() * node_normals_.col(it.col()).dot(way.col(it.col()));
+    if (!along_normals() && it.col() < 3 * nodes_)
+      on_way += it.value() * way(it.col() % 3, it.col() / 3);
+  }
+  flow_.matrix.coeffRef(moment, moment) = -constraints.area * ad.compliance() / tau;
+  flow_.rhs[moment] = (ad.W2 - W2 - on_way) / tau;  // (P3)
 }
 
 const LinearSystem& CoupledSystem::motion() const {

@@ -33,6 +33,7 @@ struct Constraints {
   double area_rate;    ///< (A₀ − A)/(τA) of (P1)
   double volume_rate;  ///< (vol₀ − vol)/τ of (P2)
   bool keep_volume;  ///< false on a sphere, where a constant p and λ are one unknown: then λ = 0
+  double area;       ///< A of (P3)
 };
 
 /// Assembles the systems of a step; keeps their structure and memory.
@@ -46,7 +47,8 @@ class CoupledSystem {
                 const Field& order_force, const Origin& from, double tau,
                 const Constraints& constraints);
 
-  /// V, p, H, when monolithic Y, and λ; or, under a global area constraint, v, H, Y, λ and p.
+  /// V, p, H, when monolithic Y, λ and what keeps the friction, with an area difference c; or, under a global area
+  /// constraint, v, H, Y, λ, c and p.
   const LinearSystem& flow() const { return flow_; }
   /// Of the mesh, where Y is not one of the flow's unknowns; else empty. The right-hand side lacks what
   /// depends on the flow, see motion_rhs.
@@ -70,6 +72,7 @@ class CoupledSystem {
   void set_flow(const ElementSystem& element, bool keep_volume, FlowPiece& piece) const;
   void add_flow(int e, const ElementNodes& normals, FlowPiece& piece);
   void set_multipliers(const Constraints& constraints);
+  void set_moment(double W2, const Constraints& constraints, const Nodes& way, double tau);
 
   model::Material material_;
   model::AreaConstraint area_;
@@ -77,6 +80,7 @@ class CoupledSystem {
   std::variant<Monolithic, Split> scheme_;
   FlowLayout layout_;
   LinearSystem flow_;
+  bool has_moment_;                  // of an area difference
   Eigen::VectorXd total_area_rate_;  // by element, under a global area constraint
   Nodes node_normals_;               // 3 x nodes, of the old surface
 };

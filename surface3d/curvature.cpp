@@ -101,6 +101,14 @@ std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X,
   return c;
 }
 
+double total_mean_curvature(const Triangulation& mesh, const Nodes& X, const Field& H) {
+  return integrate<1>(mesh, X, diagnostic_points(), [&](int e) {
+    return [H_nodes = on_element(mesh, e, H)](const ShapeValues& s, const SurfacePoint&) {
+      return Eigen::Array<double, 1, 1>(value_at(H_nodes, s));
+    };
+  })[0];
+}
+
 model::ShapeOperator<double> shape_operator(const SurfacePoint& p, const ElementNodes& normals,
                                             double H) {
   const Eigen::Matrix2d slope = p.frame.leftCols<2>().transpose() * gradient_at(normals, p);

@@ -24,6 +24,9 @@ std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X,
 model::ShapeOperator<double> shape_operator(const SurfacePoint& p, const ElementNodes& normals,
                                             double H);
 
+/// W₂ = ∫ H dS of a surface whose H is known.
+double total_mean_curvature(const Triangulation& mesh, const Nodes& X, const Field& H);
+
 /// Moves the surface by (a + bH) n to the area and volume asked for (Newton on a and b). Returns false,
 /// and leaves X as it was, when that does not converge to 1e-12 relative; on a sphere, where a and b
 /// are the same motion, only the area is met.

@@ -12,7 +12,7 @@ namespace sbeh::surface3d {
 
 Energy energy(const Triangulation& mesh, const model::Material& material, const State& state,
               const Curvature& curvature) {
-  const auto sum = integrate<3>(mesh, state.X, diagnostic_points(), [&](int e) {
+  const auto sum = integrate<5>(mesh, state.X, diagnostic_points(), [&](int e) {
     return [&material, H_nodes = on_element(mesh, e, curvature.H),
             normals = on_element(mesh, e, curvature.normals),
             beta = on_element(mesh, e, state.beta)](const ShapeValues& s, const SurfacePoint& p) {
@@ -20,11 +20,14 @@ Energy energy(const Triangulation& mesh, const model::Material& material, const 
       const auto density =
           model::energy_density(material, value_at(beta, s), gradient_at(beta, p).squaredNorm(), H,
                                 model::gauss_curvature(shape_operator(p, normals, H)));
-      return Eigen::Array3d(density.distortion, density.bending + density.gaussian,
-                            density.thermotropic);
+      return Eigen::Array<double, 5, 1>{density.distortion, density.bending + density.gaussian,
+                                        density.thermotropic, 1, H};
     };
   });
-  return {.distortion = sum[0], .bending = sum[1], .thermotropic = sum[2]};
+  return {.distortion = sum[0],
+          .bending = sum[1],
+          .thermotropic = sum[2],
+          .area_difference = material.area_difference.energy(sum[3], sum[4])};
 }
 
 double mesh_quality(const Triangulation& mesh, const Nodes& X) {

@@ -100,6 +100,19 @@ struct ElasticForce {
   }
 };
 
+// (V13)
+struct Moment {
+  Eigen::Matrix<double, 30, 1> force = decltype(force)::Zero();
+
+  void add(const OldPoint& point) {
+    const SurfacePoint& x = point.geometry;
+    const CartesianGradient<double> test = x.frame * model::moment_stress(point.B);  // (V13)
+    for (int k = 0; k < 3; ++k)
+      for (int i = 0; i < 2; ++i)
+        force.segment<10>(10 * k) += x.dS * test(k, i) * Shapes(x.grad[std::size_t(i)].data());
+  }
+};
+
 // C with C y = x × y.
 Eigen::Matrix3d cross_matrix(const Eigen::Vector3d& x) {
   Eigen::Matrix3d C;
@@ -196,6 +209,8 @@ void assemble_element(const model::Material& material, const ElementState& old, 
   Pressure pressure;
   ConstraintSums constraints;
   MeshSums mesh;
+  Moment moment;
+  const bool has_moment = material.area_difference.is_there();
   Eigen::Matrix<double, 30, 1> order = decltype(order)::Zero();
   Eigen::Matrix<double, 6, 1> rate = decltype(rate)::Zero();
   for (const ShapeValues& s : assembly_points()) {
@@ -208,6 +223,7 @@ void assemble_element(const model::Material& material, const ElementState& old, 
     force.add(material, point, s);
     pressure.add(x, s);
     constraints.add(material, x, s);
+    if (has_moment) moment.add(point);
 
     const Shapes phi(s.phi.data());
     mesh.add(x, phi);
@@ -228,6 +244,7 @@ void assemble_element(const model::Material& material, const ElementState& old, 
   out.rhs << along(n, force.rhs) + order - along(n, order), rate;
   out.constraints = constraints.sum.dense().leftCols<7>();
   out.constraints.col(0) = along(n, Eigen::Matrix<double, 30, 1>(out.constraints.col(0)));
+  out.moment = along(n, moment.force);
   out.mesh = mesh.equation();
 }
 

@@ -149,6 +149,8 @@ FlowResult run_with(Solver<Stepper>& solver, Memory& memory, Integrator& integra
 FlowResult run_flow(const model::Material& material, model::Model model, const FlowMoment& start,
                     const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe) {
+  if (start.record.time == 0)
+    material.area_difference.check_start(diagnose(*start.mesh, material, start.state).W2);
   const double at_rest = model::speed_at_rest(numerics.rest_speed, material, model);
   const auto run = [&](auto& solver, auto& memory, auto& integrator) {
     return run_with(solver, memory, integrator, start, numerics, at_rest, schedule, observe);

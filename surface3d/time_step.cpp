@@ -17,7 +17,8 @@ Constraints constraints_of(const Triangulation& mesh, const Nodes& X,
   const Target wanted = target.value_or(Target{A, V});
   return {.area_rate = (wanted.area - A) / (tau * A),
           .volume_rate = (wanted.volume - V) / tau,
-          .keep_volume = !is_sphere(mesh, A, V)};
+          .keep_volume = !is_sphere(mesh, A, V),
+          .area = A};
 }
 
 // Whether the layer is so much softer in one place than in another that the terms with ∇κ_G, which read

@@ -6,6 +6,33 @@
 
 namespace sbeh::axisym {
 
+/// A load that resists, b bᵀ/s of a softness s >= 0; with s = 0 bᵀ x stays 0. None where b is empty.
+struct SoftConstraint {
+  Eigen::VectorXd b{};
+  double softness = 0;
+};
+
+/// The inverse of A + b bᵀ/s by solve = A⁻¹.
+template <class Solve>
+class SoftInverse {
+ public:
+  SoftInverse(const Solve& solve, const SoftConstraint& of) : solve_(solve), b_(of.b) {
+    if (b_.size() == 0) return;
+    solved_ = solve_(b_);
+    schur_ = of.softness + b_.dot(solved_);
+  }
+  Eigen::VectorXd operator()(const Eigen::VectorXd& load) const {
+    Eigen::VectorXd x = solve_(load);
+    if (b_.size() > 0) x -= solved_ * (b_.dot(x) / schur_);
+    return x;
+  }
+
+ private:
+  const Solve& solve_;
+  Eigen::VectorXd b_, solved_;
+  double schur_ = 1;
+};
+
 /// x = solve(load + what it takes), so that columnsᵀ x = 0. Columns may depend on each other.
 template <class Solve>
 class ConstrainedInverse {

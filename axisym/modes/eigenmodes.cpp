@@ -32,6 +32,7 @@ std::optional<ModeSpectrum> lowest_modes(const SecondVariation& second, int m, P
                                      .A = second.form(m, parity),
                                      .M = mass,
                                      .constraints = second.constraints_of(m, parity),
+                                     .soft = second.moment_of(m, parity),
                                      .idle = {},
                                      .square = mass,
                                      .rigid = unknowns_of(rigid_motions(second, m, parity, mass)),

@@ -57,10 +57,17 @@ std::optional<double> response(const SecondVariation& second, int m, Parity pari
     inverse.solve(x);
     return x;
   };
-  const ConstrainedInverse constrained(solve, borders(second, m, parity));
+  const SoftConstraint moment = second.moment_of(m, parity);
+  const SoftInverse soft(solve, moment);
+  const ConstrainedInverse constrained(soft, borders(second, m, parity));
+  const auto form_times = [&](const Eigen::VectorXd& y) {
+    Eigen::VectorXd product = A.times(y);
+    if (moment.softness > 0) product += moment.b * (moment.b.dot(y) / moment.softness);
+    return product;
+  };
   Eigen::VectorXd x = Eigen::VectorXd::Zero(load.size());
   for (int pass = 0; pass < most_passes; ++pass) {  // each leaves |shift|/(λ − shift) of the error
-    const Eigen::VectorXd change = constrained(load - A.times(x));
+    const Eigen::VectorXd change = constrained(load - form_times(x));
     x += change;
     if (std::abs(load.dot(change)) <= tolerance * std::abs(load.dot(x))) return load.dot(x);
   }

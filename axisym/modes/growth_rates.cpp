@@ -47,6 +47,7 @@ ModeProblem<flow_unknowns> problem_of(const LinearFlow& flow, int m, Parity pari
       .A = among_flow_unknowns(second.form(m, parity)),
       .M = flow.dissipation.form(second, m, parity),
       .constraints = {},
+      .soft = {},
       .idle = {},
       .square = second.mass_of(m, parity),
       .rigid = {},
@@ -63,6 +64,9 @@ ModeProblem<flow_unknowns> problem_of(const LinearFlow& flow, int m, Parity pari
     problem.idle = among_flow_unknowns(Eigen::VectorXd(kept.col(0)));  // a constant p
     // On a sphere volume is area, which p keeps.
     if (!round) problem.constraints = among_flow_unknowns(Eigen::VectorXd(kept.col(1)));
+    problem.soft = second.moment_of(m, parity);
+    if (round) problem.soft = {};
+    if (problem.soft.b.size() > 0) problem.soft.b = among_flow_unknowns(problem.soft.b);
   }
   return problem;
 }

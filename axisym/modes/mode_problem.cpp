@@ -1,6 +1,5 @@
 #include "axisym/modes/mode_problem.h"
 
-#include "axisym/modes/constrained_inverse.h"
 #include "model/numerics/lanczos.h"
 
 #include <algorithm>
@@ -146,7 +145,8 @@ std::optional<model::RitzPairs> nearest(const ModeProblem<N>& problem, const Fre
   constexpr int most_steps = 120;
   const FreeInverse<N> free(problem, free_mass, shift);
   if (!free.usable()) return {};
-  const ConstrainedInverse inverse(free, problem.constraints);
+  const SoftInverse soft(free, problem.soft);
+  const ConstrainedInverse inverse(soft, problem.constraints);
   const auto mass = [&](const Eigen::VectorXd& x) { return load_of(problem, free_mass(x)); };
   const Eigen::VectorXd start =
       inverse(mass(inverse(load_of(problem, any_vector(problem.M.size())))));

@@ -1,6 +1,7 @@
 // The eigenvalue problem of one angular number and parity: A x = λ M x, M semidefinite.
 #pragma once
 
+#include "axisym/modes/constrained_inverse.h"
 #include "axisym/modes/second_variation.h"
 
 #include <optional>
@@ -25,6 +26,7 @@ struct ModeProblem {
   int m;
   model::ChainMatrix<N> A, M;
   Eigen::MatrixXd constraints;  ///< in its columns: rows of what stays as it is
+  SoftConstraint soft;          ///< to be added to A
   Eigen::MatrixXd idle;   ///< loads that move nothing, as the other unknowns stand against them
   NodeChain square;       ///< ∫(u² + b²) r ds, of the unknowns of SecondVariation
   Eigen::MatrixXd rigid;  ///< (u, b) in these, orthonormal columns: rigid motions among the modes

@@ -165,16 +165,18 @@ void put(const ElementMatrix& element, double copies, NodeChain::Element& to) {
     for (int i = 0; i < element.rows(); ++i) to(place(i), place(j)) = copies * element(i, j);
 }
 
-// First variations of area and volume, by the data of the perturbation.
+// First variations of area, volume and W₂, by the data of the perturbation.
 using FormVector = Eigen::Matrix<double, perturbations, 1>;
-std::array<FormVector, 2> first_variations(const CurvePoint& p) {
+std::array<FormVector, 3> first_variations(const CurvePoint& p, double H) {
   FormVector of_area = FormVector::Zero(), of_volume = FormVector::Zero();
   of_area[of_r] = p.stretch;
   of_area[of_r_xi] = p.x[0] * p.t[0];
   of_area[of_z_xi] = p.x[0] * p.t[1];
   of_volume[of_r] = -p.x[0] * p.dx[1];
   of_volume[of_z_xi] = -p.x[0] * p.x[0] / 2;
-  return {of_area, of_volume};
+  FormVector of_W2 = H * of_area;
+  of_W2[of_H] = p.x[0] * p.stretch;
+  return {of_area, of_volume, of_W2};
 }
 
 Hessian hessian_at(const model::Material& material, const StationaryState& state,
@@ -189,7 +191,7 @@ void assemble(const model::Material& material, const Nodes& normals, int e, Seco
   std::array<ElementMatrix, 3> powers;
   powers.fill(ElementMatrix::Zero());
   ElementMatrix mass = ElementMatrix::Zero();
-  std::array<ElementVector, 2> kept;
+  std::array<ElementVector, 3> kept;
   kept.fill(ElementVector::Zero());
   for (const ShapeValues& s : assembly_points()) {
     const NormalShapes shapes(normals, e, s);
@@ -201,8 +203,8 @@ void assemble(const model::Material& material, const Nodes& normals, int e, Seco
       model::add_matrix(rows, rows, forms[k], s.weight, powers[k]);
     model::add_matrix(rows, rows, squares(p.nu, out.has_order), s.weight * p.x[0] * p.stretch,
                       mass);
-    const auto variations = first_variations(p);
-    for (std::size_t k = 0; k < 2; ++k) model::add_vector(rows, variations[k], s.weight, kept[k]);
+    const auto variations = first_variations(p, value_at(out.state.H, e, s));
+    for (std::size_t k = 0; k < 3; ++k) model::add_vector(rows, variations[k], s.weight, kept[k]);
   }
   const double copies = out.sector.copies(e);
   for (std::size_t k = 0; k < 3; ++k) put(powers[k], copies, out.powers[k].element(e));
@@ -210,6 +212,8 @@ void assemble(const model::Material& material, const Nodes& normals, int e, Seco
   for (int k = 0; k < 2; ++k)
     for (int i = 0; i < 4 * node_unknowns; ++i)
       out.constraints(3 * node_unknowns * e + place(i), k) += copies * kept[std::size_t(k)][i];
+  for (int i = 0; out.moment.b.size() > 0 && i < 4 * node_unknowns; ++i)
+    out.moment.b[3 * node_unknowns * e + place(i)] += copies * kept[2][i];
 }
 
 // What is not free. A mode vanishes at the poles like s^m, and Λ with the change of B_φφ, which for m = 2 has a value
@@ -241,17 +245,21 @@ void keep_what_is_free(const SecondVariation& of, int m, Parity parity, double d
 
 SecondVariation second_variation(const model::Material& whole, model::Model model,
                                  const StationaryState& state) {
-  const model::Material material = at_moment(felt_material(whole, model), state.moment);
+  const model::Material material = felt_material(whole, model).at_moment(state.moment);
   const Sector sector{element_count(state.X), is_symmetric(state.X)};
   const NodeChain empty(sector.elements());
   SecondVariation out{.sector = sector,
                       .powers = {empty, empty, empty},
                       .mass = empty,
                       .constraints = Eigen::MatrixXd::Zero(empty.size(), 2),
+                      .moment = {},
                       .has_order = has_free_order(model),
                       .stiffness = material.kappa(state.beta.maxCoeff()),
                       .state = sector.is_half ? symmetric_part(state) : state};
   out.state.tension = felt_tension(whole, state);
+  if (whole.area_difference.is_there())
+    out.moment = {Eigen::VectorXd::Zero(empty.size()),
+                  area(state.X) * whole.area_difference.compliance() / (2 * std::numbers::pi)};
   const Nodes normals = node_normals(out.state.X);
   for (int e = 0; e < sector.elements(); ++e) assemble(material, normals, e, out);
   return out;
@@ -275,12 +283,19 @@ NodeChain SecondVariation::mass_of(int m, Parity parity) const {
 Eigen::MatrixXd SecondVariation::constraints_of(int m, Parity parity) const {
   if (m > 0 || parity == Parity::odd) return {};
   Eigen::MatrixXd kept = constraints;
-  for (auto column : kept.colwise()) {
-    Eigen::VectorXd load = column;
-    fold<node_unknowns>(sector, parity, node_mirror(), load);
-    column = load;
-  }
+  for (auto column : kept.colwise()) column = folded(column, parity);
   return kept;
+}
+
+SoftConstraint SecondVariation::moment_of(int m, Parity parity) const {
+  if (m > 0 || parity == Parity::odd || moment.b.size() == 0) return {};
+  return {folded(moment.b, parity), moment.softness};
+}
+
+Eigen::VectorXd SecondVariation::folded(const Eigen::VectorXd& row, Parity parity) const {
+  Eigen::VectorXd load = row;
+  fold<node_unknowns>(sector, parity, node_mirror(), load);
+  return load;
 }
 
 }  // namespace sbeh::axisym

@@ -1,6 +1,7 @@
 // The second variation of a stationary state's Lagrangian by fields that go with cos mφ.
 #pragma once
 
+#include "axisym/modes/constrained_inverse.h"
 #include "axisym/modes/parity.h"
 #include "axisym/stationary/newton_system.h"
 
@@ -18,7 +19,9 @@ struct SecondVariation {
   std::array<NodeChain, 3> powers;
   NodeChain mass;  ///< ∫(u² + b²) r ds, for SSH ∫u² r ds
   Eigen::MatrixXd
-      constraints;   ///< unknowns x 2: for m = 0, the first variations of area and volume
+      constraints;  ///< unknowns x 2: for m = 0, the first variations of area and volume
+  /// With an area difference, for m = 0: the first variation of W₂ and A/(2π² k_ad).
+  SoftConstraint moment;
   bool has_order;    ///< otherwise β is pinned
   double stiffness;  ///< κ of the largest order: the scale of the eigenvalues
   StationaryState state;
@@ -29,6 +32,11 @@ struct SecondVariation {
   NodeChain mass_of(int m, Parity parity) const;
   /// In columns what m and the parity must keep.
   Eigen::MatrixXd constraints_of(int m, Parity parity) const;
+  /// Likewise what the area difference adds to the form.
+  SoftConstraint moment_of(int m, Parity parity) const;
+
+ private:
+  Eigen::VectorXd folded(const Eigen::VectorXd& row, Parity parity) const;
 };
 
 /// At a stationary state. The material is that of its place, L included.

@@ -137,7 +137,7 @@ VectorXd spherical_caps(const RimProblem& problem, double L) {
   const double c = model::root_between(miss, 0, 1).middle();
   const double alpha = std::acos(c), length = 2 * alpha / std::sqrt(1 - c);
   const VectorXd sigma = rim_nodes(problem.mesh);
-  const model::Material material = problem.material.with_L(L);
+  const model::Material material = problem.material.with_L1(L);
   const double gap = material.potential.value(0.) - material.potential.value(model::full_order);
   const double width = model::full_order * std::sqrt(material.l1() / (2 * std::max(gap, 0.1)));
   const VectorXd beta =
@@ -188,7 +188,7 @@ class SharpStates {
       const auto turn = (beta.array() / order).atan() * 2 / pi;  // 0 at the rim, 1 far from it
       const VectorXd round = pi / 2 - (pi / 2 - psi.array()) * turn;
       const VectorXd filled = (beta.array().square() + order * order).sqrt();
-      const auto s = minimise(smooth_, kink.L, smooth_.unknowns(kink.y[0], round, filled));
+      auto s = minimise(smooth_, kink.L, smooth_.unknowns(kink.y[0], round, filled));
       if (s && order_at_rim(smooth_, *s) > smallest_order) return s;
     }
     return {};

@@ -70,7 +70,7 @@ State profile_of(const model::Material& material, const NestedRadii& radii) {
 }  // namespace
 
 RimRecord nested_spheres(const model::Material& material, double reduced_volume, double L) {
-  const model::Material at = material.with_L(L);
+  const model::Material at = material.with_L1(L);
   constexpr double infinity = std::numeric_limits<double>::infinity();
   constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
   const double dv = 1e-4 * std::min(reduced_volume, 1 - reduced_volume);

@@ -33,7 +33,7 @@ struct RimProblem {
   static constexpr model::ContinuationLimits limits{
       .most_iterations = 12, .tolerance = 1e-9, .far = 0.5, .fold = 1e-9};
 
-  model::Material material;  ///< with_L(L) of it
+  model::Material material;  ///< with_L1(L) of it
   double reduced_volume;
   Rim rim;
   RimMesh mesh;
@@ -42,7 +42,7 @@ struct RimProblem {
   RimProblem(const model::Material& m, double v, Rim r, const RimMesh& elements)
       : material(m), reduced_volume(v), rim(r), mesh(elements), basis(rim_basis(r, elements)) {}
 
-  Problem at(double L) const { return {material.with_L(L), basis, true}; }
+  Problem at(double L) const { return {material.with_L1(L), basis, true}; }
   /// ψ of a state at every node, pole and rim included, and β.
   Eigen::VectorXd angles_at_nodes(const Eigen::VectorXd& y) const;
   Eigen::VectorXd order_at_nodes(const Eigen::VectorXd& y) const;

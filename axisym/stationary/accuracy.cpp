@@ -62,7 +62,7 @@ bool is_within(const Accuracy& error, const Diagnostics& d) {
 template <class Over>
 ResolvedState refined(const model::Material& material, const BranchState& state, double place,
                       Over&& over) {
-  const auto measures = [&](const BranchState& s) { return diagnose(material.with_L(s.at.L), s); };
+  const auto measures = [&](const BranchState& s) { return diagnose(material.with_L1(s.at.L), s); };
   const auto compare = [&](ResolvedState& fine, const BranchState& coarse, const Diagnostics& d) {
     fine.error = difference(fine.diagnostics, d);
     fine.place_error = overestimate

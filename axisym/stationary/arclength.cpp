@@ -40,16 +40,28 @@ PlanePoint Line::at(double mu) const {
 }
 
 model::Material Line::material_at(double mu) const {
-  model::Material m = material.with_L(at(mu).L);
+  model::Material m = material.with_L1(at(mu).L);
   if (mu == 1) return m;
   m.spontaneous_curvature = first_H0 + mu * (m.spontaneous_curvature - first_H0);
-  m.area_difference.W2 = first_W2 + mu * W2_rate();
+  m.area_difference.W2 = first_W2 + mu * (m.area_difference.W2 - first_W2);
   if (first_coupling != 1) m.flexoelectric = m.flexoelectric.times(coupling(mu));
   return first_scale == 1 ? m : m.with_given_scaled(scale(mu));
 }
 
+namespace {
+constexpr double h = 1e-3;  // of μ: the energy is linear in L and f and quadratic in H₀, a cubic
+}
+
+double Line::W2_rate(const LineState& state) const {
+  const auto value = [&](double mu) {
+    const model::AreaDifference ad = material_at(mu).area_difference;
+    const double moment = state.moment == 0 ? 0 : state.moment * ad.compliance();
+    return ad.is_there() ? ad.W2 + moment * area(state.X) : 0;
+  };
+  return (value(state.mu + h) - value(state.mu - h)) / (2 * h);
+}
+
 Eigen::VectorXd Line::gradient_rate(const LineState& state) const {
-  constexpr double h = 1e-3;  // the energy is linear in L and f and quadratic in H₀: a cubic in μ
   const model::Material before = felt_material(material_at(state.mu - h), model),
                         after = felt_material(material_at(state.mu + h), model);
   if (before == after) return Eigen::VectorXd::Zero(node_unknowns * state.beta.size());
@@ -59,12 +71,12 @@ Eigen::VectorXd Line::gradient_rate(const LineState& state) const {
 namespace {
 
 // The equation of the hyperplane across `direction`, in the length of length_of.
-PathEquation across(const Line& line, const Eigen::VectorXd& gradient_rate,
+PathEquation across(const Line& line, const LineState& state, const Eigen::VectorXd& gradient_rate,
                     const Increment& direction, const Field& weights) {
   Increment row = scaled(direction, 1. / double(direction.d.size()));
   row.d = row.d.cwiseProduct(weights);
   row.mu = direction.mu;
-  return {gradient_rate, line.volume_rate(), line.W2_rate(), row};
+  return {gradient_rate, line.volume_rate(), line.W2_rate(state), row};
 }
 
 NewtonSystem system_at(const Line& line, const LineState& state) {
@@ -118,10 +130,12 @@ std::optional<PathState> with_tangent(const Line& line, const LineState& state,
   Increment t, ahead;
   const Eigen::VectorXd gradient_rate = line.gradient_rate(state);
   // Along μ for the sign of the determinant, and for the direction where there is no other.
-  const bool regular = system.tangent(gradient_rate, line.volume_rate(), line.W2_rate(), ahead);
+  const bool regular =
+      system.tangent(gradient_rate, line.volume_rate(), line.W2_rate(state), ahead);
   const int sign = regular ? system.determinant_sign() : 0;
   if (forward) {
-    if (!system.tangent(across(line, gradient_rate, *forward, weights_of(state)), t)) return {};
+    if (!system.tangent(across(line, state, gradient_rate, *forward, weights_of(state)), t))
+      return {};
   } else if (regular) {
     t = ahead;
   } else {
@@ -141,7 +155,8 @@ std::optional<LineState> predicted(const Line& line, const PathState& from, doub
 std::optional<double> newton_step(const Line& line, LineState& state, const PathState& from,
                                   double ds) {
   NewtonSystem system = system_at(line, state);
-  const PathEquation path = across(line, line.gradient_rate(state), from.tangent, from.weights);
+  const PathEquation path =
+      across(line, state, line.gradient_rate(state), from.tangent, from.weights);
   Increment step;
   if (!system.linearise(state) || !system.newton_step(line.target(state.mu), path, 0, step))
     return {};

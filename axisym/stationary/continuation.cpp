@@ -22,7 +22,7 @@ std::optional<BranchState> solve_at(const model::Material& material, model::Mode
                                     PlanePoint at, const StationaryState& guess,
                                     const NewtonOptions& options) {
   const NewtonResult r =
-      solve_stationary(material.with_L(at.L), model, target_of(at.reduced_volume), guess, options);
+      solve_stationary(material.with_L1(at.L), model, target_of(at.reduced_volume), guess, options);
   if (r.status != NewtonStatus::converged) return {};
   return BranchState{r.state, at, r.determinant_sign};
 }

@@ -114,7 +114,7 @@ LagrangianDerivatives::LagrangianDerivatives(const Sector& of)
 
 void assemble(const model::Material& whole, const StationaryState& state, const Nodes& normals,
               LagrangianDerivatives& out) {
-  const model::Material material = at_moment(whole, state.moment);
+  const model::Material material = whole.at_moment(state.moment);
   const double tension = felt_tension(whole, state);
   out.hessian.set_zero();
   out.gradient.setZero();
@@ -160,7 +160,7 @@ void assemble(const model::Material& whole, const StationaryState& state, const 
 
 LagrangianGradient gradient_at(const model::Material& whole, const StationaryState& state,
                                const Nodes& normals, const Sector& sector) {
-  const model::Material material = at_moment(whole, state.moment);
+  const model::Material material = whole.at_moment(state.moment);
   const double tension = felt_tension(whole, state);
   const Eigen::Index unknowns = node_unknowns * sector.nodes();
   LagrangianGradient out{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, 2),

@@ -45,7 +45,8 @@ struct Line {
   bool contains(double mu) const { return at(mu).L > 0 && at(mu).reduced_volume <= 1; }
 
   double volume_rate() const { return target(1).volume - target(0).volume; }
-  double W2_rate() const { return material.area_difference.W2 - first_W2; }
+  /// ∂(W₂⁰ + Ac/(π k_ad))/∂μ of what the moment's equation has, the state held.
+  double W2_rate(const LineState& state) const;
   Eigen::VectorXd gradient_rate(const LineState& state) const;
 };
 

@@ -46,6 +46,11 @@ SshBranch::SshBranch(Branch branch, const model::Material& material, const Numer
     : branch_(branch), material_(material), classical_material_(material), numerics_(numerics) {
   classical_material_.spontaneous_curvature = 0;
   classical_material_.flexoelectric = {};
+  classical_material_.area_difference = {};
+}
+
+bool SshBranch::is_classical() const {
+  return material_.preferred_curvature() == 0 && !material_.area_difference.is_there();
 }
 
 const std::optional<BranchState>& SshBranch::entry() {
@@ -66,6 +71,7 @@ FollowResult SshBranch::with_H0(const BranchState& classical) const {
                      .from = classical.at,
                      .to = classical.at,
                      .first_H0 = 0,
+                     .first_W2 = diagnose(material_, classical).W2,  // where no moment acts
                      .first_coupling = 0,
                      .symmetric = branch_ != Branch::stomatocyte},
                 classical, numerics_);
@@ -111,7 +117,7 @@ const SshBranch::Waypoint& SshBranch::downward(int k) {
 }
 
 const SshBranch::Waypoint& SshBranch::waypoint(int k) {
-  if (material_.preferred_curvature() == 0) return classical(k);
+  if (is_classical()) return classical(k);
   return kept(waypoints_, k, [&] {
     Waypoint best = downward(k);
     if (share_of_closing(volume_at(k)) > dear) return best;
@@ -124,7 +130,7 @@ const SshBranch::Waypoint& SshBranch::waypoint(int k) {
 
 std::optional<FollowResult> SshBranch::at(double reduced_volume) {
   if (!entry()) return {};
-  const bool classical_only = material_.preferred_curvature() == 0;
+  const bool classical_only = is_classical();
   std::optional<FollowResult> best;
   const auto ends_nearer = [&](const FollowResult& a, const FollowResult& b) {
     return std::abs(a.state.at.reduced_volume - reduced_volume)

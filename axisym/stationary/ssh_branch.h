@@ -8,12 +8,12 @@
 
 namespace sbeh::axisym {
 
-/// A branch of SSH at one material. Without spontaneous curvature, H₀ or that of f, it is followed from its entry over
-/// waypoints, multiples of 0.05 in V_r; these are then carried on to H₀ at fixed V_r, and from both neighbours
-/// along V_r at fixed H₀, since neither way reaches all: where several states of the branch's class are found,
+/// A branch of SSH at one material. Without spontaneous curvature, H₀ or that of f, and area difference it is followed from its
+/// entry over waypoints, multiples of 0.05 in V_r; these are then carried on to H₀ and W₂⁰ at fixed V_r, and from both neighbours
+/// along V_r at fixed material, since neither way reaches all: where several states of the branch's class are found,
 /// that with the fewest negative directions counts, of these the lowest. Stomatocytes whose necks H₀ closes up to V_r = 0.65
 /// are reached where it leaves them open. Symmetric branches stay symmetric.
-/// The shapes depend on H₀ − f/κ alone of the material.
+/// The shapes depend on H₀ − f/κ, k_ad/κ and W₂⁰ alone of the material.
 class SshBranch {
  public:
   SshBranch(Branch branch, const model::Material& material, const Numerics& numerics);
@@ -29,6 +29,7 @@ class SshBranch {
   const Waypoint& classical(int k);  // H₀ = 0
   const Waypoint& downward(int k);   // carried on from above
   const Waypoint& waypoint(int k);   // the best
+  bool is_classical() const;
   FollowResult with_H0(const BranchState& classical) const;
   std::optional<FollowResult> end_towards_H0(double reduced_volume);  // where no waypoint is there
   double share_of_closing(

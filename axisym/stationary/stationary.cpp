@@ -15,13 +15,6 @@ model::Material felt_material(const model::Material& material, model::Model mode
   return has_free_order(model) ? material : material.without_gaussian();
 }
 
-model::Material at_moment(const model::Material& material, double moment) {
-  if (moment == 0) return material;
-  model::Material felt = material;
-  felt.flexoelectric = material.flexoelectric.plus(moment);
-  return felt;
-}
-
 double felt_tension(const model::Material& material, const StationaryState& state) {
   const double c = state.moment;
   return c == 0 ? state.tension : state.tension - c * c * material.area_difference.compliance() / 2;

@@ -44,8 +44,6 @@ struct NewtonOptions {
 /// which is a constant, and whose parts would outweigh all others in narrow necks.
 model::Material felt_material(const model::Material& material, model::Model model);
 
-/// Of `material` what the moment of a state makes of it: f + c for f.
-model::Material at_moment(const model::Material& material, double moment);
 /// Σ − c²/(2π k_ad), what multiplies the area in the Lagrangian.
 double felt_tension(const model::Material& material, const StationaryState& state);
 

@@ -36,7 +36,7 @@ void read_case(const TomlTable& table, CompareInput& input) {
   state.reduced_volume = table.number("reduced_volume", reduced_volumes);
   if (state.reduced_volume == 1)
     table.fail("reduced_volume", "must be < 1: there is only the sphere, and nothing to compare");
-  state.material = state.material.with_L(table.number("L", above(0)));
+  state.material.L1 = table.number("L", above(0));
   input.methods = table.choices("methods", values_of(Witness{}));
   if (input.methods.size() < 2)
     table.fail("methods", "must be two at least, to be compared with each other");
@@ -167,9 +167,11 @@ CompareInput read_compare(const std::filesystem::path& path) {
         "tolerance_3d",
         "has no place without \"surface3d\", \"states\" or \"harmonics\" among the methods");
   material.measured_by(lengths_of(input.units));
-  input.state.material =
-      read_material_without_L(material, "a comparison, where L comes from [compare]")
-          .with_L(input.state.L());
+  material.refuse("area_difference",
+                  "must not be given in a comparison: most methods do not know it");
+  input.state.material = read_material_without_L(material, {input.state.L()},
+                                                 "a comparison, where L comes from [compare]")
+                             .with_L1(input.state.L());
   refuse_spontaneous_curvature(material, input);
   input.state.numerics = read_numerics<axisym::Numerics>(numerics);
   input.surface3d = read_surface_method(surface, input);

@@ -56,7 +56,7 @@ PlannedRun oblate_run(const Inputs& inputs, const PointKey& key) {
                              key.reduced_volume, key.L),
                  inputs.oblate_3d};
   run.input.model = key.model;
-  run.input.material = run.input.material.with_L(key.L);
+  run.input.material = run.input.material.with_L1(key.L);
   std::get<Ellipsoid>(run.input.start).reduced_volume = key.reduced_volume;
   return run;
 }

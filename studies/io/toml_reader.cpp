@@ -65,8 +65,8 @@ double measured(const TableState& table, std::string_view key, const toml::node&
 }
 
 double as_number(const TableState& table, std::string_view key, const toml::node& value,
-                 const Interval& allowed, std::string_view kind) {
-  const Dimension dimension = dimension_of_key(key);
+                 const Interval& allowed, std::string_view kind, std::string_view quantity = {}) {
+  const Dimension dimension = dimension_of_key(quantity.empty() ? key : quantity);
   const bool is_measured = value.is_string() && dimension != dimension::none;
   if (!is_measured && !value.is_number()) fail_at(table, key, value, kind);
   const double number =
@@ -137,6 +137,21 @@ double TomlTable::number(std::string_view key, const Interval& allowed,
   constexpr auto kind = "must be a number";
   const toml::node* value = find(*state_, key, absent.has_value(), kind);
   return value ? as_number(*state_, key, *value, allowed, kind) : *absent;
+}
+
+double TomlTable::number_as(std::string_view quantity, std::string_view key,
+                            const Interval& allowed) const {
+  constexpr auto kind = "must be a number";
+  return as_number(*state_, key, *find(*state_, key, false, kind), allowed, kind, quantity);
+}
+
+double TomlTable::number_or_infinity(std::string_view key, const Interval& allowed) const {
+  constexpr auto kind = "must be a number";
+  const toml::node* value = find(*state_, key, false, kind);
+  if (value->is_floating_point() && std::isinf(*value->value<double>())
+      && allowed.contains(*value->value<double>()))
+    return *value->value<double>();
+  return as_number(*state_, key, *value, allowed, kind);
 }
 
 int TomlTable::integer(std::string_view key, int low, int high, std::optional<int> absent) const {

@@ -47,6 +47,10 @@ class TomlTable {
   /// A finite number, integers included.
   double number(std::string_view key, const Interval& allowed = {},
                 std::optional<double> absent = {}) const;
+  /// The same where it stands for another quantity, whose unit it may have.
+  double number_as(std::string_view quantity, std::string_view key, const Interval& allowed) const;
+  /// A number that may be infinite.
+  double number_or_infinity(std::string_view key, const Interval& allowed) const;
   int integer(std::string_view key, int low, int high, std::optional<int> absent = {}) const;
   bool boolean(std::string_view key, std::optional<bool> absent = {}) const;
   /// A text that is not empty.

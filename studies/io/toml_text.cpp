@@ -26,6 +26,10 @@ std::string as_toml(const model::Polynomial& polynomial) {
   return as_toml(polynomial.coefficients());
 }
 
+std::string as_toml(const model::AreaDifference& of) {
+  return fmt::format("{{ stiffness = {}, W2 = {} }}", of.stiffness, of.W2);
+}
+
 std::string list_as_toml(const std::vector<std::string>& values) {
   std::string text = "[", separator;
   std::size_t line_start = 0;

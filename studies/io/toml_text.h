@@ -3,7 +3,7 @@
 
 #include "axisym/start_shapes.h"
 #include "meshing/spherical_harmonics.h"
-#include "model/potential.h"
+#include "model/material.h"
 
 #include <string>
 #include <string_view>
@@ -28,6 +28,7 @@ requires std::is_enum_v<Choice> std::string as_toml(Choice choice) {
 
 /// The coefficients of its powers.
 std::string as_toml(const model::Polynomial& polynomial);
+std::string as_toml(const model::AreaDifference& of);
 
 /// A list of values as they stand in a file, broken into lines that are not too long.
 std::string list_as_toml(const std::vector<std::string>& values);

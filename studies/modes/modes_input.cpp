@@ -17,12 +17,12 @@ void read_state(const TomlTable& table, ModesInput& input) {
   read_value(table, "branch", state.branch);
   state.reduced_volume = table.number("reduced_volume", reduced_volumes);
   if (state.reduced_volume == 1) table.fail("reduced_volume", no_sphere);
-  state.material = state.material.with_L(table.number("L", above(0)));
+  state.material.L1 = table.number("L", above(0));
 }
 
 model::Material read_material(const TomlTable& table, const ModesInput& input) {
-  return read_material_without_L(table, "modes, where L comes from [modes]")
-      .with_L(input.state.L());
+  return read_material_without_L(table, {input.state.L()}, "modes, where L comes from [modes]")
+      .with_L1(input.state.L());
 }
 
 // A description names both; they may differ in what does not move the state.

@@ -2,6 +2,8 @@
 
 #include "studies/io/spelling.h"
 
+#include <numbers>
+
 namespace sbeh::studies {
 
 namespace {
@@ -30,12 +32,6 @@ void read_friction(const TomlTable& table, model::Material& material) {
   material.friction_tangential = material.friction_normal = table.number("friction", at_least(0));
 }
 
-bool bounded_below(const std::vector<double>& coefficients) {
-  std::size_t degree = coefficients.size();
-  while (degree > 0 && coefficients[degree - 1] == 0) --degree;  // one more than the power
-  return degree <= 1 || (degree % 2 == 1 && coefficients[degree - 1] > 0);
-}
-
 // The potential that `key` describes, its powers or what stands for them.
 model::Potential potential_of(const TomlTable& table, const char* key, bool powers) {
   try {
@@ -49,18 +45,24 @@ model::Potential potential_of(const TomlTable& table, const char* key, bool powe
   }
 }
 
-// All but the elastic constants.
-model::Material read_rest(const TomlTable& table, model::Material material) {
+// All but the elastic constants, unchecked.
+model::Material read_functions(const TomlTable& table, model::Material material) {
   read_friction(table, material);
   read_parameters(table, material, elastic_constants);
   if (!material.kappa_powers.empty())
     refuse(table, {"residual_stiffness"},
            "must not be given together with kappa, which says all of the bending stiffness");
-  check(table, material);
   return material;
 }
 
 }  // namespace
+
+bool is_bounded_below(const model::Potential& potential) {
+  const std::vector<double>& coefficients = potential.coefficients();
+  std::size_t degree = coefficients.size();
+  while (degree > 0 && coefficients[degree - 1] == 0) --degree;  // one more than the power
+  return degree <= 1 || (degree % 2 == 1 && coefficients[degree - 1] > 0);
+}
 
 void read_value(const TomlTable& table, const char* powers, model::Potential& potential) {
   if (table.has(powers))
@@ -68,13 +70,23 @@ void read_value(const TomlTable& table, const char* powers, model::Potential& po
   for (const char* key : {powers, potential_shorthand}) {
     if (!table.has(key)) continue;
     potential = potential_of(table, key, key == powers);
-    if (!bounded_below(potential.coefficients()))
+    if (!is_bounded_below(potential))
       table.fail(key, "must be bounded below: its highest power even, with a coefficient > 0");
   }
 }
 
 void read_value(const TomlTable& table, const char* key, model::Polynomial& polynomial) {
   if (table.has(key)) polynomial = model::Polynomial(table.numbers(key));
+}
+
+void read_value(const TomlTable& table, const char* key, model::AreaDifference& of) {
+  if (!table.has(key)) return;
+  const TomlTable given = table.table(key);
+  of.stiffness = given.number_or_infinity("stiffness", above(0));
+  const bool by_areas = given.has("delta_a0");
+  if (by_areas) given.refuse("W2", "must not be given together with delta_a0, which is −W2/8π");
+  of.W2 = by_areas ? -8 * std::numbers::pi * given.number("delta_a0") : given.number("W2");
+  given.reject_unknown_keys();
 }
 
 bool is_complete(const TomlTable& table, model::Model model) {
@@ -87,6 +99,7 @@ bool is_complete(const TomlTable& table, model::Model model) {
     const std::string_view key = parameter.name;
     if (contains(elastic_constants, key)) return;
     if (key == "kappa" || key == "kappa_gauss") return;  // as the elastic constants say
+    if (key == "area_difference") return;                // none
     bool said = table.has(key);
     if (key == "potential") said = table.has(potential_shorthand) || said;
     if (contains(parameters_of_drag, key))
@@ -108,12 +121,19 @@ model::Material read_material(const TomlTable& table, model::Model model, model:
   }
   read_L(table, absent);
   read_some(table, absent, elastic_constants);
-  return read_rest(table, absent);
+  model::Material material = read_functions(table, absent);
+  check(table, material);
+  return material;
 }
 
-model::Material read_material_without_L(const TomlTable& table, std::string_view where) {
-  refuse(table, {"L", "L1", "L2", "L3"}, "must not be given in " + std::string(where));
-  return read_rest(table, {});
+model::Material read_material_without_L(const TomlTable& table, const std::vector<double>& L,
+                                        std::string_view where) {
+  refuse(table, {"L", "L1"}, "must not be given in " + std::string(where));
+  model::Material material;
+  read_some(table, material, {"L2", "L3"});
+  material = read_functions(table, material);
+  for (const double one : {L.front(), L.back()}) check(table, material.with_L1(one));
+  return material;
 }
 
 void write_material(TomlText& toml, const model::Material& material, model::Model model) {
@@ -121,9 +141,11 @@ void write_material(TomlText& toml, const model::Material& material, model::Mode
   write_parameters(toml, material, has_own_drag(model) ? parameters_of_drag : ParameterNames{});
 }
 
-void write_material_without_L(TomlText& toml, const model::Material& material) {
+void write_material_without_L(TomlText& toml, const model::Material& material,
+                              ParameterNames without) {
   toml.table("material");
-  write_parameters(toml, material, elastic_constants);
+  without.emplace_back("L1");
+  write_parameters(toml, material, without);
 }
 
 void refuse_order(const TomlTable& table, model::Model model, const ParameterNames& keys) {

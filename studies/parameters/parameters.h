@@ -1,7 +1,7 @@
 // Structs with a table of parameters (model/parameter.h), read from TOML and written back.
 #pragma once
 
-#include "model/parameter.h"
+#include "model/material.h"
 #include "model/polynomial.h"
 #include "studies/io/description.h"
 #include "studies/io/toml_reader.h"
@@ -68,11 +68,13 @@ void read_some(const TomlTable& table, Struct& into, const ParameterNames& these
   });
 }
 
-/// What stands in files: of polynomials those that are given.
+/// What stands in files: of polynomials those that are given, an area difference that is there.
 template <class Value>
 bool is_said(const Value& value) {
   if constexpr (std::derived_from<Value, model::Polynomial>)
     return !value.empty();
+  else if constexpr (std::same_as<Value, model::AreaDifference>)
+    return value.is_there();
   else
     return true;
 }

@@ -20,6 +20,12 @@ Eigen::VectorXd as_numbers(const model::Polynomial& polynomial) {
   const std::vector<double>& c = polynomial.coefficients();
   return Eigen::Map<const Eigen::VectorXd>(c.data(), Eigen::Index(c.size()));
 }
+Eigen::VectorXd as_numbers(const model::AreaDifference& of) {
+  return Eigen::Vector2d(of.stiffness, of.W2);
+}
+void set(model::AreaDifference& of, const Eigen::VectorXd& numbers) {
+  of = {numbers[0], numbers.size() > 1 ? numbers[1] : 0};
+}
 void set(double& value, const Eigen::VectorXd& numbers) { value = numbers[0]; }
 template <std::derived_from<model::Polynomial> Polynomial>
 void set(Polynomial& polynomial, const Eigen::VectorXd& numbers) {

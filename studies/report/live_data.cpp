@@ -2,6 +2,7 @@
 
 #include "studies/io/csv.h"
 #include "studies/io/output.h"
+#include "studies/scan/scan_input.h"
 
 #include <fmt/format.h>
 
@@ -65,6 +66,7 @@ bool has_live_page(ResultsKind kind) {
 
 std::string too_many_for_a_page(const std::filesystem::path& folder, ResultsKind kind) {
   if (kind != ResultsKind::scan) return "";
+  if (!read_scan(folder / "run.toml").axes.empty()) return "further axes: its layers have pages";
   const std::size_t points = read_csv(folder / "scan.csv").rows.size();
   return points <= most_points ? "" : fmt::format("{} points, {} at most", points, most_points);
 }

@@ -171,7 +171,7 @@ void ResultUnits::require_scales() const {
 
 Scales ResultUnits::scales(std::optional<double> L) const {
   const Physics& physics = described_.physics;
-  if (L) return scales_of(units_, physics.material.with_L(*L), physics.model);
+  if (L) return scales_of(units_, physics.material.with_L1(*L), physics.model);
   return by_L() ? *lengths_of(units_) : scales_of(units_, physics.material, physics.model);
 }
 

@@ -37,7 +37,7 @@ struct Begin {
 };
 
 model::Material material_of(const StatesInput& input) {
-  return input.material.with_L(input.L.front());
+  return input.material.with_L1(input.L.front());
 }
 
 class Branches {

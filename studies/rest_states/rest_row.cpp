@@ -11,7 +11,8 @@ namespace {
 
 // Neither V_r nor L, which have their columns.
 bool is_other(const StatesInput& input) {
-  return input.follow && input.follow->parameter > FollowedParameter::L;
+  return input.follow && input.follow->parameter != followed_volume
+      && input.follow->parameter != "L";
 }
 
 }  // namespace
@@ -63,6 +64,7 @@ Columns<RestRow> rest_columns(const StatesInput& input) {
       diagnostic("energy_distortion", &Diagnostics::energy, &Energy::distortion),
       diagnostic("energy_bending", &Diagnostics::energy, &Energy::bending),
       diagnostic("energy_thermotropic", &Diagnostics::energy, &Energy::thermotropic),
+      diagnostic("energy_area_difference", &Diagnostics::energy, &Energy::area_difference),
       diagnostic("order_min", &Diagnostics::order_min),
       diagnostic("order_max", &Diagnostics::order_max),
       diagnostic("order_mean", &Diagnostics::order_mean),
@@ -93,7 +95,7 @@ Columns<RestRow> rest_columns(const StatesInput& input) {
   numbered("eigenvalue", input.eigenpairs, &Row::eigenvalues);
   numbered("rate", input.rates, &Row::rates);
   if (is_other(input)) {
-    const std::string parameter = name(input.follow->parameter);
+    const std::string parameter = input.follow->parameter;
     columns.insert(columns.begin() + 5, column(parameter, &Row::followed));
   }
   if (input.follow)
@@ -106,7 +108,7 @@ Columns<RestRow> rest_columns(const StatesInput& input) {
 std::string table_of(const StatesInput& input, const std::vector<RestRow>& rows) {
   const bool other = is_other(input);
   std::string text = fmt::format("{:>6} {:>8} {:>8} ", "number", "V_r", "L");
-  if (other) text += fmt::format("{:>11} ", name(input.follow->parameter));
+  if (other) text += fmt::format("{:>11} ", input.follow->parameter);
   text +=
       fmt::format("{:>14} {:>9} {:>6}  {}\n", "energy", "negative", "class", "lowest eigenvalues");
   for (const RestRow& row : rows) {

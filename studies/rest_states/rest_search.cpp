@@ -40,7 +40,7 @@ class Search {
   Search(const StatesInput& input, const std::function<int()>& number, const TakeState& take)
       : input_(input),
         at_(places_of(input).front().at),
-        material_(input.material.with_L(at_.L)),
+        material_(input.material.with_L1(at_.L)),
         target_(axisym::target_of(at_.reduced_volume)),
         number_(number),
         take_(take) {}

@@ -30,7 +30,7 @@ RestStart from_branch(const StatesInput& input, const axisym::PlanePoint& at, in
   const PointOutcome point = branch_point({.model = input.model,
                                            .branch = input.branch,
                                            .reduced_volume = at.reduced_volume,
-                                           .material = input.material.with_L(at.L),
+                                           .material = input.material.with_L1(at.L),
                                            .numerics = input.numerics});
   if (point.row.status != PointStatus::stationary || !point.state)
     return failed("there is no axisymmetric state to start from: " + point.row.stop_reason);
@@ -51,7 +51,7 @@ RestStart from_scan(const StatesInput& input, const axisym::PlanePoint& at, int 
 RestStart from_file(const StatesInput& input, const axisym::PlanePoint& at, int triangles) {
   RunInput run;
   run.model = input.model;
-  run.material = input.material.with_L(at.L);
+  run.material = input.material.with_L1(at.L);
   run.perturbation = input.perturbation;
   if (input.start == StatesStart::frame)
     run.start = FrameStart{input.file};

@@ -105,7 +105,7 @@ RestState rest_state_from(const StatesInput& input, const axisym::PlanePoint& at
                           const RestStart& start) {
   RestState result{.mesh = start.mesh, .failure = start.failure};
   if (!start.mesh) return result;
-  const model::Material material = input.material.with_L(at.L);
+  const model::Material material = input.material.with_L1(at.L);
   result.system = std::make_unique<surface3d::NewtonSystem>(*start.mesh, material, input.model);
   auto found = surface3d::solve_stationary(
       *result.system, axisym::target_of(at.reduced_volume),
@@ -149,7 +149,7 @@ RestMeasures measures_of(const SeenState& seen, const model::Material& material)
 
 void measure(const StatesInput& input, const SeenState& seen, const fs::path& folder,
              RestRow& row) {
-  const Physics physics{input.model, input.material.with_L(seen.at.L)};
+  const Physics physics{input.model, input.material.with_L1(seen.at.L)};
   row.measures = measures_of(seen, physics.material);
   row.stop_reason = doubt_about(seen, *row.measures);
   auto modes = surface3d::lowest_modes(seen.system, seen.state, seen.normals, input.eigenpairs);
@@ -187,7 +187,7 @@ double energy_error(const StatesInput& input, const RestRow& row, const RestStar
                             && other.system->rigid_count() == row.measures->rigid_motions;
   if (!same) return not_known;
   const double energy =
-      surface3d::energy(input.material.with_L(row.L), *other.mesh, other.state).total();
+      surface3d::energy(input.material.with_L1(row.L), *other.mesh, other.state).total();
   return std::abs(energy - energy_of(row));
 }
 

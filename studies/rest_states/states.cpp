@@ -49,7 +49,7 @@ class RowsInOrder {
     const double value = input_.follow ? value_on_way(input_, found.point.mu) : 0;
     if (input_.follow)
       line_.show(fmt::format("path {}: state {}, {} = {:.6g}", found.path, number_,
-                             name(input_.follow->parameter), value));
+                             input_.follow->parameter, value));
     const int number = number_++;
     if (const RestRow* there = table_.find(number)) return doubt(*there);
     RestRow row = row_at(here, {number, at});
@@ -57,7 +57,7 @@ class RowsInOrder {
     row.path = found.path;
     row.point = found.kind;
     if (found.from > 0) row.from = found.from;
-    const model::Material material = here.material.with_L(at.L);
+    const model::Material material = here.material.with_L1(at.L);
     const surface3d::Triangulation& mesh = *found.mesh;
     surface3d::NewtonSystem system(mesh, material, input_.model);
     if (system.linearise(found.point, found.point.normals, {{}, found.point.phase})) {

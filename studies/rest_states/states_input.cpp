@@ -4,6 +4,7 @@
 #include "studies/evolution/frame_file.h"
 #include "studies/evolution/start_shape.h"
 #include "studies/parameters/material_input.h"
+#include "studies/parameters/material_number.h"
 
 #include <fmt/format.h>
 
@@ -51,8 +52,7 @@ Absent of_frame(const std::string& file) {
   if (!physics) return of;
   of.model = physics->model;
   of.material = physics->material;
-  if (physics->material == physics->material.with_L(physics->material.L1))
-    of.L = {physics->material.L1};
+  of.L = {physics->material.L1};
   return of;
 }
 
@@ -62,33 +62,32 @@ void read_places(const TomlTable& table, const Absent& absent, StatesInput& inpu
   input.L = table.grid("L", above(0), absent.L);
 }
 
-std::size_t power_of(FollowedParameter parameter) {
-  return std::size_t(parameter) - std::size_t(FollowedParameter::potential_1) + 1;
-}
-
-Interval range_of(FollowedParameter parameter) {
-  switch (parameter) {
-    case FollowedParameter::reduced_volume:
-      return reduced_volumes;
-    case FollowedParameter::L:
-      return above(0);
-    case FollowedParameter::k0:
-      return at_least(0);
-    default:
-      return model::any_number;
-  }
+std::vector<std::string> followed_parameters() {
+  std::vector<std::string> names = MaterialNumber::names();
+  names.insert(names.begin(), followed_volume);
+  return names;
 }
 
 // Both ends are materials: what lies between is one then, too, since all bounds are linear.
 void check_end(const TomlTable& table, const StatesInput& input, const FollowInput& follow) {
-  const model::Material end = at_value(input, follow.parameter, follow.to).material;
-  const auto& powers = end.potential.coefficients();
-  std::size_t degree = powers.size();
-  while (degree > 0 && powers[degree - 1] == 0) --degree;
-  if (degree > 1 && (degree % 2 == 0 || powers[degree - 1] < 0))
+  const StatesInput end = at_value(input, follow.parameter, follow.to);
+  if (!is_bounded_below(end.material.potential))
     table.fail("to",
                "the potential must be bounded below: its highest power even, with a "
                "coefficient > 0");
+  try {
+    end.material.with_L1(end.L.front()).validate();
+  } catch (const std::invalid_argument& error) {
+    table.fail("to", fmt::format("is no material there: {}", error.what()));
+  }
+}
+
+void require_there(const TomlTable& table, const StatesInput& input, const MaterialNumber& number) {
+  if (!has_free_order(input.model) && is_of_order(number))
+    table.fail("parameter", "belongs to model = 'SBEH': the order of SSH is 2/3 everywhere");
+  if (!is_there(number, input.material))
+    table.fail("parameter",
+               fmt::format("needs {} in [material], where its way begins", number.key()));
 }
 
 constexpr const char* of_one_state =
@@ -107,15 +106,16 @@ SearchInput read_search(const TomlTable& table, const StatesInput& input) {
 FollowInput read_follow(const TomlTable& table, const StatesInput& input) {
   if (places_of(input).size() != 1) table.fail("parameter", of_one_state);
   FollowInput follow;
-  read_value(table, "parameter", follow.parameter);
-  follow.to = table.number("to", range_of(follow.parameter));
-  if (follow.parameter == FollowedParameter::reduced_volume && follow.to == 1)
-    table.fail("to", no_sphere_here);
+  follow.parameter = table.word("parameter", followed_parameters(), follow.parameter);
+  const MaterialNumber* number = MaterialNumber::named(follow.parameter);
+  table.measured_by(lengths_of(input.units));
+  follow.to = table.number_as(number ? number->key() : follow.parameter, "to",
+                              number ? number->allowed() : reduced_volumes);
+  if (!number && follow.to == 1) table.fail("to", no_sphere_here);
   if (follow.to == value_of(input, follow.parameter))
-    table.fail("to", fmt::format("must not be the {} of the first state", name(follow.parameter)));
-  if (follow.parameter >= FollowedParameter::potential_1) {
-    if (!has_free_order(input.model))
-      table.fail("parameter", "belongs to model = 'SBEH': the order of SSH is 2/3 everywhere");
+    table.fail("to", fmt::format("must not be the {} of the first state", follow.parameter));
+  if (number) {
+    require_there(table, input, *number);
     check_end(table, input, follow);
   }
   follow.switches = table.boolean("switch", follow.switches);
@@ -147,8 +147,6 @@ void take_material(const TomlTable& file, const TomlTable& material, const model
 model::Material without_L(model::Material material) {
   const model::Material absent;
   material.L1 = absent.L1;
-  material.L2 = absent.L2;
-  material.L3 = absent.L3;
   return material;
 }
 
@@ -163,46 +161,21 @@ std::vector<StatePlace> places_of(const StatesInput& input) {
   return places;
 }
 
-double value_of(const StatesInput& input, FollowedParameter parameter) {
-  switch (parameter) {
-    case FollowedParameter::reduced_volume:
-      return input.reduced_volume.front();
-    case FollowedParameter::L:
-      return input.L.front();
-    case FollowedParameter::H0:
-      return input.material.spontaneous_curvature;
-    case FollowedParameter::k0:
-      return input.material.residual_stiffness;
-    default: {
-      const auto& powers = input.material.potential.coefficients();
-      const std::size_t power = power_of(parameter);
-      return power < powers.size() ? powers[power] : 0;
-    }
-  }
+double value_of(const StatesInput& input, const std::string& parameter) {
+  const MaterialNumber* number = MaterialNumber::named(parameter);
+  return number ? number->of(input.material.with_L1(input.L.front()))
+                : input.reduced_volume.front();
 }
 
-StatesInput at_value(StatesInput input, FollowedParameter parameter, double value) {
-  switch (parameter) {
-    case FollowedParameter::reduced_volume:
-      input.reduced_volume = {value};
-      break;
-    case FollowedParameter::L:
-      input.L = {value};
-      break;
-    case FollowedParameter::H0:
-      input.material.spontaneous_curvature = value;
-      break;
-    case FollowedParameter::k0:
-      input.material.residual_stiffness = value;
-      break;
-    default: {
-      auto powers = input.material.potential.coefficients();
-      const std::size_t power = power_of(parameter);
-      powers.resize(std::max(powers.size(), power + 1));
-      powers[power] = value;
-      input.material.potential = model::Potential(powers);
-    }
+StatesInput at_value(StatesInput input, const std::string& parameter, double value) {
+  const MaterialNumber* number = MaterialNumber::named(parameter);
+  if (!number) {
+    input.reduced_volume = {value};
+    return input;
   }
+  const model::Material there = number->with(input.material.with_L1(input.L.front()), value);
+  input.L = {there.L1};
+  input.material = without_L(there);
   return input;
 }
 
@@ -237,7 +210,8 @@ StatesInput read_states(const std::filesystem::path& path) {
   input.rates = states.integer("rates", 0, most_eigenpairs, input.rates);
   states.reject_unknown_keys();
   material.measured_by(lengths_of(input.units));
-  input.material = read_material_without_L(material, "states, where L comes from [states]");
+  input.material =
+      read_material_without_L(material, input.L, "states, where L comes from [states]");
   if (input.start == StatesStart::scan)
     absent.material = origin_of(row_of(input, places_of(input).front().at)).physics->material;
   if (absent.material) take_material(file, material, *absent.material, input);

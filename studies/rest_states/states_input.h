@@ -25,28 +25,13 @@ enum class StatesStart {
 };
 constexpr auto names(StatesStart) { return std::array{"branch", "scan", "frame", "mesh"}; }
 
-/// What changes along a branch: V_r, L, and the numbers of [material] on which rest states depend, the coefficients of the
-/// potential one by one.
-enum class FollowedParameter {
-  reduced_volume,
-  L,
-  H0,  ///< spontaneous_curvature
-  k0,  ///< residual_stiffness
-  potential_1,
-  potential_2,
-  potential_3,
-  potential_4
-};
-constexpr auto names(FollowedParameter) {
-  return std::array{"reduced_volume", "L",           "H0",          "k0",
-                    "potential_1",    "potential_2", "potential_3", "potential_4"};
-}
+inline constexpr const char* followed_volume = "reduced_volume";
 
 /// Table [follow]: the branch of the one state.
 struct FollowInput {
-  FollowedParameter parameter = FollowedParameter::reduced_volume;
-  double to = 0;         ///< where it ends, on either side of where it starts
-  bool switches = true;  ///< key `switch`: on to the branches that leave, too
+  std::string parameter = followed_volume;  ///< what changes, this or the name of a MaterialNumber
+  double to = 0;                            ///< where it ends, on either side of where it starts
+  bool switches = true;                     ///< key `switch`: on to the branches that leave, too
   double longest_step =
       0.1;  ///< of the way, or in root mean square of displacement and order, 0 < … <= 1
   int most_states = 60;   ///< of each branch, 2 … 1000
@@ -80,7 +65,7 @@ struct StatesInput {
   int triangles = 320;       ///< about so many; frames and meshes bring their own
   int eigenpairs = 6;        ///< lowest of the second variation, 0 … 50
   int rates = 0;             ///< largest of the linearised flow, 0 … 50
-  model::Material material;  ///< its L1, L2, L3 give way to L
+  model::Material material;  ///< its L1 gives way to L
   axisym::Numerics numerics;
   std::optional<FollowInput> follow{};
   std::optional<SearchInput> search{};
@@ -92,7 +77,7 @@ struct StatesInput {
 /// Whether its triangles are those of a file.
 bool brings_its_mesh(StatesStart start);
 
-/// The material without its elastic constants, as StatesInput has it.
+/// The material with the default L1, as StatesInput has it.
 model::Material without_L(model::Material material);
 
 struct StatePlace {
@@ -103,9 +88,9 @@ struct StatePlace {
 std::vector<StatePlace> places_of(const StatesInput& input);
 
 /// The parameter's value at the one place of an input.
-double value_of(const StatesInput& input, FollowedParameter parameter);
+double value_of(const StatesInput& input, const std::string& parameter);
 /// The input at this value, in place of its own.
-StatesInput at_value(StatesInput input, FollowedParameter parameter, double value);
+StatesInput at_value(StatesInput input, const std::string& parameter, double value);
 
 /// Of the scan from which a state starts.
 ScanRow row_of(const StatesInput& input, const axisym::PlanePoint& at);

@@ -26,7 +26,7 @@ namespace {
 // The same state over P3 elements with their nodes where the curvature is; empty where these do not resolve it.
 std::optional<axisym::StationaryState> on_elements(const ScanInput& input, const RimRecord& row) {
   const axisym::Numerics& numerics = input.numerics;
-  const auto guess = axisym::guess_from(input.material.with_L(row.L), Model::SBEH, row.state);
+  const auto guess = axisym::guess_from(input.material.with_L1(row.L), Model::SBEH, row.state);
   const auto placed = redistribute(guess, numerics.grading, 2 * numerics.elements);
   const auto there = axisym::solve_at(input.material, Model::SBEH, {row.reduced_volume, row.L},
                                       placed, {.symmetric = true});
@@ -58,8 +58,8 @@ RimRow with_stability(const ScanInput& input, const RimRecord& record) {
                           || record.kind == RimKind::equal_energy);
   if (!has_modes) return row;
   if (const auto state = on_elements(input, record))
-    if (const auto modes =
-            axisym::stability_3d(input.material.with_L(record.L), Model::SBEH, *state, input.modes))
+    if (const auto modes = axisym::stability_3d(input.material.with_L1(record.L), Model::SBEH,
+                                                *state, input.modes))
       row.modes = trusted(*modes);
   return row;
 }

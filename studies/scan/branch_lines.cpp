@@ -33,7 +33,7 @@ std::vector<FoldRow> fold_of(const ScanInput& input, axisym::Branch branch, doub
     return fold_at(
         *row.fold_L, row.fold_L_error.value_or(not_known), *row.diagnostics,
         row.error ? row.error->energy : not_known,
-        axisym::guess_from(input.material.with_L(*row.fold_L), Model::SBEH, *reached->state));
+        axisym::guess_from(input.material.with_L1(*row.fold_L), Model::SBEH, *reached->state));
   }
   const double L = input.L.back();
   const auto last = point({v, L, Model::SBEH, branch});
@@ -54,7 +54,7 @@ std::optional<EqualEnergyRow> meet(const ScanInput& input, const PointOutcome& f
     if (!states[k]) return {};
   }
   auto [v, L, model, branch] = first.row.key;
-  const model::Material material = input.material.with_L(L);
+  const model::Material material = input.material.with_L1(L);
   for (int iteration = 0; iteration < 10; ++iteration) {
     std::array<double, 2> energy{};
     for (std::size_t k = 0; k < 2; ++k)

@@ -32,7 +32,7 @@ namespace {
 
 StationaryCase moved_to(const PlanePoint& at, StationaryCase of) {
   of.reduced_volume = at.reduced_volume;
-  of.material = of.material.with_L(at.L);
+  of.material = of.material.with_L1(at.L);
   return of;
 }
 
@@ -144,7 +144,7 @@ PointOutcome limit_point(const StationaryCase& of, const BranchState& last) {
   PointOutcome point{{.status = PointStatus::limit}, {}};
   point.row.stop_reason =
       fmt::format("a neck closes: its radius is {:.2g}", axisym::thinnest_neck(last.X));
-  if (of.model != Model::SSH) return point;
+  if (of.model != Model::SSH || of.material.area_difference.is_there()) return point;
   const double v = of.branch == Branch::stomatocyte ? of.reduced_volume : last.at.reduced_volume;
   const auto spheres = limit_of(of.branch, v, parts_of(last.X));
   if (!spheres) return point;
@@ -162,7 +162,7 @@ PointOutcome fold_point(const StationaryCase& of, const axisym::FollowResult& re
   row.error = fold.error;
   // At the fold itself one eigenvalue is zero, and rounding would say whether it counts.
   row.negative_directions =
-      axisym::negative_directions(of.material.with_L(result.before.at.L), of.model, result.before);
+      axisym::negative_directions(of.material.with_L1(result.before.at.L), of.model, result.before);
   if (row.status != PointStatus::failed) describe_fold(of, fold, row);
   return point;
 }
@@ -180,14 +180,17 @@ PointOutcome outcome_of(const StationaryCase& of, const axisym::FollowResult& re
   const PlanePoint at = result.state.at;
   const double H0 = result.line.material_at(result.mu).spontaneous_curvature,
                coupling = result.line.coupling(result.mu) * result.line.scale(result.mu) * share;
-  const bool is_on_the_way = H0 != of.material.spontaneous_curvature || coupling != 1;
+  const double W2 = result.line.material_at(result.mu).area_difference.W2;
+  const bool is_on_the_way = H0 != of.material.spontaneous_curvature
+                          || W2 != of.material.area_difference.W2 || coupling != 1;
   if (result.arrival == axisym::Arrival::reached) return resolved_point(of, result.state);
   if (result.arrival == axisym::Arrival::neck) return limit_point(of, result.state);
-  const std::string where =
-      fmt::format("H0 = {:.6g}{}", H0,
-                  of.material.has_given()
-                      ? fmt::format(", {:.4g} of flexoelectric, kappa and kappa_gauss", coupling)
-                      : "");
+  const std::string where = fmt::format(
+      "H0 = {:.6g}{}{}", H0,
+      of.material.area_difference.is_there() ? fmt::format(", area_difference's W2 = {:.6g}", W2)
+                                             : "",
+      of.material.has_given() ? fmt::format(", {:.4g} of what does not go along with L", coupling)
+                              : "");
   const std::string shape = name(axisym::classify(result.state.X));
   if (result.arrival == axisym::Arrival::lost && shape != name(of.branch))
     return none_here(
@@ -321,7 +324,9 @@ PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
 
 PointOutcome rescale_to(const StationaryCase& of, const Neighbour& from) {
   const Stopwatch watch;
-  const auto state = settled(of, from.state);
+  // With an area difference the shapes of two L differ, and may do so by more than Newton's method bridges.
+  const auto state =
+      of.material.area_difference.is_there() ? std::nullopt : settled(of, from.state);
   if (!state) return follow_to(of, from);
   PointOutcome point = resolved_point(of, *state);
   point.row.wall_seconds = watch.seconds();

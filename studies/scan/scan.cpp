@@ -8,6 +8,7 @@
 #include "studies/scan/branch_lines.h"
 #include "studies/scan/branch_points.h"
 #include "studies/scan/lowest.h"
+#include "studies/scan/scan_stack.h"
 #include "studies/scan/stability_lines.h"
 #include "studies/states/profile_file.h"
 #include "studies/states/series_file.h"
@@ -144,7 +145,7 @@ void scan_all_of(Scan& scan, double v, Branch branch, Compute&& compute) {
 template <class BranchOff>
 void walk_volumes(Scan& scan, Branch branch, BranchOff&& branch_off) {
   const double L = scan.input.L.front();
-  axisym::SshBranch states(branch, scan.input.material.with_L(L), scan.input.numerics);
+  axisym::SshBranch states(branch, scan.input.material.with_L1(L), scan.input.numerics);
   const auto compute = [&](const StationaryCase& of) { return ssh_point(of, states); };
   const std::vector<double> from_above(scan.input.reduced_volume.rbegin(),
                                        scan.input.reduced_volume.rend());
@@ -245,6 +246,7 @@ int write_lines(Scan& scan) {
 }  // namespace
 
 ScanSummary run_scan(const ScanInput& input, const fs::path& path, std::string_view version) {
+  if (!input.axes.empty()) return run_stack(input, path, version);
   const Stopwatch watch;
   Scan scan(input, path, version);
   ScanSummary summary;

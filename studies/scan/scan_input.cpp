@@ -2,6 +2,8 @@
 
 #include "axisym/modes/stability_3d.h"
 #include "studies/parameters/material_input.h"
+#include "studies/parameters/material_number.h"
+#include "studies/scan/scan_stack.h"
 
 #include <fmt/format.h>
 
@@ -37,16 +39,23 @@ axisym::StationaryCase case_of(const StateGrid& grid, const PointKey& key) {
   return {.model = key.model,
           .branch = key.branch,
           .reduced_volume = key.reduced_volume,
-          .material = grid.material.with_L(key.L),
+          .material = grid.material.with_L1(key.L),
           .numerics = grid.numerics};
 }
+
+namespace {
+void read_models_and_branches(const TomlTable& table, StateGrid& grid,
+                              const std::vector<axisym::Branch>& branches) {
+  grid.models = table.choices("models", rest_models, std::optional(grid.models));
+  grid.branches = table.choices("branches", branches, std::optional(grid.branches));
+}
+}  // namespace
 
 void read_grid(const TomlTable& table, StateGrid& grid,
                const std::vector<axisym::Branch>& branches) {
   grid.reduced_volume = table.grid("reduced_volume", reduced_volumes);
   grid.L = table.grid("L", above(0));
-  grid.models = table.choices("models", rest_models, std::optional(grid.models));
-  grid.branches = table.choices("branches", branches, std::optional(grid.branches));
+  read_models_and_branches(table, grid, branches);
 }
 
 void write_grid(TomlText& toml, const StateGrid& grid) {
@@ -57,7 +66,10 @@ void write_grid(TomlText& toml, const StateGrid& grid) {
 }
 
 std::size_t point_count(const ScanInput& input) {
-  return input.reduced_volume.size() * input.L.size() * input.models.size() * input.branches.size();
+  std::size_t count =
+      input.reduced_volume.size() * input.L.size() * input.models.size() * input.branches.size();
+  for (const ScanAxis& axis : input.axes) count *= axis.values.size();
+  return count;
 }
 
 namespace {
@@ -73,12 +85,70 @@ void require_folds(const TomlTable& table, const ScanInput& input) {
                "needs method = \"newton\", the model \"SBEH\" and the branch \"oblate\"");
 }
 
+constexpr const char* ssh_has_all_by_H0 =
+    "needs models = [\"SBEH\"]: SSH, of uniform order, has all its shapes by "
+    "spontaneous_curvature";
+
+// reduced_volume and L, here or among `axes`, and what else stands there.
+void read_axes(const TomlTable& table, ScanInput& input) {
+  std::vector<std::string> names = MaterialNumber::names();
+  names.emplace_back("reduced_volume");
+  for (const char* key : {"reduced_volume", "L"}) table.has(key);  // asked for, in this order
+  const TomlTable axes = table.table("axes");
+  for (const std::string& name : names) axes.has(name);
+  table.refuse_misspelt({"axes"});
+  axes.refuse_misspelt(names);
+  const auto where = [&](const char* key) -> const TomlTable& {
+    if (!axes.has(key)) return table;
+    table.refuse(key, "must not be given twice: it is among axes");
+    return axes;
+  };
+  input.reduced_volume = where("reduced_volume").grid("reduced_volume", reduced_volumes);
+  input.L = where("L").grid("L", above(0));
+  for (const std::string& name : MaterialNumber::names())
+    if (name != "L" && axes.has(name))
+      input.axes.push_back({name, axes.grid(name, MaterialNumber::named(name)->allowed())});
+  axes.reject_unknown_keys();
+}
+
+// What [material] does not say beside the axes: single numbers.
+ParameterNames keys_of(const std::vector<ScanAxis>& axes) {
+  ParameterNames keys;
+  for (const ScanAxis& axis : axes) {
+    const MaterialNumber& number = *MaterialNumber::named(axis.parameter);
+    if (!is_of_order(number) && number.name() != "W2") keys.emplace_back(number.key());
+  }
+  return keys;
+}
+
+// Of each axis there is a material, and none says what [material] says.
+void check_axes(const TomlTable& scan, const TomlTable& material, const ScanInput& input) {
+  const TomlTable axes = scan.table("axes");
+  for (const ScanAxis& axis : input.axes) {
+    const MaterialNumber& number = *MaterialNumber::named(axis.parameter);
+    for (const std::string_view key : keys_of({axis}))
+      material.refuse(
+          key, fmt::format("must not be given: {} is among the axes of the scan", axis.parameter));
+    if (is_of_order(number) && number.key() != "potential" && input.has(model::Model::SSH))
+      axes.fail(axis.parameter, ssh_has_all_by_H0);
+    if (!is_there(number, input.material))
+      axes.fail(axis.parameter, fmt::format("needs {} in [material]", number.key()));
+    for (const double value : {axis.values.front(), axis.values.back()})
+      for (const double L : {input.L.front(), input.L.back()}) try {
+          number.with(input.material, value).with_L1(L).validate();
+        } catch (const std::invalid_argument& error) {
+          axes.fail(axis.parameter, fmt::format("is no material at {}: {}", value, error.what()));
+        }
+  }
+}
+
 void read_scan_table(const TomlTable& table, ScanInput& input) {
   for (const model::Model flow : {model::Model::HelfrichLocal, model::Model::HelfrichGlobal})
     table.refuse_word("models", name(flow),
                       "must not be scanned: its states of rest are those of SSH");
   constexpr auto branches = values_of(axisym::Branch{});
-  read_grid(table, input, {branches.begin(), branches.end()});
+  read_axes(table, input);
+  read_models_and_branches(table, input, {branches.begin(), branches.end()});
   read_value(table, "method", input.method);
   table.refuse_misspelt({"method"});
   if (input.method != Method::flow)
@@ -98,13 +168,10 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
 // What is given of κ, κ_G, f does not go along with L.
 void refuse_given(const TomlTable& material, const ScanInput& input) {
   for (const char* key : {"flexoelectric", "kappa", "kappa_gauss"}) {
-    if (!input.material.has_given() || !material.has(key)) continue;
+    if (!input.material.has_functions() || !material.has(key)) continue;
     if (input.beyond_fold)
       material.fail(key, "must not be given with beyond_fold: sharp rims are known without it");
-    if (input.has(model::Model::SSH))
-      material.fail(key,
-                    "needs models = [\"SBEH\"]: SSH, of uniform order, has all its shapes by "
-                    "spontaneous_curvature");
+    if (input.has(model::Model::SSH)) material.fail(key, ssh_has_all_by_H0);
   }
 }
 
@@ -120,8 +187,9 @@ ScanInput read_scan(const std::filesystem::path& path) {
   input.units = read_units(file);
   read_scan_table(scan, input);
   material.measured_by(lengths_of(input.units));
-  input.material = read_material_without_L(material);
-  refuse_given(material, input);
+  input.material = read_material_without_L(material, input.L);
+  check_axes(scan, material, input);
+  for (const ScanLayer& layer : layers_of(input)) refuse_given(material, layer.input);
   input.numerics = read_numerics<axisym::Numerics>(numerics);
   return input;
 }
@@ -134,7 +202,9 @@ std::string describe(const ScanInput& input, std::string_view version) {
   if (input.method == Method::flow) toml.value("end_time", input.flow_end_time);
   if (input.method == Method::newton) toml.value("beyond_fold", input.beyond_fold);
   toml.value("modes", input.modes);
-  write_material_without_L(toml, input.material);
+  if (!input.axes.empty()) toml.table("scan.axes");
+  for (const ScanAxis& axis : input.axes) toml.value(axis.parameter, axis.values);
+  write_material_without_L(toml, input.material, keys_of(input.axes));
   write_numerics(toml, input.numerics);
   write_units(toml, input.units);
   return toml.text();

@@ -26,10 +26,10 @@ constexpr auto names(Method) { return std::array{"newton", "flow"}; }
 /// Stationary states: all combinations of reduced_volume, L, models and branches.
 struct StateGrid {
   std::vector<double> reduced_volume;  ///< V_r, each in 0 < V_r <= 1; ascending
-  std::vector<double> L;               ///< one-constant elastic constants, each > 0; ascending
+  std::vector<double> L;               ///< L1, each > 0; ascending
   std::vector<model::Model> models{model::Model::SBEH, model::Model::SSH};
   std::vector<axisym::Branch> branches{axisym::Branch::oblate};
-  model::Material material;  ///< its L1, L2, L3 give way to L of the point: material.with_L(L)
+  model::Material material;  ///< its L1, L2, L3 give way to L of the point: material.with_L1(L)
   axisym::Numerics numerics;
 
   bool has(model::Model model) const;
@@ -59,9 +59,19 @@ void read_grid(const TomlTable& table, StateGrid& grid,
                const std::vector<axisym::Branch>& branches);
 void write_grid(TomlText& toml, const StateGrid& grid);
 
+/// Values of a number of [material], by the name of a MaterialNumber.
+struct ScanAxis {
+  std::string parameter;
+  std::vector<double> values;
+
+  bool operator==(const ScanAxis&) const = default;
+};
+
 /// The input of a scan: table [scan], optional [material] and [numerics], all keys as the members.
 /// A million points at most.
 struct ScanInput : StateGrid {
+  /// Beside reduced_volume and L, which may stand among them; see scan_stack.h.
+  std::vector<ScanAxis> axes;
   Method method = Method::newton;
   bool beyond_fold =
       false;  ///< also the saddles and sharp rims of SBEH's oblates; method newton, two

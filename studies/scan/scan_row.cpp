@@ -123,9 +123,9 @@ Origin origin_of(const ScanRow& row) {
         "{}: is no folder of a scan: it lacks run.toml or scan.csv (make it by: sbeh scan)",
         row.folder));
   const TomlTable file = TomlFile::parse(description_of(row));
-  const model::Material material = read_material_without_L(file.table("material"));
+  const model::Material material = read_material_without_L(file.table("material"), {row.L});
   return {fmt::format("{}, {}", row.folder, text_of(row)),
-          Physics{row.model, material.with_L(row.L)}};
+          Physics{row.model, material.with_L1(row.L)}};
 }
 
 axisym::State state_of(const ScanRow& row) {

@@ -35,6 +35,7 @@ const Columns<PointResult>& scan_columns() {
       measure("energy_distortion", inside(&Diagnostics::energy, &Energy::distortion)),
       measure("energy_bending", inside(&Diagnostics::energy, &Energy::bending)),
       measure("energy_thermotropic", inside(&Diagnostics::energy, &Energy::thermotropic)),
+      measure("energy_area_difference", inside(&Diagnostics::energy, &Energy::area_difference)),
       measure("order_min", &Diagnostics::order_min),
       measure("order_max", &Diagnostics::order_max),
       measure("order_mean", &Diagnostics::order_mean),

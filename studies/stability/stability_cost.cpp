@@ -64,7 +64,7 @@ StabilityCost cost_of(const StabilityInput& input) {
   for (const StabilityKey& key : looked_at) {
     RunInput run;
     run.model = key.model;
-    run.material = input.material.with_L(key.L);
+    run.material = input.material.with_L1(key.L);
     run.numerics = input.numerics_3d;
     const double steps = steps_of(input, key);
     cost.steps += share * steps;

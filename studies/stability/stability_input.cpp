@@ -99,8 +99,8 @@ StabilityInput read_stability(const std::filesystem::path& path) {
   read_states(states, input);
   read_surface(surface, input);
   material.measured_by(lengths_of(input.units));
-  input.material =
-      read_material_without_L(material, "a study of stability, where L comes from [stability]");
+  input.material = read_material_without_L(material, input.L,
+                                           "a study of stability, where L comes from [stability]");
   input.numerics = read_numerics<axisym::Numerics>(numerics);
   return input;
 }

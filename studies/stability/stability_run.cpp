@@ -135,7 +135,7 @@ meshing::RevolvedMesh perturbed(const axisym::State& profile, const StabilityInp
   try {
     if (input.start == StabilityStart::mode) {
       if (!mode) throw std::invalid_argument("has no mode that is found");
-      revolved = displaced({{key.model, input.material.with_L(key.L)},
+      revolved = displaced({{key.model, input.material.with_L1(key.L)},
                             profile,
                             {key.m, mode->parity},
                             mode->eigenvalue,
@@ -165,7 +165,7 @@ struct Followed {
 Followed follow(const axisym::State& profile, const StabilityInput& input, const StabilityKey& key,
                 const std::optional<LinearMode>& mode, bool is_coarser = false) {
   const int triangles = is_coarser ? input.coarser : input.triangles;
-  const model::Material material = input.material.with_L(key.L);
+  const model::Material material = input.material.with_L1(key.L);
   const double kappa = material.kappa(model::full_order);
   const meshing::RevolvedMesh start = perturbed(profile, input, key, mode, triangles);
   const auto mesh = std::make_shared<const Triangulation>(start.mesh);
@@ -197,7 +197,7 @@ std::optional<Followed> run_on_meshes(const axisym::State& profile, const Stabil
                                       const StabilityKey& key,
                                       const std::optional<LinearMode>& mode,
                                       StabilityResult& result) {
-  const double kappa = input.material.with_L(key.L).kappa(model::full_order);
+  const double kappa = input.material.with_L1(key.L).kappa(model::full_order);
   std::optional<Followed> fine = follow(profile, input, key, mode);
   const std::optional<double> settled = settled_at(input, mode);
   std::optional<GrowthRate> growth = growth_of(fine->seen, settled);
@@ -277,8 +277,8 @@ std::optional<StabilityOutcome> run_perturbed(const StabilityInput& input,
   result.unresolved_from = seen.unresolved_from;
   result.stop_reason = reason_of(seen, run);
   if (seen.has_gone || seen.settled)
-    result.end_state =
-        class_of(*mesh, run.state.X, result, input.material.with_L(key.L).kappa(model::full_order));
+    result.end_state = class_of(*mesh, run.state.X, result,
+                                input.material.with_L1(key.L).kappa(model::full_order));
   outcome.history = std::move(seen.history);
   result.wall_seconds = watch.seconds();
   return outcome;

@@ -19,6 +19,7 @@ const Columns<SeriesRow>& series_columns() {
       of_record("energy_distortion", &FlowRecord::energy, &Energy::distortion),
       of_record("energy_bending", &FlowRecord::energy, &Energy::bending),
       of_record("energy_thermotropic", &FlowRecord::energy, &Energy::thermotropic),
+      of_record("energy_area_difference", &FlowRecord::energy, &Energy::area_difference),
       of_record("dissipation_friction", &FlowRecord::dissipation, &Dissipation::friction),
       of_record("dissipation_order", &FlowRecord::dissipation, &Dissipation::order),
       of_record("dissipation_viscous", &FlowRecord::dissipation, &Dissipation::viscous),

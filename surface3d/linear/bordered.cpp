@@ -4,10 +4,11 @@
 
 namespace sbeh::surface3d {
 
-void set_bordered(const SparseMatrix& A, const Eigen::MatrixXd& B, SparseMatrix& bordered) {
+void set_bordered(const SparseMatrix& A, const Eigen::MatrixXd& B, const Eigen::VectorXd& D,
+                  SparseMatrix& bordered) {
   const Eigen::Index n = A.rows(), m = B.cols();
   bordered.resize(n + m, n + m);
-  bordered.resizeNonZeros(A.nonZeros() + n * m);
+  bordered.resizeNonZeros(A.nonZeros() + n * m + D.size());
   std::copy_n(A.outerIndexPtr(), n + 1, bordered.outerIndexPtr());
   std::copy_n(A.innerIndexPtr(), A.nonZeros(), bordered.innerIndexPtr());
   std::copy_n(A.valuePtr(), A.nonZeros(), bordered.valuePtr());
@@ -16,6 +17,10 @@ void set_bordered(const SparseMatrix& A, const Eigen::MatrixXd& B, SparseMatrix&
     for (Eigen::Index i = 0; i < n; ++i, ++position) {
       bordered.innerIndexPtr()[position] = int(i);
       bordered.valuePtr()[position] = B(i, k);
+    }
+    if (k < D.size()) {
+      bordered.innerIndexPtr()[position] = int(n + k);
+      bordered.valuePtr()[position++] = D[k];
     }
     bordered.outerIndexPtr()[n + k + 1] = int(position);
   }

@@ -5,7 +5,9 @@
 
 namespace sbeh::surface3d {
 
-/// The lower half of [A B; Bᵀ 0], all of A included: n x n, B n x m. Its structure is that of A and m.
-void set_bordered(const SparseMatrix& A, const Eigen::MatrixXd& B, SparseMatrix& bordered);
+/// The lower half of [A B; Bᵀ D], all of A included: n x n, B n x m, D diagonal, of no more than m entries, the others 0. Its
+/// structure is that of A, m and the number of these.
+void set_bordered(const SparseMatrix& A, const Eigen::MatrixXd& B, const Eigen::VectorXd& D,
+                  SparseMatrix& bordered);
 
 }  // namespace sbeh::surface3d

@@ -22,7 +22,8 @@ struct GradientSums {
 
   Eigen::Matrix<double, element_unknowns, 1> gradient = decltype(gradient)::Zero();
   Eigen::Matrix<double, 10, 2> constraints = decltype(constraints)::Zero();
-  double area = 0, volume = 0, value = 0;
+  Eigen::Matrix<double, element_unknowns, 1> of_W2 = decltype(of_W2)::Zero();
+  double area = 0, volume = 0, W2 = 0, value = 0;
 
   void add(const RawGradient& density, const Rows& rows, double weight) {
     value += weight * density.value;
@@ -50,7 +51,8 @@ void add(const ceres::Jet<double, int(N)>& f, const Invariants<N>& invariants, c
   at_point::add(f.a, f.v, invariants, q, out);
 }
 
-void add_constraints(const Raw& q, const Rows& rows, double weight, GradientSums& sums) {
+void add_constraints(const Raw& q, const Rows& rows, double weight, bool with_W2,
+                     GradientSums& sums) {
   using Number = GradientSums::Number<metric_invariants.size()>;
   RawGradient area, volume;
   add(area_density(variables<Number>(metric_invariants, q)), metric_invariants, q, area);
@@ -63,6 +65,12 @@ void add_constraints(const Raw& q, const Rows& rows, double weight, GradientSums
   gradient.setZero();
   model::add_vector(rows.rows, volume.gradient, weight, gradient);
   sums.constraints.col(1) -= gradient.head<10>();
+  if (!with_W2) return;
+  const double H = q[raw_H];
+  Raw of_W2 = H * area.gradient;
+  of_W2[raw_H] += area.value;
+  sums.W2 += weight * area.value * H;
+  model::add_vector(rows.rows, of_W2, weight, sums.of_W2);
 }
 
 template <class Sums>
@@ -102,7 +110,7 @@ Sums sums_on(const model::Material& material, bool free_order, const StationaryS
       add(connection_density(material, variables_of(gaussian_invariants, q)), gaussian_invariants,
           q, density);
     sums.add(density, rows, s.weight);
-    add_constraints(q, rows, s.weight, sums);
+    add_constraints(q, rows, s.weight, material.area_difference.is_there(), sums);
   }
   if (free_order) add_rim(material, local, sums);
   return sums;
@@ -129,29 +137,41 @@ Eigen::MatrixXi unknowns_of(const Triangulation& mesh, int per_node) {
 
 // Clears `out`, adds what the triangles do, and what `add_matrix` does with their sums.
 template <class Sums>
-void assemble_triangles(const model::Material& material, const StationaryLayout& layout,
+void assemble_triangles(const model::Material& whole, const StationaryLayout& layout,
                         const StationaryState& state, const Nodes& normals, LagrangianGradient& out,
                         const auto& add_matrix) {
   const Triangulation& mesh = layout.mesh;
+  const model::AreaDifference& ad = whole.area_difference;
+  const double moment = state.moment, compliance = ad.is_there() ? ad.compliance() : 0;
+  const model::Material material = whole.at_moment(moment);
+  StationaryState felt_by = state;
+  felt_by.tension -= moment * moment * compliance / 2;
   out.gradient.setZero(layout.size());
-  out.constraints.setZero(layout.size(), 2);
-  Eigen::Matrix3Xd totals(3, mesh.count());
+  out.constraints.setZero(layout.size(), ad.is_there() ? 3 : 2);
+  Eigen::Matrix4Xd totals(4, mesh.count());
   for_each_by_colour(mesh, [&](int e) {
     const Sums sums =
-        sums_on<Sums>(material, layout.free_order, state, on_element(state, normals, mesh, e));
+        sums_on<Sums>(material, layout.free_order, felt_by, on_element(state, normals, mesh, e));
     add_matrix(e, sums);
     for (int a = 0; a < 10; ++a) {
       const int node = mesh.triangles(a, e);
       for (int c = 0; c < layout.per_node; ++c)
         out.gradient[layout.per_node * node + c] += sums.gradient[10 * c + a];
-      out.constraints.row(layout.index(node, node_d)) += sums.constraints.row(a);
+      out.constraints.row(layout.index(node, node_d)).head<2>() += sums.constraints.row(a);
+      for (int c = 0; ad.is_there() && c < layout.per_node; ++c)
+        out.constraints(layout.per_node * node + c, 2) += sums.of_W2[10 * c + a];
     }
-    totals.col(e) << sums.area, sums.volume, sums.value;
+    totals.col(e) << sums.area, sums.volume, sums.value, sums.W2;
   });
-  const Eigen::Vector3d total = totals.rowwise().sum();
+  const Eigen::Vector4d total = totals.rowwise().sum();
   out.area = total[0];
   out.volume = total[1];
   out.value = total[2];
+  out.W2 = total[3];
+  out.corner.resize(0);
+  if (!ad.is_there()) return;
+  out.constraints.col(2) -= moment * compliance * out.constraints.col(0);
+  out.corner = Eigen::Vector3d(0, 0, -out.area * compliance);
 }
 
 // Of the corners: where, and the energy by β.
@@ -202,6 +222,14 @@ void assemble(const model::Material& material, const StationaryLayout& layout,
   }
 }
 
+Eigen::VectorXd LagrangianGradient::miss(const model::AreaDifference& of, const Target& target,
+                                         double moment) const {
+  Eigen::VectorXd misses(multipliers());
+  misses.head<2>() << target.area - area, volume - target.volume;
+  if (of.is_there()) misses[2] = of.W2 + moment * of.compliance() * area - W2;
+  return misses;
+}
+
 double gaussian_energy(const model::Material& material, const Triangulation& mesh,
                        const State& state) {
   Eigen::VectorXd parts = Eigen::VectorXd::Zero(mesh.count());
@@ -230,17 +258,19 @@ double gaussian_energy(const model::Material& material, const Triangulation& mes
 
 model::Energy energy(const model::Material& material, const Triangulation& mesh,
                      const StationaryState& state) {
-  const Eigen::Array3d sum = integrate<3>(mesh, state.X, assembly_points(), [&](int e) {
+  const Eigen::Array<double, 5, 1> sum = integrate<5>(mesh, state.X, assembly_points(), [&](int e) {
     return [&material, H = on_element(mesh, e, state.H), beta = on_element(mesh, e, state.beta)](
                const ShapeValues& s, const SurfacePoint& p) {
       const auto density = model::energy_density(
           material, value_at(beta, s), gradient_at(beta, p).squaredNorm(), value_at(H, s), 0.);
-      return Eigen::Array3d(density.distortion, density.bending, density.thermotropic);
+      return Eigen::Array<double, 5, 1>{density.distortion, density.bending, density.thermotropic,
+                                        1, value_at(H, s)};
     };
   });
   return {.distortion = sum[0],
           .bending = sum[1] + gaussian_energy(material, mesh, state),
-          .thermotropic = sum[2]};
+          .thermotropic = sum[2],
+          .area_difference = material.area_difference.energy(sum[3], sum[4])};
 }
 
 }  // namespace sbeh::surface3d

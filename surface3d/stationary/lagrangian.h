@@ -1,6 +1,6 @@
 // The Lagrangian of a stationary state at a point, and its assembled derivatives.
 //
-//   𝓛 = U(X, β, H) + [(H ν, Λ) + (1, Div_C Λ)] + Σ (A − A₀) − P (V − V₀)
+//   𝓛 = U(X, β, H) + [(H ν, Λ) + (1, Div_C Λ)] + Σ (A − A₀) − P (V − V₀) + c (W₂ − W₂⁰) − A c²/(2π k_ad)
 //
 // with the energy of model/energy_density.h on the P3 surface and the mean curvature a P3 field H bound to it by the
 // scheme's curvature equation (H1). The surface moves along its node normals, X + Σ d_i φ_i n_i, and Λ = Σ Λ_i φ_i n_i.
@@ -23,6 +23,7 @@ struct StationaryState : State {
   Field Lambda{};       // nodes, multiplier of the curvature equation, about −κ(H − H₀)
   double tension = 0;   ///< Σ = −∂U/∂A
   double pressure = 0;  ///< P = ∂U/∂V
+  double moment = 0;    ///< c = −∂U/∂W₂⁰, of an area difference
 };
 
 /// What the energy reads at a point; g_ij = a_i·a_j, a_i and β_i derivatives by the triangle's coordinates.
@@ -91,9 +92,16 @@ struct StationaryLayout {
 /// Gradient of the Lagrangian, and gradients of A, V.
 struct LagrangianGradient {
   Eigen::VectorXd gradient;
-  Eigen::MatrixX2d constraints;  // ∂A, −∂V
-  double area = 0, volume = 0;
-  double value = 0;  ///< of 𝓛 without its constants ΣA₀ and PV₀
+  /// By all unknowns: ∂A, −∂V, and with an area difference ∂W₂ − c/(π k_ad) ∂A.
+  Eigen::MatrixXd constraints;
+  /// With an area difference what the multipliers have among themselves: 0, 0, −A/(π k_ad); else empty.
+  Eigen::VectorXd corner;
+  double area = 0, volume = 0, W2 = 0;
+  double value = 0;  ///< of 𝓛 without its constants ΣA₀, PV₀ and cW₂⁰
+
+  int multipliers() const { return int(constraints.cols()); }
+  /// What the derivatives of 𝓛 by Σ, P and c miss, c = `moment` being that of the state.
+  Eigen::VectorXd miss(const model::AreaDifference& of, const Target& target, double moment) const;
 };
 struct LagrangianDerivatives : LagrangianGradient {
   SparseMatrix hessian;

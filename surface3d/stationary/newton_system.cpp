@@ -18,6 +18,7 @@ void displace(const Increment& step, double scale, const Nodes& normals, Station
   state.H += scale * step.H;
   state.tension += scale * step.tension;
   state.pressure += scale * step.pressure;
+  state.moment += scale * step.moment;
 }
 
 NewtonSystem::NewtonSystem(const Triangulation& mesh, const model::Material& material,
@@ -26,8 +27,9 @@ NewtonSystem::NewtonSystem(const Triangulation& mesh, const model::Material& mat
 
 bool NewtonSystem::linearise(const StationaryState& state, const Nodes& normals,
                              const Holds& holds) {
-  assemble(material_, layout_, state, normals, derivatives_);
   const int before = borders();
+  assemble(material_, layout_, state, normals, derivatives_);
+  moment_ = state.moment;
   rigid_ = rigid_motions(layout_, state, normals);
   has_amplitude_ = holds.amplitude.size() > 0;
   if (holds.phase.size() > 0 && rigid_count() == 5) {
@@ -37,10 +39,10 @@ bool NewtonSystem::linearise(const StationaryState& state, const Nodes& normals,
   if (!derivatives_.gradient.allFinite()) return false;
   if (bordered_.rows() > 0 && borders() != before) solver_ = DirectSolver(Symmetry::symmetric);
   Eigen::MatrixXd B(layout_.size(), borders());
-  B.leftCols(2) = derivatives_.constraints;
-  B.middleCols(2, rigid_count()) = rigid_.loads;
+  B.leftCols(derivatives_.multipliers()) = derivatives_.constraints;
+  B.middleCols(derivatives_.multipliers(), rigid_count()) = rigid_.loads;
   if (has_amplitude_) B.rightCols<1>() = holds.amplitude;
-  set_bordered(derivatives_.hessian, B, bordered_);
+  set_bordered(derivatives_.hessian, B, derivatives_.corner, bordered_);
   return solver_.factor(bordered_);
 }
 
@@ -57,13 +59,13 @@ void NewtonSystem::respond(Eigen::Ref<Eigen::MatrixXd> loads) const {
 
 bool NewtonSystem::newton_step(const Target& target, Increment& step) const {
   return solve(-derivatives_.gradient,
-               {target.area - derivatives_.area, derivatives_.volume - target.volume}, step);
+               derivatives_.miss(material_.area_difference, target, moment_), step);
 }
 
 bool NewtonSystem::newton_step_from(const StationaryState& state, const Nodes& normals,
                                     const Target& target, Increment& step) {
   assemble(material_, layout_, state, normals, others_);
-  return solve(-others_.gradient, {target.area - others_.area, others_.volume - target.volume},
+  return solve(-others_.gradient, others_.miss(material_.area_difference, target, state.moment),
                step);
 }
 
@@ -73,10 +75,10 @@ Eigen::VectorXd NewtonSystem::gradient_with(const model::Material& material,
   return others_.gradient;
 }
 
-bool NewtonSystem::solve(Eigen::VectorXd rhs, const Eigen::Vector2d& miss, Increment& step) const {
+bool NewtonSystem::solve(Eigen::VectorXd rhs, const Eigen::VectorXd& miss, Increment& step) const {
   const int n = layout_.size();
   rhs.conservativeResizeLike(Eigen::VectorXd::Zero(n + borders()));
-  rhs.segment<2>(n) = miss;
+  rhs.segment(n, miss.size()) = miss;
   solver_.solve(rhs);
   if (!rhs.allFinite()) return false;
   step.d = rhs(layout_.all(node_d));
@@ -86,6 +88,7 @@ bool NewtonSystem::solve(Eigen::VectorXd rhs, const Eigen::Vector2d& miss, Incre
                                  : Field(Field::Zero(layout_.mesh.nodes));
   step.tension = rhs[n];
   step.pressure = rhs[n + 1];
+  step.moment = miss.size() > 2 ? rhs[n + 2] : 0;
   step.hold = has_amplitude_ ? rhs[n + borders() - 1] : 0;
   return true;
 }

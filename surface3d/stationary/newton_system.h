@@ -9,7 +9,7 @@ namespace sbeh::surface3d {
 /// A step in all unknowns; fields are nodal, `d` along the node normals.
 struct Increment {
   Field d, Lambda, H, beta;
-  double tension = 0, pressure = 0;
+  double tension = 0, pressure = 0, moment = 0;
   double hold = 0;  ///< the force on what `Holds::amplitude` prescribes
 };
 
@@ -42,9 +42,9 @@ class NewtonSystem {
   bool newton_step_from(const StationaryState& state, const Nodes& normals, const Target& target,
                         Increment& step);
 
-  /// What moves under loads on all unknowns while area and −volume change so.
-  bool respond(const Eigen::VectorXd& loads, const Eigen::Vector2d& change, Increment& step) const {
-    return solve(loads, change, step);
+  /// What moves under loads on all unknowns while area, −volume, and with an area difference W₂ − cA/(π k_ad) change so.
+  bool respond(const Eigen::VectorXd& loads, const Eigen::Vector3d& change, Increment& step) const {
+    return solve(loads, change.head(derivatives_.multipliers()), step);
   }
   /// The gradient with another material.
   Eigen::VectorXd gradient_with(const model::Material& material, const StationaryState& state,
@@ -62,13 +62,16 @@ class NewtonSystem {
   void respond(Eigen::Ref<Eigen::MatrixXd> loads) const;
 
  private:
-  bool solve(Eigen::VectorXd rhs, const Eigen::Vector2d& miss, Increment& step) const;
-  int borders() const { return 2 + rigid_count() + (has_amplitude_ ? 1 : 0); }
+  bool solve(Eigen::VectorXd rhs, const Eigen::VectorXd& miss, Increment& step) const;
+  int borders() const {
+    return derivatives_.multipliers() + rigid_count() + (has_amplitude_ ? 1 : 0);
+  }
 
   model::Material material_;
   StationaryLayout layout_;
   LagrangianDerivatives derivatives_;
   LagrangianGradient others_;
+  double moment_ = 0;  // of the state of linearise
   RigidMotions rigid_{};
   bool has_amplitude_ = false;
   SparseMatrix bordered_;

@@ -19,14 +19,26 @@ StationaryState guess_from(const Triangulation& mesh, const model::Material& mat
     guess.Lambda[i] = -material.moment(shape.beta[i], guess.H[i]);
   const StationaryLayout layout(mesh, model);
   LagrangianGradient lagrangian;
-  assemble(material, layout, guess, curvature->node_normals, lagrangian);
-  // Least squares over the displacements alone: the other rows do not feel tension and pressure.
+  const auto assemble_guess = [&] {
+    assemble(material, layout, guess, curvature->node_normals, lagrangian);
+  };
+  assemble_guess();
+  const model::AreaDifference& ad = material.area_difference;
+  const bool is_couple = ad.is_there() && ad.compliance() == 0;  // whose moment may be any
+  if (ad.is_there() && !is_couple) {
+    guess.moment = (lagrangian.W2 - ad.W2) / (lagrangian.area * ad.compliance());
+    assemble_guess();
+  }
+  // Least squares over the displacements alone: the other rows do not feel the multipliers.
   const auto displacements = layout.all(node_d);
-  const Eigen::MatrixX2d forces = lagrangian.constraints(displacements, Eigen::all);
-  const Eigen::Vector2d multipliers =
+  const Eigen::MatrixXd forces =
+      lagrangian.constraints(displacements, Eigen::seqN(0, is_couple ? 3 : 2));
+  const Eigen::VectorXd multipliers =
       forces.completeOrthogonalDecomposition().solve(-lagrangian.gradient(displacements));
   guess.tension = multipliers[0];
   guess.pressure = multipliers[1];
+  if (is_couple) guess.moment = multipliers[2];
+  guess.Lambda.array() -= guess.moment;  // as with f + c for f
   return guess;
 }
 

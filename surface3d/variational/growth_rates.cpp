@@ -13,7 +13,7 @@ namespace sbeh::surface3d {
 
 namespace {
 
-constexpr int constraints = 2, holds = 7;  // area and volume; those of StepResistance
+constexpr int holds = 7;  // of StepResistance
 
 // (sR + Hessian) x = loads on normal motion and order, factored for a rate s above all others: 1/(s − σ) are the eigenvalues
 // of loads = R x. Vectors are the unknowns of a step and the multipliers of its borders.
@@ -36,7 +36,7 @@ class ShiftedFlow {
     constexpr double first = 1, growth = 4, most = 1e12;
     if (!find_rigid_motions()) return false;
     const int multipliers =
-        layout_.state.mesh.nodes + layout_.state.mesh.quadratic_nodes + constraints + holds - 1;
+        layout_.state.mesh.nodes + layout_.state.mesh.quadratic_nodes + constraints() + holds - 1;
     for (shift_ = first; shift_ < most; shift_ *= growth)
       if (factor_with(energy_.hessian) && solver_.negative_eigenvalues() == multipliers) {
         rigid_.bottomRows(holds) *= shift_;  // found with 1
@@ -76,7 +76,8 @@ class ShiftedFlow {
   }
 
  private:
-  int size() const { return layout_.size() + constraints + holds; }
+  int constraints() const { return energy_.multipliers(); }
+  int size() const { return layout_.size() + constraints() + holds; }
   Eigen::MatrixXd solution(Eigen::MatrixXd loads) const {
     solver_.solve(loads);
     return loads;
@@ -104,11 +105,11 @@ class ShiftedFlow {
     SparseMatrix matrix = shift_ * resistance_.matrix;
     const double* entry = hessian.valuePtr();
     for (const int place : layout_.places) matrix.valuePtr()[place] += *entry++;
-    Eigen::MatrixXd borders = Eigen::MatrixXd::Zero(layout_.size(), constraints + holds);
-    borders(layout_.unknowns, {0, 1}) = energy_.constraints;
+    Eigen::MatrixXd borders = Eigen::MatrixXd::Zero(layout_.size(), constraints() + holds);
+    borders(layout_.unknowns, Eigen::seqN(0, constraints())) = energy_.constraints;
     borders.rightCols<holds>() = resistance_.borders;
     SparseMatrix bordered;
-    set_bordered(matrix, borders, bordered);
+    set_bordered(matrix, borders, energy_.corner, bordered);
     return solver_.factor(bordered);
   }
 

@@ -24,9 +24,11 @@ void StepMatrix::set_sum(const StepResistance& resistance) {
 }
 
 Eigen::MatrixXd StepMatrix::borders(const StepResistance& resistance,
-                                    const Eigen::MatrixX2d& constraints) const {
-  Eigen::MatrixXd all = Eigen::MatrixXd::Zero(layout_.size(), 9);
-  all(layout_.unknowns, {0, 1}) = constraints;
+                                    const LagrangianGradient& energy) const {
+  const int of_energy = energy.multipliers();
+  Eigen::MatrixXd all =
+      Eigen::MatrixXd::Zero(layout_.size(), of_energy + resistance.borders.cols());
+  all(layout_.unknowns, Eigen::seqN(0, of_energy)) = energy.constraints;
   all.rightCols<7>() = resistance.borders;
   return all;
 }
@@ -36,10 +38,11 @@ bool StepMatrix::factor(const model::Material& material, const StationaryState& 
   assemble(material, layout_.state, state, normals, energy_);
   if (!energy_.gradient.allFinite()) return false;
   set_sum(resistance);
-  set_bordered(sum_, borders(resistance, energy_.constraints), bordered_);
+  set_bordered(sum_, borders(resistance, energy_), energy_.corner, bordered_);
   if (!gmres_.factor(bordered_)) return false;
   const Triangulation& mesh = layout_.state.mesh;
-  const int multipliers = mesh.nodes + mesh.quadratic_nodes + 8;
+  const int multipliers = mesh.nodes + mesh.quadratic_nodes + energy_.multipliers()
+                        + int(resistance.borders.cols()) - 1;
   minimum_ = gmres_.negative_eigenvalues() == multipliers;
   return true;
 }
@@ -49,14 +52,16 @@ void StepMatrix::begin(const StepResistance& resistance) {
   set_sum(resistance);
 }
 
-int StepMatrix::solve(const Eigen::MatrixX2d& constraints, const Eigen::VectorXd& rhs,
+int StepMatrix::solve(const LagrangianGradient& energy, const Eigen::VectorXd& rhs,
                       Eigen::VectorXd& x) const {
-  const Eigen::MatrixXd B = borders(*resistance_, constraints);
-  const Eigen::Index n = layout_.size();
+  const Eigen::MatrixXd B = borders(*resistance_, energy);
+  const Eigen::Index n = layout_.size(), m = B.cols();
   const auto apply = [&](const Eigen::VectorXd& v) {
-    Eigen::VectorXd y(n + 9);
-    y.head(n) = product(sum_, v.head(n)) + B * v.tail<9>();
-    y.tail<9>() = B.transpose() * v.head(n);
+    Eigen::VectorXd y(n + m);
+    y.head(n) = product(sum_, v.head(n)) + B * v.tail(m);
+    y.tail(m) = B.transpose() * v.head(n);
+    const Eigen::Index corner = energy.corner.size();
+    y.segment(n, corner) += energy.corner.cwiseProduct(v.segment(n, corner));
     return y;
   };
   return gmres_.solve(apply, rhs, x);

@@ -22,14 +22,12 @@ class StepMatrix {
 
   /// Of a step: from now on with its resistance, which must live as long.
   void begin(const StepResistance& resistance);
-  /// Solves with A, V and the other conditions of a step; constraints: of U, see LagrangianGradient. Returns how often the
+  /// Solves with A, V and the other conditions of a step, as `energy` has them. Returns how often the
   /// factors were applied; 0 where they are too far from the matrix.
-  int solve(const Eigen::MatrixX2d& constraints, const Eigen::VectorXd& rhs,
-            Eigen::VectorXd& x) const;
+  int solve(const LagrangianGradient& energy, const Eigen::VectorXd& rhs, Eigen::VectorXd& x) const;
 
  private:
-  Eigen::MatrixXd borders(const StepResistance& resistance,
-                          const Eigen::MatrixX2d& constraints) const;
+  Eigen::MatrixXd borders(const StepResistance& resistance, const LagrangianGradient& energy) const;
   void set_sum(const StepResistance& resistance);
 
   const StepLayout& layout_;

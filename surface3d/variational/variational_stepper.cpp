@@ -92,6 +92,7 @@ VariationalStepper::Unknowns VariationalStepper::guess(const StepBase& base) con
     x.borders = part(7);
     x.next.tension = part(1)[0];
     x.next.pressure = part(1)[0];
+    if (material_.area_difference.is_there()) x.next.moment = part(1)[0];
   }
   x.x(layout_.all(node_Lambda)) = x.next.Lambda;
   x.x(layout_.all(node_H)) = x.next.H;
@@ -106,13 +107,18 @@ Nodes VariationalStepper::motion_of(const StepBase& base, const Unknowns& x) con
   return u;
 }
 
+// Velocities, β̇, Λ, H, p and the other multipliers.
+Eigen::Index VariationalStepper::past_size() const {
+  return 6 * mesh_->nodes + mesh_->quadratic_nodes + 7 + multipliers();
+}
+
 void VariationalStepper::remember(const StepBase& base, const Unknowns& x) {
-  const Eigen::Index n = mesh_->nodes, quadratic = mesh_->quadratic_nodes;
   memory_.before = std::exchange(memory_.last, {});
   Eigen::VectorXd& rates = memory_.last.flow;
-  rates.resize(6 * n + quadratic + 9);
+  rates.resize(past_size());
   rates << motion_of(base, x).reshaped() / base.tau, (x.next.beta - base.old.beta) / base.tau,
-      x.next.Lambda, x.next.H, x.x.tail(quadratic), x.borders, x.next.tension, x.next.pressure;
+      x.next.Lambda, x.next.H, x.x.tail(mesh_->quadratic_nodes), x.borders,
+      Eigen::Vector3d(x.next.tension, x.next.pressure, x.next.moment).head(multipliers());
   memory_.last.tau = base.tau;
 }
 
@@ -150,27 +156,26 @@ bool VariationalStepper::recall(const StepperMemory& memory) {
   }
   memory_ = memory;
   for (Solution* x : {&memory_.last, &memory_.before})
-    if (x->flow.size() != 6 * mesh_->nodes + mesh_->quadratic_nodes + 9)
-      *x = {};  // of another scheme
+    if (x->flow.size() != past_size()) *x = {};  // of another scheme
   return true;
 }
 
 // A step of Newton's method, and how far it leads. Returns how often the factors were applied; 0: they are too old.
 int VariationalStepper::correct(const StepBase& base, const Target& target, Unknowns& x,
                                 double& change) {
-  const int n = layout_.size();
+  const int n = layout_.size(), m = multipliers();
   const StationaryLayout& state = layout_.state;
   assemble(material_, state, x.next, base.curvature.node_normals, energy_);
   if (!energy_.gradient.allFinite()) return 0;
-  Eigen::VectorXd rhs(n + 9), step = Eigen::VectorXd::Zero(n + 9);
+  Eigen::VectorXd rhs(n + m + 7), step = Eigen::VectorXd::Zero(n + m + 7);
   const Eigen::VectorXd force = product(resistance_.matrix, x.x),
                         held = resistance_.borders * x.borders;
   rhs.head(n) = -(force + resistance_.linear + held);
   value_ = value_of(x.next, target) + (force / 2 + resistance_.linear + held).dot(x.x);
   rhs(layout_.unknowns) -= energy_.gradient;
-  rhs.segment<2>(n) << target.area - energy_.area, energy_.volume - target.volume;
+  rhs.segment(n, m) = energy_.miss(material_.area_difference, target, x.next.moment);
   rhs.tail<7>() = -resistance_.borders.transpose() * x.x;
-  const int iterations = matrix_.solve(energy_.constraints, rhs, step);
+  const int iterations = matrix_.solve(energy_, rhs, step);
   if (iterations == 0 || !step.allFinite()) return 0;
 
   const Field d = step(layout_.all(node_d));
@@ -186,6 +191,7 @@ int VariationalStepper::correct(const StepBase& base, const Target& target, Unkn
   }
   x.next.tension += step[n];
   x.next.pressure += step[n + 1];
+  if (m > 2) x.next.moment += step[n + 2];
   return iterations;
 }
 
@@ -196,16 +202,20 @@ double VariationalStepper::value_at_rest(const StepBase& base, const Field& H, c
   StationaryState from{{base.old.X + base.Y, base.old.beta}, H, Field::Zero(mesh_->nodes)};
   from.tension = x.next.tension;
   from.pressure = x.next.pressure;
+  const model::AreaDifference& ad = material_.area_difference;
+  if (ad.is_there() && ad.compliance() == 0) from.moment = x.next.moment;
   assemble(material_, layout_.state, from, base.curvature.node_normals, energy_);
   Eigen::VectorXd still = Eigen::VectorXd::Zero(layout_.size());
   if (layout_.state.free_order) still(layout_.all(node_beta)) = base.old.beta;
-  return value_of(from, target) + rounding * std::abs(energy_.value)
-       + still.dot(product(resistance_.matrix, still)) / 2 + resistance_.linear.dot(still);
+  return value_of(from, target) + ad.energy(energy_.area, energy_.W2)
+       + rounding * std::abs(energy_.value) + still.dot(product(resistance_.matrix, still)) / 2
+       + resistance_.linear.dot(still);
 }
 
 // The Lagrangian that was assembled at a state.
 double VariationalStepper::value_of(const StationaryState& state, const Target& target) const {
-  return energy_.value - state.tension * target.area + state.pressure * target.volume;
+  return energy_.value - state.tension * target.area + state.pressure * target.volume
+       - state.moment * material_.area_difference.W2;
 }
 
 // What may be left of the error of a solution: nothing that the error of the step shows, nor its speeds. What is to be minimal is then

@@ -23,6 +23,7 @@
 #include <cstdlib>
 #include <functional>
 #include <memory>
+#include <numbers>
 #include <vector>
 
 namespace {
@@ -105,7 +106,7 @@ void print_parts(const Case& c) {
     CoupledSystem system(*c.mesh, c.material, scheme);
     const double assembly = seconds_of([&] {
       system.assemble(*c.mesh, c.start, curvature, c.start.beta, {c.start.X, curvature.H}, 1e-3,
-                      {0, 0, true});
+                      {0, 0, true, 4 * std::numbers::pi});
     });
     const bool reference = scheme == Scheme::monolithic;
     DirectSolver flow(Symmetry::general, reference ? Precision::full : Precision::single);

@@ -18,7 +18,8 @@ using model::test::general_material;
 
 constexpr double epsilon = std::numeric_limits<double>::epsilon();
 constexpr double tau = 0.3;
-constexpr Constraints pulled{.area_rate = 0.7, .volume_rate = -0.4, .keep_volume = true};
+constexpr Constraints pulled{
+    .area_rate = 0.7, .volume_rate = -0.4, .keep_volume = true, .area = 4 * pi};
 
 // A bumpy surface with an order that is nowhere constant.
 Surface bumpy(int triangles) {
@@ -246,7 +247,7 @@ TEST(CoupledSystem, sets_the_volume_multiplier_to_zero_on_a_sphere) {
   CoupledSystem system(*s.mesh, general_material(), Scheme::split);
   system.assemble(*s.mesh, s.state, *curvature_of(*s.mesh, s.state.X), some_order_force(s),
                   {origin(s), curvature_of_origin(s)}, tau,
-                  {.area_rate = 0, .volume_rate = 5, .keep_volume = false});
+                  {.area_rate = 0, .volume_rate = 5, .keep_volume = false, .area = 4 * pi});
   const Eigen::MatrixXd A(system.flow().matrix);
   const Eigen::Index lambda = A.rows() - 7;
   EXPECT_EQ(system.flow().rhs[lambda], 0);
@@ -289,9 +290,10 @@ TEST(RigidMotions, feel_no_force_and_have_no_divergence_up_to_the_error_of_the_n
     const Surface s = bumpy(triangles);
     const auto curvature = curvature_of(*s.mesh, s.state.X);
     CoupledSystem system(*s.mesh, general_material(), Scheme::split);
-    system.assemble(
-        *s.mesh, s.state, *curvature, order_force(*s.mesh, general_material(), s.state, *curvature),
-        {s.state.X, curvature->H}, tau, {.area_rate = 0, .volume_rate = 0, .keep_volume = true});
+    system.assemble(*s.mesh, s.state, *curvature,
+                    order_force(*s.mesh, general_material(), s.state, *curvature),
+                    {s.state.X, curvature->H}, tau,
+                    {.area_rate = 0, .volume_rate = 0, .keep_volume = true, .area = 4 * pi});
     const int N = s.mesh->nodes, first = 3 * N + s.mesh->quadratic_nodes;
     Eigen::VectorXd x = Eigen::VectorXd::Zero(system.flow().rhs.size());
     x.segment(first, N) = curvature->H;

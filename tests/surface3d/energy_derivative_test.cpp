@@ -249,7 +249,7 @@ TEST(Momentum, along_the_normals_has_the_whole_elastic_force_and_across_them_tha
   CoupledSystem system(d.mesh(), general_material(), Scheme::monolithic);
   const Field h = order_force(d.mesh(), general_material(), s, *curvature);
   system.assemble(d.mesh(), s, *curvature, h, {s.X, curvature->H}, 1e-3,
-                  {.area_rate = 0.3, .volume_rate = 0.2, .keep_volume = true});
+                  {.area_rate = 0.3, .volume_rate = 0.2, .keep_volume = true, .area = 4 * pi});
   const int N = d.mesh().nodes;
   Eigen::VectorXd x = Eigen::VectorXd::Zero(system.flow().rhs.size());
   x.segment(3 * N + d.mesh().quadratic_nodes, N) = curvature->H;

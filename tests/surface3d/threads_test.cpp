@@ -17,7 +17,7 @@ TEST(Threads, change_no_bit_of_the_assembly_or_of_a_step) {
       CoupledSystem system(*s.mesh, material, scheme);
       const Curvature curvature = *curvature_of(*s.mesh, s.state.X);
       system.assemble(*s.mesh, s.state, curvature, s.state.beta, {s.state.X, curvature.H}, 1e-3,
-                      {.area_rate = 0.1, .volume_rate = 0.1, .keep_volume = true});
+                      {.area_rate = 0.1, .volume_rate = 0.1, .keep_volume = true, .area = 4 * pi});
       TimeStepper stepper(s.mesh, material, Model::SBEH, numerics_of(scheme));
       FlowStep step = stepper.step(s.state, s.target(), 1e-3);
       EXPECT_TRUE(step.ok());

@@ -109,10 +109,8 @@ TEST_F(RunFinish, belongs_to_what_newtons_method_knows) {
   EXPECT_EQ(refusal("model = \"Helfrich-local\"\n" + start + time),
             "sbeh: in.toml:7: [time] finish = \"newton\": belongs to SBEH and SSH, not to "
             "Helfrich-local\n");
-  EXPECT_EQ(
-      refusal("model = \"SBEH\"\n" + start + time + "[material]\nL1 = 0.05\nL2 = 0.01\nL3 = 0\n"),
-      "sbeh: in.toml:7: [time] finish = \"newton\": belongs to the one-constant approximation, "
-      "L alone\n");
+  EXPECT_EQ(refusal("model = \"SBEH\"\n" + start + time + "[material]\nL1 = 0\nL2 = 0.1\nL3 = 0\n"),
+            "sbeh: in.toml:7: [time] finish = \"newton\": needs L1 > 0\n");
   EXPECT_EQ(refusal("model = \"SBEH\"\n" + start + time + "stop_at_rest = false\n"),
             "sbeh: in.toml:7: [time] finish = \"newton\": belongs to runs that end at rest: "
             "stop_at_rest = true\n");

@@ -14,7 +14,8 @@ using Scan = Workplace;
 
 const std::string columns =
     "model,reduced_volume,L,branch,status,energy,energy_distortion,energy_bending,"
-    "energy_thermotropic,order_min,order_max,order_mean,order_std,order_variance,H_pole,H_rim,"
+    "energy_thermotropic,energy_area_difference,order_min,order_max,order_mean,order_std,order_"
+    "variance,H_pole,H_rim,"
     "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,"
     "stop_reason,class,negative_directions,self_contact,fold_side,fold_L,"
     "energy_error,W2_error,H_pole_error,fold_L_error,negative_directions_3d,unstable_modes,rigid_"

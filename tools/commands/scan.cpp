@@ -1,6 +1,5 @@
 // `sbeh scan`: stationary shapes over a grid.
-#include "studies/scan/scan.h"
-
+#include "studies/scan/scan_stack.h"
 #include "tools/commands/commands.h"
 
 #include <algorithm>
@@ -44,6 +43,12 @@ namespace {
 // Measured on one core of 2026: a branch is entered at every reduced volume and followed from there in L, which SSH's
 // states do not know. Lines between stable and unstable states are looked for along both.
 double seconds_of(const studies::ScanInput& input) {
+  if (!input.axes.empty()) {
+    double seconds = 0;
+    for (const studies::ScanLayer& layer : studies::layers_of(input))
+      seconds += seconds_of(layer.input);
+    return seconds;
+  }
   if (input.method != studies::Method::newton) return 0.5 * double(studies::point_count(input));
   const auto volumes = double(input.reduced_volume.size());
   const auto branches = double(input.branches.size());

@@ -4,6 +4,8 @@
 #include "tools/python/bindings.h"
 
 #include <array>
+#include <map>
+#include <string>
 #include <utility>
 
 namespace sbeh::python {
@@ -35,12 +37,24 @@ Powers powers_of(const std::string& name, const py::handle& value) {
   }
 }
 
+// {"stiffness": ..., "W2": ...}
+model::AreaDifference area_difference_of(const py::handle& value) {
+  model::AreaDifference of;
+  for (const auto& [key, number] : py::cast<std::map<std::string, double>>(value)) {
+    if (key != "stiffness" && key != "W2")
+      throw py::type_error("area_difference has no '" + key + "'");
+    (key == "W2" ? of.W2 : of.stiffness) = number;
+  }
+  return of;
+}
+
 // As `material` but for the parameters given by name, L for the one-constant approximation.
 Material changed(Material material, const py::kwargs& values) {
   for (const auto& item : values) {
     const auto name = py::cast<std::string>(item.first);
     const py::handle value = item.second;
-    bool known = name == "L" || name == "potential";
+    bool known = name == "L" || name == "potential" || name == "area_difference";
+    if (name == "area_difference") material.area_difference = area_difference_of(value);
     if (name == "L") material = material.with_L(py::cast<double>(value));
     if (name == "potential") material.potential = powers_of<model::Potential>(name, value);
     for (const auto& [key, powers] : polynomials_of(material)) {
@@ -66,6 +80,10 @@ py::dict dict_of(Material material) {
   values["potential"] = material.potential.coefficients();
   for (const auto& [key, powers] : polynomials_of(material))
     if (!powers->empty()) values[key] = powers->coefficients();
+  const model::AreaDifference& areas = material.area_difference;
+  if (areas.is_there())
+    values["area_difference"] =
+        py::dict(py::arg("stiffness") = areas.stiffness, py::arg("W2") = areas.W2);
   return values;
 }
 
@@ -79,7 +97,8 @@ void add_material(py::module_& m) {
 Parameters are given by name, the others are those of the paper: L (one-constant approximation, instead of
 L1, L2, L3), L1, L2, L3, potential (coefficients of the powers of the order), viscosity, immobility,
 friction_tangential, friction_normal, order_viscosity, residual_stiffness, spontaneous_curvature (of the
-sign of the trace H, -2 on the unit sphere), flexoelectric (coefficients of f(order) in f H), kappa and kappa_gauss (coefficients too, instead of those by the elastic constants). Raises ValueError for values that are not allowed.)");
+sign of the trace H, -2 on the unit sphere), flexoelectric (coefficients of f(order) in f H), kappa and kappa_gauss (coefficients too, instead of those by the elastic constants),
+area_difference (of the two leaflets, {"stiffness": k_ad, "W2": of no strain}; an infinite stiffness is the bilayer couple). Raises ValueError for values that are not allowed.)");
   material.def(py::init([](const py::kwargs& values) { return changed({}, values); }))
       .def("replace", &changed, "The same with other values of the parameters that are named.")
       .def("to_dict", &dict_of, "All parameters by name.")

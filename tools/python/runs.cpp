@@ -70,6 +70,7 @@ py::dict dict_of(const FlowRecord& r, const surface3d::Diagnostics& d) {
   all["energy_distortion"] = d.energy.distortion;
   all["energy_bending"] = d.energy.bending;
   all["energy_thermotropic"] = d.energy.thermotropic;
+  all["energy_area_difference"] = d.energy.area_difference;
   all["dissipation_friction"] = r.dissipation.friction;
   all["dissipation_order"] = r.dissipation.order;
   all["dissipation_viscous"] = r.dissipation.viscous;

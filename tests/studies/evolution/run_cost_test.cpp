@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <numbers>
+
 namespace sbeh::studies {
 namespace {
 
@@ -26,8 +28,9 @@ TEST(RunCost, counts_the_unknowns_of_the_solver) {
         const model::AreaConstraint area = area_constraint(model);
         surface3d::CoupledSystem system(mesh, m, scheme, area);
         const surface3d::Curvature curvature = *curvature_of(mesh, sphere.X);
-        system.assemble(mesh, sphere, curvature, sphere.beta, {sphere.X, curvature.H}, 1e-3,
-                        {.area_rate = 0, .volume_rate = 0, .keep_volume = true});
+        system.assemble(
+            mesh, sphere, curvature, sphere.beta, {sphere.X, curvature.H}, 1e-3,
+            {.area_rate = 0, .volume_rate = 0, .keep_volume = true, .area = 4 * std::numbers::pi});
         EXPECT_EQ(cost_of(input, 20).unknowns, system.flow().matrix.rows()) << name(model);
       }
 }

@@ -136,7 +136,8 @@ TEST(Tables, have_these_columns) {
   };
   expect(scan_columns(),
          "model,reduced_volume,L,branch,status,energy,energy_distortion,energy_bending,"
-         "energy_thermotropic,order_min,order_max,order_mean,order_std,order_variance,H_pole,H_rim,"
+         "energy_thermotropic,energy_area_difference,order_min,order_max,order_mean,order_std,"
+         "order_variance,H_pole,H_rim,"
          "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,"
          "stop_reason,class,negative_directions,self_contact,fold_side,fold_L,"
          "energy_error,W2_error,H_pole_error,fold_L_error,negative_directions_3d,unstable_modes,"
@@ -157,7 +158,8 @@ TEST(Tables, have_these_columns) {
   expect(profile_columns(), "arc_length,r,z,order,mean_curvature");
   expect(series_columns(),
          "time,time_step,energy,energy_distortion,energy_bending,energy_thermotropic,"
-         "dissipation_friction,dissipation_order,dissipation_viscous,energy_balance,area,volume,"
+         "energy_area_difference,dissipation_friction,dissipation_order,dissipation_viscous,energy_"
+         "balance,area,volume,"
          "reduced_volume,W2,order_min,order_mean,order_max,order_variance,order_std,H_abs_max,"
          "speed_max,lambda,mesh_quality,rejected_steps");
   expect(frame_columns(), "index,time,file");

@@ -47,7 +47,7 @@ TEST(ScanInput, takes_what_the_file_says) {
 
 TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
   const std::string known =
-      "Known: reduced_volume, L, models, branches, method, end_time, beyond_fold, modes";
+      "Known: reduced_volume, L, axes, models, branches, method, end_time, beyond_fold, modes";
   const std::string grid = "must be a number, a list of numbers, or a range { from, to, count }";
   const std::vector<Case> added{
       {"models = 'SSH'",
@@ -109,7 +109,7 @@ TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
        "numerics, units"},
       {"[scan]\nreduced_volume = 0.7\nL = 1\nviscosity = 2",
        ":4: [scan] viscosity: unknown key. It has its place in [material]. Known here: "
-       "reduced_volume, L, models, branches, method, end_time, beyond_fold, modes"},
+       "reduced_volume, L, axes, models, branches, method, end_time, beyond_fold, modes"},
   };
   expect_messages(read_scan, "", whole);
 }

@@ -5,6 +5,9 @@
 #include "studies/scan/scan_input.h"
 #include "tests/studies/parameters/input_file.h"
 
+#include <limits>
+#include <numbers>
+
 namespace sbeh::studies {
 namespace {
 
@@ -47,6 +50,22 @@ TEST(Material, takes_every_parameter_of_its_own) {
   EXPECT_EQ(material, expected);
 }
 
+TEST(Material, has_an_area_difference_by_W2_or_by_areas) {
+  const double a0 = -8 * std::numbers::pi;
+  EXPECT_EQ(material_of("area_difference = { stiffness = 0.14, W2 = -26.5 }\n").area_difference,
+            (model::AreaDifference{0.14, -26.5}));
+  EXPECT_EQ(material_of("area_difference = { stiffness = inf, delta_a0 = 1.1 }\n").area_difference,
+            (model::AreaDifference{std::numeric_limits<double>::infinity(), 1.1 * a0}));
+  expect_messages(read_relax, small_relax + "[material]\n",
+                  {{"area_difference = { stiffness = 0, W2 = -26 }",
+                    ":5: [material] area_difference.stiffness = 0: must be > 0"},
+                   {"area_difference = { stiffness = 1, W2 = -26, delta_a0 = 1 }",
+                    ":5: [material] area_difference.W2 = -26: must not be given together with "
+                    "delta_a0, which is −W2/8π"},
+                   {"area_difference = { stiffness = 1 }",
+                    ":5: [material] area_difference.W2: missing; must be a number"}});
+}
+
 TEST(Material, may_have_any_potential_that_is_bounded_below) {
   for (const char* bounded : {"[0]", "[3]", "[3, 0, 0]", "[0, 5, 1]", "[0, 0, -1, 0, 0.1]"})
     EXPECT_EQ(message_for(read_scan, written(small_scan + "[material]\npotential = " + bounded)),
@@ -60,7 +79,7 @@ TEST(Material, that_is_wrong_is_refused_with_line_key_and_value) {
   const std::string in_scan = ": must not be given in a scan, where L comes from [scan]";
   const std::vector<Case> in_scans{
       {"L = 0.1", ":5: [material] L = 0.1" + in_scan},
-      {"L2 = 0", ":5: [material] L2 = 0" + in_scan},
+      {"L1 = 0", ":5: [material] L1 = 0" + in_scan},
       {"viscosity = -1", ":5: [material] viscosity = -1: must be >= 0"},
       {"viscosity = 'a'", ":5: [material] viscosity = 'a': must be a number"},
       {"immobility = 0", ":5: [material] immobility = 0: must be > 0"},
@@ -93,10 +112,10 @@ TEST(Material, that_is_wrong_is_refused_with_line_key_and_value) {
        ":5: [material] landau_de_gennes = { a = 1.5e+308, b = 0, c = 1 }: coefficients must be "
        "smaller"},
       {"viscocity = 1",
-       ":5: [material] viscocity: unknown key; did you mean 'viscosity'? Known: friction, "
+       ":5: [material] viscocity: unknown key; did you mean 'viscosity'? Known: L2, L3, friction, "
        "potential, landau_de_gennes, viscosity, immobility, friction_tangential, friction_normal, "
        "order_viscosity, residual_stiffness, spontaneous_curvature, kappa, kappa_gauss, "
-       "flexoelectric"},
+       "flexoelectric, area_difference"},
   };
   expect_messages(read_scan, small_scan + "[material]\n", in_scans);
   const std::vector<Case> in_evolutions{

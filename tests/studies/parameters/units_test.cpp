@@ -133,7 +133,7 @@ TEST(Units, that_are_wrong_are_refused_with_line_key_and_value) {
         ":7: [units] temperatur: unknown key; did you mean 'temperature'? Known: temperature, "
         "radius_um, bending_rigidity_J, bending_rigidity_kT, surface_viscosity, friction"},
        {"units = 3",
-        ":4: [scan] units: unknown key. Known: reduced_volume, L, models, branches, "
+        ":4: [scan] units: unknown key. Known: reduced_volume, L, axes, models, branches, "
         "method, end_time, beyond_fold, modes"}});
   const auto relax = [](const std::filesystem::path& path) { return read_relax(path); };
   expect_messages(relax, small_relax,

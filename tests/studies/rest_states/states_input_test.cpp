@@ -80,8 +80,21 @@ TEST(StatesInput, that_is_wrong_is_refused_with_line_key_and_value) {
         ":6: [search]: must not be given together with [follow]: search first, then follow from a "
         "frame"},
        {"[follow]\nparameter = 'viscosity'",
-        ":5: [follow] parameter = 'viscosity': must be one of 'reduced_volume', 'L', 'H0', 'k0', "
-        "'potential_1', 'potential_2', 'potential_3', 'potential_4'"},
+        ":5: [follow] parameter = 'viscosity': must be one of 'reduced_volume', 'L', 'L2', 'L3', "
+        "'H0', 'k0', 'W2', 'potential_1', 'potential_2', 'potential_3', 'potential_4', "
+        "'flexoelectric_0', 'flexoelectric_1', 'flexoelectric_2', 'flexoelectric_3', "
+        "'flexoelectric_4', 'kappa_0', 'kappa_1', 'kappa_2', 'kappa_3', 'kappa_4', "
+        "'kappa_gauss_0', "
+        "'kappa_gauss_1', 'kappa_gauss_2', 'kappa_gauss_3', 'kappa_gauss_4'"},
+       {"[follow]\nparameter = 'kappa_2'\nto = 1",
+        ":5: [follow] parameter = 'kappa_2': needs kappa in [material], where its way begins"},
+       {"[follow]\nparameter = 'W2'\nto = 1",
+        ":5: [follow] parameter = 'W2': needs area_difference in [material], where its way begins"},
+       {"[follow]\nparameter = 'L2'\nto = -1",
+        ":6: [follow] to = -1: is no material there: 6 L1 + L2 + L3 = -0.8200000000000001: must be "
+        "> 0 "
+        "(distortion "
+        "energy)"},
        {"[follow]\nparameter = 'k0'\nto = -1", ":6: [follow] to = -1: must be >= 0"},
        {"[follow]\nparameter = 'H0'\nto = 0",
         ":6: [follow] to = 0: must not be the H0 of the first state"},

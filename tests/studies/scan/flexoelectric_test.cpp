@@ -102,6 +102,67 @@ TEST(GivenStiffness, changes_the_energy_by_its_own_integral) {
   expect_slope_by_material(with, h);
 }
 
+// L₂ and L₃ go along with L on the way from SSH's shape.
+TEST(UnequalModuli, change_the_energy_by_their_own_integrals) {
+  for (const Branch branch : {Branch::oblate, Branch::prolate})
+    for (double model::Material::*const constant : {&model::Material::L2, &model::Material::L3}) {
+      const auto with = [&](double change) {
+        StationaryCase of = case_of(Model::SBEH, branch, 0.8, {0});
+        of.material.L2 = 0.02;
+        of.material.L3 = -0.01;
+        of.material.*constant += change;
+        return of;
+      };
+      expect_slope_by_material(with, 1e-3);
+    }
+}
+
+TEST(UnequalModuli, are_the_same_from_the_side_and_from_the_beginning) {
+  const auto at = [](double L) {
+    StationaryCase of = case_of(Model::SBEH, Branch::oblate, 0.8, {0});
+    of.material.L2 = 0.03;
+    of.material.L3 = 0.01;
+    of.material.L1 = L;
+    return of;
+  };
+  const PointOutcome first = at_rest(at(0.02)), direct = at_rest(at(0.04));
+  const PointOutcome along = follow_to(at(0.04), {at(0.02).at(), *first.state});
+  EXPECT_NEAR(energy_with(at(0.04).material, along), energy_with(at(0.04).material, direct), 1e-9);
+}
+
+// ∂U/∂W₂⁰ = −c of SSH and SBEH; a couple has c from another shape of the same W₂.
+TEST(AreaDifferenceBranch, changes_its_energy_by_the_moment) {
+  for (const Model model : {Model::SBEH, Model::SSH})
+    for (const Branch branch : {Branch::oblate, Branch::prolate}) {
+      const auto with = [&](double change) {
+        StationaryCase of = case_of(model, branch, 0.8, {0});
+        of.material.area_difference = {0.14, -8 * std::numbers::pi * 1.05 + change};
+        return of;
+      };
+      SCOPED_TRACE(std::string(name(model)) + " " + name(branch));
+      const PointOutcome here = at_rest(with(0));
+      EXPECT_GT(here.row.diagnostics->energy.area_difference, 1e-5);
+      constexpr double h = 1e-2;
+      const double slope = (energy_with(with(h).material, at_rest(with(h)))
+                            - energy_with(with(-h).material, at_rest(with(-h))))
+                         / (2 * h);
+      EXPECT_NEAR(slope, -here.state->moment, 1e-5);
+    }
+}
+
+TEST(AreaDifferenceBranch, has_the_shapes_of_a_spontaneous_curvature) {
+  StationaryCase of = case_of(Model::SSH, Branch::oblate, 0.7, {0});
+  of.material.area_difference = {0.2, -28};
+  const PointOutcome strained = at_rest(of);
+  StationaryCase curved = case_of(Model::SSH, Branch::oblate, 0.7, {0});
+  curved.material.spontaneous_curvature =
+      -strained.state->moment / of.material.kappa(model::full_order);
+  const PointOutcome same = at_rest(curved);
+  EXPECT_GT(std::abs(strained.state->moment), 1e-3);
+  EXPECT_NEAR(strained.row.diagnostics->W2, same.row.diagnostics->W2, 1e-6);
+  EXPECT_NEAR(strained.row.diagnostics->H_pole, same.row.diagnostics->H_pole, 1e-6);
+}
+
 // Whatever the way: from SSH's shape at this L, or from a state at another L with the same f.
 TEST(FlexoelectricBranch, is_the_same_from_the_side_and_from_its_beginning) {
   const auto at = [](double L) {

@@ -47,10 +47,24 @@ Case any_case() {
   return c;
 }
 
-// 𝓛 without its constants ΣA₀ and PV₀, in the terms of the time step's geometry.
+Material with_areas() {
+  Material material = general_material();
+  material.area_difference = {.stiffness = 0.7, .W2 = -21};
+  return material;
+}
+Case any_case(const Material& material) {
+  Case c = any_case();
+  if (material.area_difference.is_there()) c.state.moment = 0.6;
+  return c;
+}
+
+// 𝓛 without its constants ΣA₀, PV₀ and cW₂⁰, in the terms of the time step's geometry.
 double lagrangian(const Material& material, const Case& c, const StationaryState& s) {
   const Nodes Lambda = c.normals * s.Lambda.asDiagonal();
   double sum = gaussian_energy(material, c.mesh, s);
+  const model::AreaDifference& ad = material.area_difference;
+  const double moment = s.moment,
+               tension = s.tension - (ad.is_there() ? moment * moment * ad.compliance() / 2 : 0);
   for_each_point(c.mesh, s.X, assembly_points(),
                  [&](int e, const ShapeValues& shape, const SurfacePoint& p) {
                    const ElementField beta = on_element(c.mesh, e, s.beta);
@@ -61,7 +75,7 @@ double lagrangian(const Material& material, const Case& c, const StationaryState
                    const double divergence =
                        p.frame.leftCols<2>().cwiseProduct(gradient_at(Lambda_e, p)).sum();
                    sum += p.dS
-                        * (density.total() + s.tension - s.pressure * p.x.dot(p.nu()) / 3
+                        * (density.total() + moment * H + tension - s.pressure * p.x.dot(p.nu()) / 3
                            + H * p.nu().dot(value_at(Lambda_e, shape)) + divergence);
                  });
   return sum;
@@ -102,9 +116,9 @@ LagrangianDerivatives assembled(const Material& material, const StationaryLayout
 }
 
 TEST(Lagrangian3d, gradient_is_the_difference_of_the_value_in_every_block) {
-  const Case c = any_case();
-  const StationaryLayout layout(c.mesh, Model::SBEH);
-  for (const Material& material : {paper_material(0.05), general_material()}) {
+  for (const Material& material : {paper_material(0.05), general_material(), with_areas()}) {
+    const Case c = any_case(material);
+    const StationaryLayout layout(c.mesh, Model::SBEH);
     const LagrangianDerivatives L = assembled(material, layout, c, c.state);
     EXPECT_NEAR(L.value, lagrangian(material, c, c.state), 1e-11 * std::abs(L.value));
     for (const NodeUnknown block : blocks)
@@ -120,9 +134,9 @@ TEST(Lagrangian3d, gradient_is_the_difference_of_the_value_in_every_block) {
 }
 
 TEST(Lagrangian3d, hessian_is_the_difference_of_the_gradient_in_every_block) {
-  const Case c = any_case();
-  const StationaryLayout layout(c.mesh, Model::SBEH);
-  for (const Material& material : {paper_material(0.05), general_material()}) {
+  for (const Material& material : {paper_material(0.05), general_material(), with_areas()}) {
+    const Case c = any_case(material);
+    const StationaryLayout layout(c.mesh, Model::SBEH);
     const LagrangianDerivatives L = assembled(material, layout, c, c.state);
     for (const NodeUnknown block : blocks) {
       const Eigen::VectorXd v = random_direction(layout, block, 7);
@@ -194,6 +208,33 @@ TEST(Lagrangian3d, knows_area_and_volume_and_their_gradients) {
   EXPECT_NEAR(L.constraints.col(0).dot(v), difference([&](double t) { return after(t).area; }),
               accuracy);
   EXPECT_NEAR(L.constraints.col(1).dot(v), -difference([&](double t) { return after(t).volume; }),
+              accuracy);
+}
+
+TEST(Lagrangian3d, knows_what_the_moment_is_the_multiplier_of) {
+  const Material material = with_areas();
+  const Case c = any_case(material);
+  const StationaryLayout layout(c.mesh, Model::SBEH);
+  const LagrangianDerivatives L = assembled(material, layout, c, c.state);
+  const auto at_moment = [&](double t) {
+    StationaryState other = c.state;
+    other.moment += t;
+    return assembled(material, layout, c, other);
+  };
+  const Eigen::VectorXd border =
+      difference([&](double t) -> Eigen::VectorXd { return at_moment(t).gradient; });
+  EXPECT_LT((L.constraints.col(2) - border).cwiseAbs().maxCoeff(),
+            accuracy * border.cwiseAbs().maxCoeff());
+  // ∂𝓛/∂c without W₂⁰, and once more.
+  const double slope = difference([&](double t) { return at_moment(t).value; });
+  const Target same{L.area, L.volume};
+  EXPECT_NEAR(
+      slope,
+      material.area_difference.W2 - L.miss(material.area_difference, same, c.state.moment)[2],
+      accuracy * 30);
+  EXPECT_NEAR(L.corner[2], difference([&](double t) {
+                return -at_moment(t).miss(material.area_difference, same, c.state.moment + t)[2];
+              }),
               accuracy);
 }
 

@@ -129,7 +129,7 @@ TEST_F(ScanGridTest, has_a_map_whose_cells_are_marked_where_the_lowest_is_not_fo
                                                  {Model::SBEH, 0.02, 0.6, studies::not_found,
                                                   studies::not_known, 4, "SSH oblate"},
                                                  {Model::SBEH, 0.03, 0.6, "nested_spheres", 3}}));
-  const auto map = lowest_branches(grid, folder_.path(), Model::SBEH);
+  const auto map = lowest_branches(grid, Model::SBEH);
   ASSERT_TRUE(map);
   EXPECT_EQ(map->names, (std::vector<std::string>{"oblate", "prolate", "nested_spheres"}));
   EXPECT_EQ(map->quantity.marks[0], (std::vector<Mark>{Mark::none, Mark::not_found, Mark::none}));

@@ -82,7 +82,7 @@ CutMatrix::CutMatrix(const ScanGrid& of, const Options& options) : scan(of) {
       }
   if (options.branch.empty())
     for (const Model model : {Model::SBEH, Model::SSH})
-      if (auto map = lowest_branches(scan, options.directory, model)) lowest.emplace(model, *map);
+      if (auto map = lowest_branches(scan, model)) lowest.emplace(model, *map);
 
   for (std::size_t v = 0; v < volumes.size(); ++v) {
     row_titles.push_back(volume_title(scan.reduced_volumes()[volumes[v]]));
@@ -90,7 +90,7 @@ CutMatrix::CutMatrix(const ScanGrid& of, const Options& options) : scan(of) {
       cells.push_back(
           {is_row ? l : v, is_row ? v : l, volumes[v], lengths[l], remark(volumes[v], lengths[l])});
   }
-  for (const std::size_t l : lengths) column_titles.push_back(length_title(scan.lengths()[l]));
+  for (const std::size_t l : lengths) column_titles.push_back(scan.length_title(l));
   if (is_row)
     row_titles.swap(column_titles);
   else if (scan.has(Model::SBEH))
@@ -146,10 +146,9 @@ std::vector<LegendEntry> legend_of(const CutMatrix& matrix, const CutColours& co
     entries.push_back(line_entry(ssh_style, "SSH"));
   if (matrix.overlay_rows > 0) {
     const std::size_t last = scan.lengths().size() - 1;
-    entries.push_back(line_entry(style_by_length(0, last + 1),
-                                 "all L: SBEH from " + length_title(scan.lengths()[0])));
     entries.push_back(
-        line_entry(style_by_length(last, last + 1), "to " + length_title(scan.lengths()[last])));
+        line_entry(style_by_length(0, last + 1), "all: SBEH from " + scan.length_title(0)));
+    entries.push_back(line_entry(style_by_length(last, last + 1), "to " + scan.length_title(last)));
   }
   return entries;
 }

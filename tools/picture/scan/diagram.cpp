@@ -70,7 +70,7 @@ bool is_within(const DiagramLine& line, const ScanGrid& scan) {
 Contents contents_of(const ScanGrid& scan, const Options& options) {
   const Model model = scan.has(Model::SBEH) ? Model::SBEH : Model::SSH;
   Contents c{.as_table = scan.reduced_volumes().size() * scan.lengths().size() <= most_table_cells};
-  if (options.branch.empty()) c.branches = lowest_branches(scan, options.directory, model);
+  if (options.branch.empty()) c.branches = lowest_branches(scan, model);
   std::vector<Quantity> marked;
   for (const std::string& panel : panels_of(scan, options, c.branches)) {
     if (panel == "lowest") {
@@ -88,10 +88,9 @@ Contents contents_of(const ScanGrid& scan, const Options& options) {
     throw InputError("--scale is that of one quantity: choose it by --panels");
   // A table's cells are full of numbers: there only the map of branches has lines.
   const bool maps = std::ranges::any_of(c.panels, [](const auto& panel) { return !panel; });
-  if (model == Model::SBEH && (maps || !c.as_table))
-    c.lines = diagram_lines(options.directory, options.branch);
+  if (model == Model::SBEH && (maps || !c.as_table)) c.lines = diagram_lines(scan, options.branch);
   if (maps || !c.as_table)
-    for (DiagramLine& line : stability_lines(options.directory, scan, model, options.branch))
+    for (DiagramLine& line : stability_lines(scan, model, options.branch))
       c.lines.push_back(std::move(line));
   std::erase_if(c.lines, [&](const DiagramLine& line) { return !is_within(line, scan); });
   const auto add = [&](std::vector<LegendEntry> entries) {
@@ -103,7 +102,7 @@ Contents contents_of(const ScanGrid& scan, const Options& options) {
   return c;
 }
 
-const char *const volume_axis = "reduced volume Vᵣ", *const length_axis = "elastic constant L";
+const char* const volume_axis = "reduced volume Vᵣ";
 
 // The legend stands below all panels, the colour bar of each to its right.
 PanelGrid panels_for(const Canvas& canvas, const ScanGrid& scan, const Contents& contents,
@@ -145,8 +144,8 @@ void draw_heat_maps(Canvas& canvas, const ScanGrid& scan, const Options& options
              ? table_axis(scan.reduced_volumes(), volume_axis)
              : distance_axis(scan.reduced_volumes(), volume_axis, panels.inner_width, 3.2 * text);
   grid.y = grid.as_table
-             ? table_axis(scan.lengths(), length_axis)
-             : distance_axis(scan.lengths(), length_axis, panels.inner_height, 3.0 * text);
+             ? table_axis(scan.lengths(), scan.length_axis())
+             : distance_axis(scan.lengths(), scan.length_axis(), panels.inner_height, 3.0 * text);
   HeatMapGrid inner = grid;  // without numbers on the axis that the first in the row has
   inner.y.axis.title.clear();
   std::ranges::fill(inner.y.axis.labels, "");

@@ -38,11 +38,6 @@ LineStyle fold_style(axisym::Branch branch, bool whole) {
 
 constexpr double farthest = 2.0;  // ratio of L between neighbours on one line of folds
 
-template <class Row>
-std::vector<Row> rows_if_there(const studies::Columns<Row>& columns, const fs::path& file) {
-  return fs::exists(file) ? studies::read_rows(columns, file) : std::vector<Row>{};
-}
-
 // Where the order melts on the whole surface, say, is no continuation of where a rim loses it.
 bool goes_on(const studies::FoldRow& before, const studies::FoldRow& fold) {
   return before.branch == fold.branch && before.kind == fold.kind && fold.L <= farthest * before.L
@@ -210,23 +205,21 @@ void draw_labels(Canvas& canvas, const Rect& inside,
 
 }  // namespace
 
-std::vector<DiagramLine> diagram_lines(const fs::path& directory, const std::string& branch) {
+std::vector<DiagramLine> diagram_lines(const ScanGrid& scan, const std::string& branch) {
   std::vector<DiagramLine> lines;
-  add_folds(rows_if_there(studies::fold_columns(), directory / "folds.csv"), branch, lines);
-  add_equal_energies(rows_if_there(studies::equal_energy_columns(), directory / "equal_energy.csv"),
-                     branch, lines);
-  if (branch.empty() || branch == "oblate")
-    add_sharp_rims(rows_if_there(studies::rim_columns(), directory / "beyond_fold.csv"), lines);
+  if (scan.over_L()) add_folds(scan.rows(studies::fold_columns(), "folds.csv"), branch, lines);
+  add_equal_energies(scan.rows(studies::equal_energy_columns(), "equal_energy.csv"), branch, lines);
+  if (scan.over_L() && (branch.empty() || branch == "oblate"))
+    add_sharp_rims(scan.rows(studies::rim_columns(), "beyond_fold.csv"), lines);
   std::erase_if(lines, [](const DiagramLine& line) { return line.points.size() < 2; });
   return lines;
 }
 
-std::vector<DiagramLine> stability_lines(const fs::path& directory, const ScanGrid& scan,
-                                         Model model, const std::string& branch) {
+std::vector<DiagramLine> stability_lines(const ScanGrid& scan, Model model,
+                                         const std::string& branch) {
   using Row = studies::StabilityLineRow;
   std::map<std::tuple<axisym::Branch, int, axisym::Parity>, std::vector<Row>> found;
-  for (const Row& row :
-       rows_if_there(studies::stability_line_columns(), directory / "stability_lines.csv"))
+  for (const Row& row : scan.rows(studies::stability_line_columns(), "stability_lines.csv"))
     if (row.model == model && row.reason.empty() && (branch.empty() || branch == name(row.branch)))
       found[{row.branch, row.m, row.parity}].push_back(row);
   std::vector<DiagramLine> lines;

@@ -15,14 +15,12 @@ struct DiagramLine {
   std::string label{};  ///< beside the line
 };
 
-/// From folds.csv, equal_energy.csv and beyond_fold.csv where they are there; lines of one point are left
+/// From equal_energy.csv, and over L folds.csv and beyond_fold.csv, where they are there; lines of one point are left
 /// out. `branch`: only what concerns it; empty: all. Throws InputError.
-std::vector<DiagramLine> diagram_lines(const std::filesystem::path& directory,
-                                       const std::string& branch);
+std::vector<DiagramLine> diagram_lines(const ScanGrid& scan, const std::string& branch);
 
 /// From stability_lines.csv where it is there, of one model; neighbours on the scan's grid are joined.
-std::vector<DiagramLine> stability_lines(const std::filesystem::path& directory,
-                                         const ScanGrid& scan, Model model,
+std::vector<DiagramLine> stability_lines(const ScanGrid& scan, Model model,
                                          const std::string& branch);
 
 /// Draws what of the lines is inside, each with a light border to stand out from any colour.

@@ -45,8 +45,7 @@ struct Panel {
 // Of the lowest of several branches, or of the one that was chosen.
 std::vector<Panel> panels_of(const ScanGrid& scan, const Options& options) {
   const auto lowest_of = [&](Model model) {
-    return options.branch.empty() ? lowest_branches(scan, options.directory, model)
-                                  : std::optional<BranchMap>();
+    return options.branch.empty() ? lowest_branches(scan, model) : std::optional<BranchMap>();
   };
   const auto of_models =
       [&](Quantity (*quantity)(const ScanGrid&, Model, const std::optional<BranchMap>&)) {
@@ -162,7 +161,7 @@ void draw_line_diagram(Canvas& canvas, const ScanGrid& scan, const Options& opti
   const auto legend = legend_of(panels);
   constexpr double least_letters = 12.0;
   const double text = options.text_size();
-  const char* title = over_volume ? "reduced volume Vᵣ" : "elastic constant L";
+  const std::string title = over_volume ? "reduced volume Vᵣ" : scan.length_axis();
   PanelNeeds needs{.count = panels.size(),
                    .most_columns = panels.size(),
                    .usual_width = 533.0,
@@ -178,13 +177,12 @@ void draw_line_diagram(Canvas& canvas, const ScanGrid& scan, const Options& opti
   needs.bottom = 0.8 * text + legend_at;
   const PanelGrid grid = arranged(needs, options);
   const Axis x =
-      roomy_axis(parameter.front(), parameter.back(), grid.inner_width, 3.5 * text, title);
+      roomy_axis(parameter.front(), parameter.back(), grid.inner_width, 3.5 * text, title.c_str());
 
   canvas.start(grid.width, grid.height, options.unit());
-  canvas.text(
-      0.5 * grid.width, grid.height - 1.4 * text,
-      over_volume ? length_title(scan.lengths()[0]) : volume_title(scan.reduced_volumes()[0]),
-      {.size = 1.15 * text});
+  canvas.text(0.5 * grid.width, grid.height - 1.4 * text,
+              over_volume ? scan.length_title(0) : volume_title(scan.reduced_volumes()[0]),
+              {.size = 1.15 * text});
   for (std::size_t i = 0; i < panels.size(); ++i) {
     const Rect inside = grid.inside(i);
     const Axis y = value_axis(panels[i], inside.height, 3.0 * text);

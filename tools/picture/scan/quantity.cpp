@@ -118,10 +118,7 @@ Range Quantity::range() const {
   return range;
 }
 
-std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
-                                         const std::filesystem::path& directory, Model model) {
-  const std::filesystem::path file = directory / "lowest.csv";
-  if (!std::filesystem::exists(file)) return {};
+std::optional<BranchMap> lowest_branches(const ScanGrid& scan, Model model) {
   BranchMap map{{}, scan.branches(), {}, scan.branches().size()};
   struct Lowest {
     int branch;
@@ -129,7 +126,7 @@ std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
     bool is_saddle;
   };
   std::map<std::pair<double, double>, Lowest> lowest;
-  for (const studies::LowestRow& row : studies::read_rows(studies::lowest_columns(), file)) {
+  for (const studies::LowestRow& row : scan.rows(studies::lowest_columns(), "lowest.csv")) {
     if (row.model != model) continue;
     Lowest& found = lowest[{row.reduced_volume, row.L}];
     found = {-1, row.energy, is_saddle(row.negative_directions_3d)};
@@ -230,7 +227,7 @@ Quantity in_units(Quantity quantity, const ScanGrid& scan, const Options& option
   quantity.title = options.titled(quantity.title, quantity.dimension);
   for (auto& row : quantity.values)
     for (std::size_t length = 0; length < row.size(); ++length)
-      row[length] *= options.factor(quantity.dimension, scan.lengths()[length]);
+      row[length] *= options.factor(quantity.dimension, scan.L_of(length));
   return quantity;
 }
 

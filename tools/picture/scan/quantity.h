@@ -57,8 +57,7 @@ struct BranchMap {
   }
 };
 /// From lowest.csv of the scan's folder; empty without it, and where it has one branch alone. Throws InputError.
-std::optional<BranchMap> lowest_branches(const ScanGrid& scan,
-                                         const std::filesystem::path& directory, Model model);
+std::optional<BranchMap> lowest_branches(const ScanGrid& scan, Model model);
 /// Where the lowest state is not found, what was measured of the lowest that was is no value; nor is it where the
 /// lowest is a limit, but of an energy: then `of_limit` gives it, from that of the limit.
 void show_lowest(const BranchMap& lowest, Quantity& quantity,

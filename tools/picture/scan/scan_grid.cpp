@@ -1,12 +1,14 @@
 #include "tools/picture/scan/scan_grid.h"
 
+#include "studies/parameters/material_number.h"
+#include "studies/scan/scan_stack.h"
+#include "tools/picture/chart/axis.h"
 #include "tools/picture/options.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <set>
 
 namespace sbeh::picture {
 namespace {
@@ -34,31 +36,63 @@ bool preferred(const PointResult& candidate, const PointResult& current) {
   return energy_of(candidate) < energy_of(current);
 }
 
+// Of a scan over one number of the material at one L; of any other none.
+std::vector<studies::ScanLayer> layers_in(const std::filesystem::path& directory) {
+  const std::filesystem::path file = directory / "run.toml";
+  if (!std::filesystem::exists(file)) return {};
+  const studies::ScanInput input = studies::read_scan(file);
+  if (input.axes.empty()) return {};
+  if (input.axes.size() > 1 || input.L.size() > 1)
+    throw InputError(fmt::format(
+        "{}: has more than two axes: pictures are made of its layers, such as {}",
+        directory.string(), (directory / studies::layers_of(input).front().folder).string()));
+  return studies::layers_of(input);
+}
+
 }  // namespace
 
 ScanGrid::ScanGrid(const std::filesystem::path& directory, const std::string& branch)
     : directory_(directory) {
-  const std::filesystem::path file = directory / "scan.csv";
-  std::set<double> volumes, lengths;
-  std::set<std::string> branches;
-  for (const PointResult& row : studies::read_rows(studies::scan_columns(), file)) {
+  const std::vector<studies::ScanLayer> layers = layers_in(directory);
+  if (layers.empty()) read(directory, {}, branch);
+  for (const studies::ScanLayer& layer : layers) {
+    if (!std::filesystem::exists(directory / layer.folder / "scan.csv")) continue;
+    folders_[layer.values.front()] = layer.folder;
+    read(directory / layer.folder, layer.values.front(), branch);
+  }
+  if (!layers.empty()) {
+    const studies::ScanInput input = studies::read_scan(directory / "run.toml");
+    length_name_ = input.axes.front().parameter;
+    single_L_ = input.L.front();
+    length_axis_ = studies::MaterialNumber::named(length_name_)->title();
+  }
+  reduced_volumes_.assign(volumes_read_.begin(), volumes_read_.end());
+  lengths_.assign(lengths_read_.begin(), lengths_read_.end());
+  branches_.assign(branches_read_.begin(), branches_read_.end());
+  const std::string file = (directory / "scan.csv").string();
+  if (points_.empty()) {
+    throw InputError(branch.empty() ? fmt::format("{}: has no rows yet; run the scan first.", file)
+                                    : fmt::format("{}: has no branch '{}'; there is: {}.", file,
+                                                  branch, fmt::join(branches_, ", ")));
+  }
+}
+
+void ScanGrid::read(const std::filesystem::path& folder, const std::optional<double>& in_place_of_L,
+                    const std::string& branch) {
+  for (const PointResult& row : studies::read_rows(studies::scan_columns(), folder / "scan.csv")) {
     const auto& [volume, L, model, own_branch] = row.key;
-    branches.insert(name(own_branch));
+    branches_read_.insert(name(own_branch));
     if (!branch.empty() && name(own_branch) != branch) continue;
-    volumes.insert(volume);
-    lengths.insert(L);
-    const auto [place, is_new] = points_.try_emplace({model, volume, L}, row);
+    const double length = in_place_of_L.value_or(L);
+    volumes_read_.insert(volume);
+    lengths_read_.insert(length);
+    const auto [place, is_new] = points_.try_emplace({model, volume, length}, row);
     if (!is_new && preferred(row, place->second)) place->second = row;
   }
-  reduced_volumes_.assign(volumes.begin(), volumes.end());
-  lengths_.assign(lengths.begin(), lengths.end());
-  branches_.assign(branches.begin(), branches.end());
-  if (points_.empty()) {
-    throw InputError(branch.empty()
-                         ? fmt::format("{}: has no rows yet; run the scan first.", file.string())
-                         : fmt::format("{}: has no branch '{}'; there is: {}.", file.string(),
-                                       branch, fmt::join(branches_, ", ")));
-  }
+}
+
+std::string ScanGrid::length_title(std::size_t length) const {
+  return length_name_ + " = " + short_number(lengths_[length]);
 }
 
 bool ScanGrid::has(Model model) const {
@@ -76,12 +110,18 @@ const PointResult* ScanGrid::find(Model model, std::size_t reduced_volume,
   return found == points_.end() ? nullptr : &found->second;
 }
 
+std::filesystem::path ScanGrid::folder_of(const PointResult& point) const {
+  for (const auto& [place, row] : points_)
+    if (&row == &point && !folders_.empty()) return directory_ / folders_.at(std::get<2>(place));
+  return directory_;
+}
+
 std::filesystem::path ScanGrid::profile(const PointResult& point) const {
-  return point_file(directory_, point.key, ".csv");
+  return point_file(folder_of(point), point.key, ".csv");
 }
 
 std::filesystem::path ScanGrid::series(const PointResult& point) const {
-  return point_file(directory_, point.key, ".series.csv");
+  return point_file(folder_of(point), point.key, ".series.csv");
 }
 
 double energy_of(const PointResult& point) {

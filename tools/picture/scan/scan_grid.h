@@ -1,10 +1,13 @@
-// What a scan has left, on its grid: one point per model, reduced volume and L.
+// What a scan has left, on its grid: one point per model, reduced volume and L; or, over one number of the material at one L, that
+// number in the place of L.
 #pragma once
 
 #include "studies/scan/scan_table.h"
 
 #include <filesystem>
 #include <map>
+#include <optional>
+#include <set>
 #include <string>
 #include <tuple>
 #include <vector>
@@ -24,7 +27,29 @@ class ScanGrid {
   /// Increasing.
   const std::vector<double>& reduced_volumes() const { return reduced_volumes_; }
   const std::vector<double>& lengths() const { return lengths_; }  ///< the values of L
+  /// Of the axis of these, "elastic constant L", and of one of the values, "L = 0.05".
+  const std::string& length_axis() const { return length_axis_; }
+  std::string length_title(std::size_t length) const;
   const std::vector<std::string>& branches() const { return branches_; }
+
+  bool over_L() const { return folders_.empty(); }
+  double L_of(std::size_t length) const { return over_L() ? lengths_[length] : single_L_; }
+  /// The rows of one of the scan's tables, their L being what stands on this axis; none where it is not there.
+  template <class Row>
+  std::vector<Row> rows(const studies::Columns<Row>& columns, const char* table) const {
+    std::vector<Row> all;
+    const auto add = [&](const std::filesystem::path& folder, const auto& change) {
+      if (!std::filesystem::exists(folder / table)) return;
+      for (Row& row : studies::read_rows(columns, folder / table)) {
+        change(row);
+        all.push_back(std::move(row));
+      }
+    };
+    if (over_L()) add(directory_, [](Row&) {});
+    for (const auto& [value, folder] : folders_)
+      add(directory_ / folder, [place = value](Row& row) { row.L = place; });
+    return all;
+  }
 
   bool has(Model model) const;
   bool has_series() const;  ///< of any point
@@ -32,13 +57,23 @@ class ScanGrid {
   /// nullptr if the scan has no such row.
   const PointResult* find(Model model, std::size_t reduced_volume, std::size_t length) const;
 
-  std::filesystem::path profile(
-      const PointResult& point) const;  ///< may be missing for a failed point
+  /// Of what `find` gives; may be missing for a failed point.
+  std::filesystem::path profile(const PointResult& point) const;
   /// Energy over time; there only if the scan was time dependent.
   std::filesystem::path series(const PointResult& point) const;
 
  private:
+  std::filesystem::path folder_of(const PointResult& point) const;  // one of find()
+  void read(const std::filesystem::path& folder, const std::optional<double>& in_place_of_L,
+            const std::string& branch);
+
   std::filesystem::path directory_;
+  std::string length_name_ = "L", length_axis_ = "elastic constant L";
+  double single_L_ = 0;
+  std::map<double, std::string>
+      folders_;  ///< of the layers, by these values; none: of a scan without
+  std::set<double> volumes_read_, lengths_read_;
+  std::set<std::string> branches_read_;
   std::vector<double> reduced_volumes_;
   std::vector<double> lengths_;
   std::vector<std::string> branches_;

@@ -1,3 +1,4 @@
+#include "studies/parameters/material_number.h"
 #include "studies/rest_states/rest_row.h"
 #include "tools/picture/chart/legend.h"
 #include "tools/picture/chart/panels.h"
@@ -121,28 +122,15 @@ std::vector<LegendEntry> legend_of(const Paths& paths, const std::vector<Colour>
   return entries;
 }
 
-Quantity parameter_of(const Options& options, studies::FollowedParameter parameter) {
-  using studies::FollowedParameter;
-  switch (parameter) {
-    case FollowedParameter::reduced_volume:
-      return {"reduced volume Vᵣ", [](const RestRow& row) { return row.reduced_volume; }};
-    case FollowedParameter::L:
-      return {"elastic constant L", [](const RestRow& row) { return row.L; }};
-    case FollowedParameter::H0:
-      return {options.titled("spontaneous curvature H₀", studies::dimension::curvature),
-              [&](const RestRow& row) {
-                return options.factor(studies::dimension::curvature) * row.followed;
-              }};
-    case FollowedParameter::k0:
-      return {options.titled("residual stiffness k₀", studies::dimension::energy),
-              [&](const RestRow& row) {
-                return options.factor(studies::dimension::energy, row.L) * row.followed;
-              }};
-    default:
-      return {fmt::format("coefficient of the potential's power {}",
-                          int(parameter) - int(FollowedParameter::potential_1) + 1),
-              [](const RestRow& row) { return row.followed; }};
-  }
+Quantity parameter_of(const Options& options, const std::string& parameter) {
+  using namespace studies::dimension;
+  const studies::MaterialNumber* number = studies::MaterialNumber::named(parameter);
+  if (!number) return {"reduced volume Vᵣ", [](const RestRow& row) { return row.reduced_volume; }};
+  if (parameter == "L") return {number->title(), [](const RestRow& row) { return row.L; }};
+  const auto dimension = studies::dimension_of(parameter).value_or(none);
+  return {options.titled(number->title(), dimension), [&options, dimension](const RestRow& row) {
+            return (dimension == none ? 1 : options.factor(dimension, row.L)) * row.followed;
+          }};
 }
 
 }  // namespace
