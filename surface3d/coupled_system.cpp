@@ -48,21 +48,16 @@ bool CoupledSystem::has_displacement() const {
 void CoupledSystem::set_flow(const ElementSystem& element, bool keep_volume,
                              FlowPiece& piece) const {
   const int lambda = FlowPiece::Y + (has_displacement() ? 30 : 0), size = lambda + multipliers_;
-  Eigen::MatrixXd constraints(30, multipliers_);
-  constraints.leftCols(multipliers_ - has_moment_) =
-      element.constraints.leftCols(multipliers_ - has_moment_);
-  if (has_moment_) constraints.rightCols<1>() = element.moment;
+  const int others = multipliers_ - (has_moment_ ? 1 : 0), moment = lambda + others;
   piece.matrix.setZero(size, size);
   piece.rhs.setZero(size);
   piece.matrix.topLeftCorner<ElementSystem::tests, ElementSystem::unknowns>() = element.flow;
   piece.rhs.head<ElementSystem::tests>() = element.rhs;
-  piece.matrix.topRightCorner(30, multipliers_) = constraints;                // (V4), (V13)
-  piece.matrix.bottomLeftCorner(multipliers_, 30) = constraints.transpose();  // (P2), (P3)
-  for (const int k : {lambda, lambda + multipliers_ - 1}) {
-    if (keep_volume || (k > lambda && !has_moment_)) continue;
-    piece.matrix.col(k).setZero();
-    piece.matrix.row(k).setZero();
-  }
+  piece.matrix.block(0, lambda, 30, others) = element.constraints.leftCols(others);      // (V4)
+  if (has_moment_ && keep_volume) piece.matrix.col(moment).head<30>() = element.moment;  // (V13)
+  if (!keep_volume) piece.matrix.col(lambda).setZero();
+  piece.matrix.bottomLeftCorner(multipliers_, 30) =
+      piece.matrix.topRightCorner(30, multipliers_).transpose();  // (P2), (P3)
 }
 
 void CoupledSystem::add_flow(int e, const ElementNodes& normals, FlowPiece& piece) {

@@ -244,7 +244,7 @@ void assemble_element(const model::Material& material, const ElementState& old, 
   out.rhs << along(n, force.rhs) + order - along(n, order), rate;
   out.constraints = constraints.sum.dense().leftCols<7>();
   out.constraints.col(0) = along(n, Eigen::Matrix<double, 30, 1>(out.constraints.col(0)));
-  out.moment = along(n, moment.force);
+  if (has_moment) out.moment = along(n, moment.force);
   out.mesh = mesh.equation();
 }
 

@@ -15,7 +15,7 @@ struct ElementSystem {
   /// What the multipliers meet: (ν, W_n) of (V4) and (P2), then (R, W) of the rigid motions R: three
   /// translations, three rotations about the axes.
   Eigen::Matrix<double, 30, 7> constraints;
-  Eigen::Matrix<double, 30, 1> moment;  ///< W_n in (V13) and (P3)
+  Eigen::Matrix<double, 30, 1> moment;  ///< W_n in (V13) and (P3), with an area difference
   MeshEquation mesh;
 };
 

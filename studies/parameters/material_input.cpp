@@ -84,6 +84,7 @@ void read_value(const TomlTable& table, const char* key, model::AreaDifference& 
   const TomlTable given = table.table(key);
   of.stiffness = given.number_or_infinity("stiffness", above(0));
   const bool by_areas = given.has("delta_a0");
+  given.refuse_misspelt({"delta_a0"});
   if (by_areas) given.refuse("W2", "must not be given together with delta_a0, which is −W2/8π");
   of.W2 = by_areas ? -8 * std::numbers::pi * given.number("delta_a0") : given.number("W2");
   given.reject_unknown_keys();

@@ -52,7 +52,7 @@ Absent of_frame(const std::string& file) {
   if (!physics) return of;
   of.model = physics->model;
   of.material = physics->material;
-  of.L = {physics->material.L1};
+  if (physics->material.L1 > 0) of.L = {physics->material.L1};
   return of;
 }
 

@@ -133,12 +133,16 @@ void check_axes(const TomlTable& scan, const TomlTable& material, const ScanInpu
       axes.fail(axis.parameter, ssh_has_all_by_H0);
     if (!is_there(number, input.material))
       axes.fail(axis.parameter, fmt::format("needs {} in [material]", number.key()));
-    for (const double value : {axis.values.front(), axis.values.back()})
-      for (const double L : {input.L.front(), input.L.back()}) try {
-          number.with(input.material, value).with_L1(L).validate();
-        } catch (const std::invalid_argument& error) {
-          axes.fail(axis.parameter, fmt::format("is no material at {}: {}", value, error.what()));
-        }
+    for (const double value : {axis.values.front(), axis.values.back()}) {
+      const model::Material there = number.with(input.material, value);
+      if (!is_bounded_below(there.potential))
+        axes.fail(axis.parameter, fmt::format("is no potential bounded below at {}", value));
+      try {
+        for (const double L : {input.L.front(), input.L.back()}) there.with_L1(L).validate();
+      } catch (const std::invalid_argument& error) {
+        axes.fail(axis.parameter, fmt::format("is no material at {}: {}", value, error.what()));
+      }
+    }
   }
 }
 

@@ -34,7 +34,7 @@ void take_state(const ModesWords& w, ModesInput& input) {
   if (!w.model.empty()) state.model = *value_named<model::Model>(w.model);
   if (!w.branch.empty()) state.branch = *value_named<axisym::Branch>(w.branch);
   state.reduced_volume = *w.reduced_volume;
-  state.material = state.material.with_L(*w.L);
+  state.material.L1 = *w.L;
   if (!input.scan.empty()) studies::take_from_scan(input);
 }
 

@@ -39,6 +39,8 @@ TEST(ScanAxes, that_are_wrong_are_refused) {
         ":4: [scan] axes.flexoelectric_0 = 1: needs models = [\"SBEH\"]: SSH, of uniform order, "
         "has "
         "all its shapes by spontaneous_curvature"},
+       {"axes = { potential_4 = -1 }",
+        ":4: [scan] axes.potential_4 = -1: is no potential bounded below at -1"},
        {"axes = { L2 = -1 }",
         ":4: [scan] axes.L2 = -1: is no material at -1: 6 L1 + L2 + L3 = -0.7: must be > 0 "
         "(distortion energy)"}});

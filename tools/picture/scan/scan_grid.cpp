@@ -111,8 +111,9 @@ const PointResult* ScanGrid::find(Model model, std::size_t reduced_volume,
 }
 
 std::filesystem::path ScanGrid::folder_of(const PointResult& point) const {
+  if (over_L()) return directory_;
   for (const auto& [place, row] : points_)
-    if (&row == &point && !folders_.empty()) return directory_ / folders_.at(std::get<2>(place));
+    if (&row == &point) return directory_ / folders_.at(std::get<2>(place));
   return directory_;
 }
 

@@ -44,7 +44,7 @@ Panels read_panels(const std::filesystem::path& file, const model::Material& mat
                    const Options& options) {
   Panels panels;
   for (Run& run : studies::read_rows(studies::stability_columns(), file)) {
-    const double kappa = material.with_L(run.key.L).kappa(model::full_order),
+    const double kappa = material.with_L1(run.key.L).kappa(model::full_order),
                  unit = options.units ? options.factor(studies::dimension::rate, run.key.L)
                                       : 1 / kappa;
     run.reduced_rate *= kappa * unit;
