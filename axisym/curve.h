@@ -32,6 +32,7 @@ struct StationaryState : State {
   double tension = 0;   ///< Σ = −∂U/∂A
   double pressure = 0;  ///< P = ∂U/∂V
   double moment = 0;    ///< c = −∂U/∂W₂⁰ of the area difference (model/material.h)
+  double chemical_potential = 0;  ///< μ_β = ∂U/∂∫β dS of an order that is conserved
 };
 
 /// Shape functions of one element at one quadrature point; derivatives by the element's own

@@ -2,6 +2,7 @@
 
 #include "axisym/circles.h"
 #include "axisym/curvature.h"
+#include "axisym/domains.h"
 #include "axisym/shape_class.h"
 #include "model/energy_density.h"
 
@@ -83,6 +84,7 @@ Diagnostics diagnose(const model::Material& material, const State& state) {
                    d.order_variance += p.dS * excess * excess / d.area;
                  });
   d.order_std = std::sqrt(d.order_variance);
+  d.domains = domains_of(state);
 
   d.order_min = d.order_max = state.beta[0];
   const Eigen::VectorXd length = element_lengths(state.X);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/curve.h"
+#include "model/domains.h"
 #include "model/energy.h"
 #include "model/material.h"
 
@@ -25,9 +26,10 @@ struct Diagnostics {
   double order_min, order_mean, order_max;
   double order_variance;  ///< (1/A)∫(β − mean)² dS
   double order_std;       ///< its root
-  double H_pole;          ///< at the north pole, see pole_curvatures
-  double H_rim;           ///< on the widest circle
-  double H_abs_max;       ///< largest |H|
+  model::Domains domains;
+  double H_pole;     ///< at the north pole, see pole_curvatures
+  double H_rim;      ///< on the widest circle
+  double H_abs_max;  ///< largest |H|
   double
       radius_equator;  ///< in the plane of symmetry, of a dumbbell the waist; without one the widest circle's
   double thickness_pole;  ///< distance of the poles along the axis

@@ -2,6 +2,8 @@
 
 #include "axisym/curvature.h"
 #include "axisym/shape_class.h"
+#include "axisym/weak_form.h"
+#include "model/order_step.h"
 #include "model/relaxation.h"
 #include "model/time/flow.h"
 #include "model/time/step_doubling.h"
@@ -9,6 +11,15 @@
 namespace sbeh::axisym {
 
 namespace {
+
+// ∫β dS
+double order_of(const State& state) {
+  double sum = 0;
+  for_each_point(state.X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
+    sum += p.dS * value_at(state.beta, e, s);
+  });
+  return sum;
+}
 
 // Steps, and what else model::Flow asks of a solver.
 class Solver : public TimeStepper {
@@ -19,8 +30,10 @@ class Solver : public TimeStepper {
       : TimeStepper(material, model, elements), material_(material) {}
 
   bool restore(State& state, const Target& target) const {
-    return state.X.row(0).minCoeff() >= 0
-        && correct_area_volume(state.X, target.area, target.volume);
+    if (state.X.row(0).minCoeff() < 0 || !correct_area_volume(state.X, target.area, target.volume))
+      return false;
+    if (target.order) state.beta.array() += (*target.order - order_of(state)) / area(state.X);
+    return true;
   }
   model::Distance distance(const State& a, const State& b) const {
     return {(b.X - a.X).cwiseProduct(node_normals(a.X)).colwise().sum().cwiseAbs().maxCoeff(),
@@ -48,8 +61,11 @@ FlowResult run_flow(const model::Material& material, model::Model model, const S
                     const Target& target, const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe) {
   material.area_difference.check_start(diagnose(material, start).W2);
+  Target kept = target;
+  if (has_free_order(model) && material.conserves_order())
+    kept.order = model::conserved_order(material, target.area, order_of(start));
   Solver solver(material, model, element_count(start.X));
-  model::StepDoubling<Solver> integrator(solver, target, numerics.extrapolate);
+  model::StepDoubling<Solver> integrator(solver, kept, numerics.extrapolate);
   const double at_rest = model::speed_at_rest(numerics.rest_speed, material, model);
   return model::Flow(solver, integrator, numerics, at_rest).run(start, {}, schedule, observe);
 }

@@ -147,7 +147,8 @@ StationaryState redistribute(const StationaryState& state, double grading, int e
           interpolate(state.Lambda, at),
           state.tension,
           state.pressure,
-          state.moment};
+          state.moment,
+          state.chemical_potential};
 }
 
 StationaryState fitted(const StationaryState& state, const Numerics& numerics) {

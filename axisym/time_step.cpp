@@ -2,43 +2,11 @@
 
 #include "axisym/curvature.h"
 #include "axisym/weak_form.h"
-#include "model/order_step.h"
 
 #include <cmath>
+#include <utility>
 
 namespace sbeh::axisym {
-
-bool TimeStepper::solve_order(const State& old, const Field& H, const Nodes& slip, double tau,
-                              Field& beta) {
-  order_.set_zero();
-  beta = Field::Zero(old.beta.size());
-  for_each_point(old.X, assembly_points(), [&](int e, const ShapeValues& s, const CurvePoint& p) {
-    double slip_t = 0;
-    for (int a = 0; a < 4; ++a) slip_t += s.phi[a] * slip.col(3 * e + a).dot(p.t);
-    const double h = value_at(H, e, s);
-    const double beta_from = value_at(old.beta, e, s);
-    const model::OrderData d = model::order_step_point(material_,
-                                                       {.beta = beta_from,
-                                                        .beta_from = beta_from,
-                                                        .H = h,
-                                                        .K = gauss_curvature(h, p.B_phi),
-                                                        .slip = {slip_t, 0}},
-                                                       tau);
-    const double advection = d.advection[0] / p.stretch;
-    const double diffusion = d.diffusion / (p.stretch * p.stretch);
-    for (int a = 0; a < 4; ++a) {
-      beta[3 * e + a] += p.dS * d.rhs * s.phi[a];
-      for (int b = 0; b < 4; ++b)
-        order_(3 * e + a, 3 * e + b) +=
-            p.dS
-            * (d.reaction * s.phi[a] * s.phi[b] + advection * s.phi[a] * s.dphi[b]
-               + diffusion * s.dphi[a] * s.dphi[b]);
-    }
-  });
-  if (!order_.factor()) return false;
-  order_.solve(beta);
-  return beta.allFinite();
-}
 
 namespace {
 
@@ -71,7 +39,7 @@ TimeStepper::TimeStepper(const model::Material& material, model::Model model, in
     : material_(effective(material, model)),
       model_(model),
       coupled_(material_, area_constraint(model), elements),
-      order_(3 * elements + 1, 3) {}
+      order_(material_, elements) {}
 
 FlowStep TimeStepper::step(const State& old, const std::optional<Target>& target, double tau) {
   FlowStep result;
@@ -81,12 +49,23 @@ FlowStep TimeStepper::step(const State& old, const std::optional<Target>& target
   result.state = {old.X + fields_.Y, old.beta};
   result.state.X(0, 0) = result.state.X(0, old.X.cols() - 1) = 0;  // exactly
   const Nodes slip = fields_.V - fields_.Y / tau;
-  if (has_free_order(model_) && !solve_order(old, H, slip, tau, result.state.beta)) return result;
+  if (has_free_order(model_)) {
+    Field beta = order_.solve(old, {.H = H,
+                                    .slip = slip,
+                                    .next = result.state.X,
+                                    .tau = tau,
+                                    .total = target ? target->order : std::nullopt});
+    if (beta.size() == 0) return result;
+    result.state.beta = std::move(beta);
+  }
   result.dissipation = dissipation_of(material_, old, fields_, slip, result.state.beta, tau);
+  const double order = result.dissipation.order;  // as of an order that relaxes
+  if (material_.order == model::OrderDynamics::diffusive)
+    result.dissipation.order = order_.diffusion();
   result.fault = model::FlowFault::none;
   result.lambda = fields_.lambda;
   result.speed_max = fields_.V.colwise().norm().maxCoeff();
-  result.order_speed = std::sqrt(result.dissipation.order / (material_.order_drag() * area(old.X)));
+  result.order_speed = std::sqrt(order / (material_.order_drag() * area(old.X)));
   return result;
 }
 

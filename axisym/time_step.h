@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/coupled_system.h"
+#include "axisym/order_step.h"
 #include "model/material.h"
 #include "model/time/flow_record.h"
 
@@ -23,13 +24,10 @@ class TimeStepper {
   const StepFields& fields() const { return fields_; }
 
  private:
-  // With V − Y/τ. False when the matrix is singular.
-  bool solve_order(const State& old, const Field& H, const Nodes& slip, double tau, Field& beta);
-
   model::Material material_;
   model::Model model_;
   CoupledSystem coupled_;
-  model::BandMatrix order_;
+  OrderStep order_;
   StepFields fields_{};
 };
 

@@ -2,8 +2,10 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <vector>
 
 namespace sbeh::model {
 
@@ -17,7 +19,7 @@ void AreaDifference::check_start(double total) const {
 }
 
 Material effective(const Material& material, Model model) {
-  Material copy = material;
+  Material copy = has_free_order(model) ? material : material.with_uniform_order();
   if (!has_own_drag(model)) return copy;
   copy.viscosity = 0;
   copy.friction_normal = 1;
@@ -45,6 +47,25 @@ Material Material::with_given_scaled(double factor) const {
 Material Material::at_moment(double c) const {
   Material copy = *this;
   if (c != 0) copy.flexoelectric = flexoelectric.plus(c);
+  return copy;
+}
+
+Material Material::with_uniform_order() const {
+  Material copy = *this;
+  copy.order = OrderDynamics::relaxing;
+  copy.mean_order.reset();
+  copy.order_mobility.reset();
+  return copy;
+}
+
+Material Material::at_chemical_potential(double mu) const {
+  Material copy = *this;
+  if (mu == 0) return copy;
+  std::vector<double> u = potential.coefficients();
+  u.resize(std::max(u.size(), std::size_t(2)), 0);
+  u[0] += mu * mean_order.value_or(0);
+  u[1] -= mu;
+  copy.potential = Potential(u);
   return copy;
 }
 
@@ -84,6 +105,16 @@ void Material::validate() const {
     if (const double beta = double(k) / samples; kappa(beta) < 0)
       throw std::invalid_argument(
           fmt::format("kappa = {:.4g} at β = {}: must be >= 0 for 0 <= β <= 1", kappa(beta), beta));
+  if (conserves_order() && !mean_order)
+    throw std::invalid_argument(
+        fmt::format("order = \"{}\": needs mean_order, the (1/A)∫β dS that stays", name(order)));
+  if (mean_order && !conserves_order())
+    throw std::invalid_argument(fmt::format(
+        "mean_order = {}: has a meaning with order = \"conserved\" or \"diffusive\" only",
+        *mean_order));
+  if (order_mobility && order != OrderDynamics::diffusive)
+    throw std::invalid_argument(fmt::format(
+        "order_mobility = {}: has a meaning with order = \"diffusive\" only", *order_mobility));
   require(viscosity + friction_tangential > 0, "viscosity + friction_tangential",
           viscosity + friction_tangential, "> 0 (else nothing resists the flow)");
 }

@@ -7,6 +7,7 @@
 
 #include <array>
 #include <numbers>
+#include <optional>
 
 namespace sbeh::model {
 
@@ -60,6 +61,11 @@ struct AreaDifference {
   bool operator==(const AreaDifference&) const = default;
 };
 
+/// What becomes of the order as a whole. It relaxes everywhere by itself; or ∫β dS is conserved, as if order were exchanged at
+/// any distance, or by diffusion along the surface.
+enum class OrderDynamics { relaxing, conserved, diffusive };
+constexpr auto names(OrderDynamics) { return std::array{"relaxing", "conserved", "diffusive"}; }
+
 /// The material parameters; all dimensionless, lengths in radii of the sphere of equal area. Their meanings
 /// and ranges are in the table below; the defaults are the paper's. A residual bending stiffness k0 a
 /// spontaneous curvature H0 and a flexoelectric coupling f are added to the paper's energy; see equations.md.
@@ -74,6 +80,9 @@ struct Material {
   double spontaneous_curvature = 0;
   Polynomial flexoelectric{{0}};
   AreaDifference area_difference{};
+  OrderDynamics order = OrderDynamics::relaxing;
+  std::optional<double> mean_order{};      ///< (1/A)∫β dS where the order is conserved
+  std::optional<double> order_mobility{};  ///< M_β where it diffuses, 1 where it is not given
   Polynomial kappa_powers{}, kappa_gauss_powers{};  ///< empty: by the elastic constants and k₀
 
   /// l₁ of the distortion energy (l₁/2)|∇β|².
@@ -114,6 +123,11 @@ struct Material {
   double kappa_gauss_slope_at_zero() const { return kappa_gauss_powers.slope_at_zero(); }
   /// With f + c for f: what the moment c of the area difference makes of a membrane.
   Material at_moment(double c) const;
+  /// With an order that is not conserved: what a model without a free order has.
+  Material with_uniform_order() const;
+  bool conserves_order() const { return order != OrderDynamics::relaxing; }
+  /// With u − μ_β(β − β̄) for u: what the chemical potential μ_β of a conserved order of mean β̄ makes of a membrane.
+  Material at_chemical_potential(double mu) const;
   /// κ(β)(H − H₀) + f(β), the moment that bends: ∂(energy density)/∂H.
   template <class T, class S>
   T moment(const S& beta, const T& H) const {
@@ -202,10 +216,15 @@ void for_each_parameter(M& m, auto&& visit) {
         {},
         "of the two leaflets: stiffness k_ad, inf in the bilayer-coupling model, and W2 = −8π Δa₀"},
       m.area_difference);
+  visit(P{"order", {}, "relaxing; or conserved as a whole: at once, or diffusive"}, m.order);
+  visit(P{"mean_order", between(-0.5, 1), "(1/A)∫β dS of an order that is conserved"},
+        m.mean_order);
+  visit(P{"order_mobility", above(0), "M_β of β̇ = Div(M_β ∇μ_β), of an order that is diffusive"},
+        m.order_mobility);
 }
 
 /// The material as the model's flow has it: where has_own_drag, without viscosity and with friction 1,
-/// under a global area constraint against the normal velocity alone.
+/// under a global area constraint against the normal velocity alone; with a uniform order where that is not free.
 Material effective(const Material& material, Model model);
 
 }  // namespace sbeh::model

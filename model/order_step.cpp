@@ -2,6 +2,12 @@
 
 #include "model/numerics/root.h"
 
+#include <ceres/jet.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <stdexcept>
+
 namespace sbeh::model {
 
 OrderData order_step_point(const Material& m, const OrderPoint& x, double tau) {
@@ -21,6 +27,27 @@ OrderData order_step_point(const Material& m, const OrderPoint& x, double tau) {
            - m.potential.slope_at_zero()                 // (B5)
            - m.flexoelectric.slope_at_zero() * x.H,      // (B6)
   };
+}
+
+OrderData order_force_point(const Material& m, const OrderPoint& x) {
+  using Jet = ceres::Jet<double, 1>;
+  const Jet force = order_force(m, Jet(x.beta, 0), Jet(x.H), Jet(x.K));  // (B3) … (B6)
+  return {.reaction = force.v[0],
+          .advection = Tangent<double>::Zero(),
+          .diffusion = m.l1(),  // (B2)
+          .rhs = force.v[0] * x.beta - force.a};
+}
+
+double conserved_order(const Material& material, double area, double start) {
+  constexpr double near = 1e-5;  // nothing next to the tolerance of a step
+  if (!material.mean_order) return start;
+  if (!(std::abs(start / area - *material.mean_order) < near))
+    throw std::invalid_argument(
+        fmt::format("order = \"{}\": the start has the mean order {:.10g}, which stays, not {}: "
+                    "say mean_order = "
+                    "{:.10g}, or begin with another order",
+                    name(material.order), start / area, *material.mean_order, start / area));
+  return *material.mean_order * area;
 }
 
 std::optional<double> sphere_rest_order(const Material& material) {

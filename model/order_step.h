@@ -23,6 +23,12 @@ struct OrderData {
   double rhs;                 ///< of ψ
 };
 OrderData order_step_point(const Material& m, const OrderPoint& x, double tau);
+/// (B2)–(B6) of it, without what resists, and linearised at β* as a whole: without it, the step above is no contraction.
+OrderData order_force_point(const Material& m, const OrderPoint& x);
+
+/// The ∫β dS that a flow with this area keeps: by its mean order, or where that is not given the start's. Throws std::invalid_argument
+/// where the start has another mean than the one given.
+double conserved_order(const Material& material, double area, double start);
 
 /// Largest β in (0, 1] with (κ'/2)(H − H₀)² + κ_G' K + f' H + u' = 0 at H = −2, K = 1 and rising there: the
 /// rest state of a uniform order on the unit sphere. Paper's potential: larger root of

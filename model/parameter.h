@@ -5,6 +5,7 @@
 
 #include <concepts>
 #include <limits>
+#include <optional>
 #include <string>
 #include <type_traits>
 
@@ -47,7 +48,10 @@ template <class Struct>
 void check_parameters(const Struct& of) {
   for_each_parameter(of, [](const Parameter& parameter, const auto& value) {
     using Value = std::decay_t<decltype(value)>;
-    if constexpr (std::same_as<Value, double> || std::same_as<Value, int>) check(parameter, value);
+    if constexpr (std::same_as<Value, double> || std::same_as<Value, int>)
+      check(parameter, value);
+    else if constexpr (std::same_as<Value, std::optional<double>>)
+      if (value) check(parameter, *value);
   });
 }
 

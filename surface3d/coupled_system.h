@@ -47,6 +47,9 @@ class CoupledSystem {
                 const Field& order_force, const Origin& from, double tau,
                 const Constraints& constraints);
 
+  /// From the next assembly on: with another potential.
+  void set_material(const model::Material& material) { material_ = material; }
+
   /// V, p, H, when monolithic Y, λ and what keeps the friction, with an area difference c; or, under a global area
   /// constraint, v, H, Y, λ, c and p.
   const LinearSystem& flow() const { return flow_; }

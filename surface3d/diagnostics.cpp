@@ -1,6 +1,7 @@
 #include "surface3d/diagnostics.h"
 
 #include "model/energy_density.h"
+#include "surface3d/domains.h"
 #include "surface3d/parallel.h"
 
 #include <algorithm>
@@ -82,6 +83,7 @@ Diagnostics diagnose(const Triangulation& mesh, const model::Material& material,
         d.order_variance += p.dS * excess * excess / d.area;
       });
   d.order_std = std::sqrt(d.order_variance);
+  d.domains = domains_of(mesh, state);
   return d;
 }
 

@@ -1,6 +1,7 @@
 // What is measured on a state: energy and its parts, geometry, order.
 #pragma once
 
+#include "model/domains.h"
 #include "model/energy.h"
 #include "model/material.h"
 #include "surface3d/curvature.h"
@@ -30,9 +31,10 @@ struct Diagnostics {
   double order_min, order_mean, order_max;
   double order_variance;  ///< (1/A)∫(β − mean)² dS
   double order_std;       ///< its root
-  double H_abs_max;       ///< largest |H|
-  double resolution;      ///< largest |B| times the node spacing, as the area there tells it
-  double mesh_quality;    ///< see mesh_quality
+  model::Domains domains;
+  double H_abs_max;     ///< largest |H|
+  double resolution;    ///< largest |B| times the node spacing, as the area there tells it
+  double mesh_quality;  ///< see mesh_quality
 };
 /// Throws std::runtime_error where the surface is degenerate.
 Diagnostics diagnose(const Triangulation& mesh, const model::Material& material,

@@ -1,9 +1,11 @@
 #include "surface3d/flow.h"
 
+#include "model/order_step.h"
 #include "model/relaxation.h"
 #include "model/time/flow.h"
 #include "model/time/implicit_euler.h"
 #include "surface3d/mesh/self_contact.h"
+#include "surface3d/order_step.h"
 #include "surface3d/variational/variational_stepper.h"
 
 #include <fmt/format.h>
@@ -38,7 +40,11 @@ class Solver {
   FlowStep step(const auto&... of) { return stepper_->step(of...); }
 
   bool restore(State& state, const Target& target) const {
-    return correct_area_volume(*mesh_, state.X, stepper_->fields().H, target.area, target.volume);
+    if (!correct_area_volume(*mesh_, state.X, stepper_->fields().H, target.area, target.volume))
+      return false;
+    if (target.order)
+      state.beta.array() += (*target.order - total_order(*mesh_, state)) / area(*mesh_, state.X);
+    return true;
   }
   model::Distance distance(const State& a, const State& b) const {
     const Nodes n = node_normals(*mesh_, a.X);
@@ -146,11 +152,18 @@ FlowResult run_with(Solver<Stepper>& solver, Memory& memory, Integrator& integra
 
 }  // namespace
 
-FlowResult run_flow(const model::Material& material, model::Model model, const FlowMoment& start,
+FlowResult run_flow(const model::Material& given, model::Model model, const FlowMoment& start,
                     const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe) {
   if (start.record.time == 0)
-    material.area_difference.check_start(diagnose(*start.mesh, material, start.state).W2);
+    given.area_difference.check_start(diagnose(*start.mesh, given, start.state).W2);
+  Target target = start.target;
+  model::Material material = given;
+  if (has_free_order(model) && material.conserves_order()) {
+    target.order =
+        model::conserved_order(material, start.target.area, total_order(*start.mesh, start.state));
+    material.mean_order = *target.order / target.area;
+  }
   const double at_rest = model::speed_at_rest(numerics.rest_speed, material, model);
   const auto run = [&](auto& solver, auto& memory, auto& integrator) {
     return run_with(solver, memory, integrator, start, numerics, at_rest, schedule, observe);
@@ -159,15 +172,18 @@ FlowResult run_flow(const model::Material& material, model::Model model, const F
   if (variational && area_constraint(model) == model::AreaConstraint::global)
     throw std::invalid_argument(
         fmt::format("integrator = \"variational\": {}", no_variational_steps));
+  if (variational && material.order == model::OrderDynamics::diffusive)
+    throw std::invalid_argument(
+        "integrator = \"variational\": has no steps of order = \"diffusive\"");
   if (variational && !is_sphere(*start.mesh, start.target.area, start.target.volume)) {
     MinimalSolver solver(start.mesh, material, model, numerics);
-    model::ImplicitEuler<MinimalSolver> steps(solver, start.target);
+    model::ImplicitEuler<MinimalSolver> steps(solver, target);
     return run(solver, steps, steps);
   }
   LinearSolver solver(start.mesh, material, model, numerics);
-  model::TwoStep<LinearSolver> two_step(solver, start.target);
+  model::TwoStep<LinearSolver> two_step(solver, target);
   if (numerics.integrator != Integrator::step_doubling) return run(solver, two_step, two_step);
-  model::StepDoubling<LinearSolver> doubling(solver, start.target, numerics.extrapolate);
+  model::StepDoubling<LinearSolver> doubling(solver, target, numerics.extrapolate);
   return run(solver, two_step, doubling);
 }
 

@@ -3,6 +3,7 @@
 #include "model/order_step.h"
 #include "surface3d/linear/conjugate_gradient.h"
 #include "surface3d/linear/direct_solver.h"
+#include "surface3d/linear/sparse_pattern.h"
 #include "surface3d/parallel.h"
 
 #include <Eigen/IterativeLinearSolvers>
@@ -28,38 +29,58 @@ Field solve(const SparseMatrix& matrix, const Field& rhs, const Field& guess) {
   return x.allFinite() ? x : Field();
 }
 
+// What a triangle has of the equation.
+struct OrderElement {
+  const ElementNodes X, normals, slip;
+  const ElementField beta, from, H;
+
+  model::OrderPoint at(const ShapeValues& s, const SurfacePoint& x) const {
+    const double h = value_at(H, s);
+    return {.beta = value_at(beta, s),
+            .beta_from = value_at(from, s),
+            .H = h,
+            .K = model::gauss_curvature(shape_operator(x, normals, h)),
+            .slip = x.frame.leftCols<2>().transpose() * value_at(slip, s)};
+  }
+};
+OrderElement order_element(const Triangulation& mesh, const State& at, const OrderStepData& step,
+                           int e) {
+  return {.X = on_element(mesh, e, at.X),
+          .normals = on_element(mesh, e, step.curvature.normals),
+          .slip = on_element(mesh, e, step.slip),
+          .beta = on_element(mesh, e, at.beta),
+          .from = on_element(mesh, e, step.from),
+          .H = on_element(mesh, e, step.curvature.H)};
+}
+
+using ScalarMatrix = Eigen::Matrix<double, 10, 10>;
+
+// (∇φ_b, ∇φ_a) dS at a point.
+ScalarMatrix stiffness_at(const SurfacePoint& x) {
+  const Shapes grad_1(x.grad[0].data()), grad_2(x.grad[1].data());
+  return x.dS * (grad_1 * grad_1.transpose() + grad_2 * grad_2.transpose());
+}
+
+// d(β, ψ) of an equation of the order.
+ScalarMatrix matrix_at(const model::OrderData& d, const ShapeValues& s, const SurfacePoint& x) {
+  const Shapes phi(s.phi.data()), grad_1(x.grad[0].data()), grad_2(x.grad[1].data());
+  const ElementField value = d.reaction * phi + d.advection[0] * grad_1 + d.advection[1] * grad_2;
+  return (x.dS * phi) * value.transpose() + d.diffusion * stiffness_at(x);
+}
+
 // The equation of the order over a time τ.
 LinearSystem equation_of_order(const Triangulation& mesh, const model::Material& material,
-                               const State& at, const Field& from, const Curvature& curvature,
-                               const Nodes& slip, double tau) {
+                               const State& at, const OrderStepData& step) {
   LinearSystem system{mesh.scalars.zero(), Field::Zero(mesh.nodes)};
   for_each_by_colour(mesh, [&](int e) {
-    const ElementNodes X = on_element(mesh, e, at.X),
-                       normals = on_element(mesh, e, curvature.normals),
-                       local_slip = on_element(mesh, e, slip);
-    const ElementField beta = on_element(mesh, e, at.beta), beta_from = on_element(mesh, e, from),
-                       H = on_element(mesh, e, curvature.H);
-    Eigen::Matrix<double, 10, 10> local = decltype(local)::Zero();
+    const OrderElement element = order_element(mesh, at, step, e);
+    ScalarMatrix local = ScalarMatrix::Zero();
     ElementField vector = ElementField::Zero();
     for (const ShapeValues& s : assembly_points()) {
-      const SurfacePoint x = surface_point(X, s);
-      const double h = value_at(H, s);
-      const model::ShapeOperator<double> B = shape_operator(x, normals, h);
-      const model::OrderData d = model::order_step_point(
-          material,
-          {.beta = value_at(beta, s),
-           .beta_from = value_at(beta_from, s),
-           .H = h,
-           .K = model::gauss_curvature(B),
-           .slip = x.frame.leftCols<2>().transpose() * value_at(local_slip, s)},
-          tau);
-      const Shapes phi(s.phi.data()), grad_1(x.grad[0].data()), grad_2(x.grad[1].data());
-      const ElementField value =
-          d.reaction * phi + d.advection[0] * grad_1 + d.advection[1] * grad_2;
-      local += (x.dS * phi) * value.transpose();
-      local += (x.dS * d.diffusion * grad_1) * grad_1.transpose();
-      local += (x.dS * d.diffusion * grad_2) * grad_2.transpose();
-      vector += x.dS * d.rhs * phi;
+      const SurfacePoint x = surface_point(element.X, s);
+      const model::OrderData d = model::order_step_point(material, element.at(s, x), step.tau);
+      local += matrix_at(d, s, x);
+      vector += x.dS * d.rhs * Shapes(s.phi.data());
     }
     mesh.scalars.add(e, local, system.matrix);
     for (int a = 0; a < 10; ++a) system.rhs[mesh.triangles(a, e)] += vector[a];
@@ -67,12 +88,89 @@ LinearSystem equation_of_order(const Triangulation& mesh, const model::Material&
   return system;
 }
 
+// ∫φ_i dS
+Field weights_of(const Triangulation& mesh, const Nodes& X) {
+  Field weights = Field::Zero(mesh.nodes);
+  for_each_point(mesh, X, assembly_points(),
+                 [&](int e, const ShapeValues& s, const SurfacePoint& x) {
+                   for (int a = 0; a < 10; ++a)
+                     weights[mesh.triangles(a, e)] += x.dS * s.phi[std::size_t(a)];
+                 });
+  return weights;
+}
+
+// With the chemical potential (B7) that keeps ∫β dS.
+Field relaxed(const Triangulation& mesh, const model::Material& material, const State& at,
+              const OrderStepData& step) {
+  const LinearSystem system = equation_of_order(mesh, material, at, step);
+  Field beta = solve(system.matrix, system.rhs, at.beta);
+  if (!material.conserves_order() || beta.size() == 0) return beta;
+  const Field weights = weights_of(mesh, at.X), next = weights_of(mesh, step.next);
+  const Field response = solve(system.matrix, weights, Field::Zero(mesh.nodes));  // (B7)
+  if (response.size() == 0) return {};
+  const double total = step.total ? *step.total : weights.dot(at.beta);
+  return beta + (total - next.dot(beta)) / next.dot(response) * response;
+}
+
+SparsePattern pairs_pattern(const Triangulation& mesh) {
+  Eigen::MatrixXi unknowns(20, mesh.count());
+  unknowns << 2 * mesh.triangles, (2 * mesh.triangles).array() + 1;
+  return {2 * mesh.nodes, unknowns, SparsePattern::Mask::Constant(20, 20, true)};
+}
+
+// (β̇, ψ) + (M_β ∇μ, ∇ψ) = 0 and (μ, χ) = (δU/δβ, χ): unknowns β, μ, node by node.
+OrderStepResult diffused(const Triangulation& mesh, const model::Material& material,
+                         const State& at, const OrderStepData& step) {
+  const double mobility = material.order_mobility.value_or(1);
+  const SparsePattern pattern = pairs_pattern(mesh);
+  SparseMatrix matrix = pattern.zero();
+  Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * mesh.nodes);
+  for_each_by_colour(mesh, [&](int e) {
+    const OrderElement element = order_element(mesh, at, step, e);
+    Eigen::Matrix<double, 20, 20> local = decltype(local)::Zero();
+    Eigen::Matrix<double, 20, 1> vector = decltype(vector)::Zero();
+    for (const ShapeValues& s : assembly_points()) {
+      const SurfacePoint p = surface_point(element.X, s);
+      const model::OrderPoint point = element.at(s, p);
+      const model::OrderData force = model::order_force_point(material, point);
+      const model::OrderData rate{.reaction = 1 / step.tau,
+                                  .advection = point.slip,
+                                  .diffusion = 0,
+                                  .rhs = point.beta_from / step.tau};
+      const Shapes phi(s.phi.data());
+      local.topLeftCorner<10, 10>() += matrix_at(rate, s, p);        // (B8)
+      local.topRightCorner<10, 10>() += mobility * stiffness_at(p);  // (B8)
+      local.bottomLeftCorner<10, 10>() += matrix_at(force, s, p);
+      local.bottomRightCorner<10, 10>() -= p.dS * phi * phi.transpose();
+      vector.head<10>() += p.dS * rate.rhs * phi;
+      vector.tail<10>() += p.dS * force.rhs * phi;
+    }
+    pattern.add(e, local, matrix);
+    pattern.add(e, vector, x);
+  });
+  DirectSolver direct(Symmetry::general);
+  if (!direct.factor(matrix)) return {};
+  direct.solve(x);
+  if (!x.allFinite()) return {};
+  OrderStepResult result{.beta = x(Eigen::seqN(0, mesh.nodes, 2))};
+  const Field mu = x(Eigen::seqN(1, mesh.nodes, 2));
+  for_each_point(
+      mesh, at.X, assembly_points(), [&](int e, const ShapeValues&, const SurfacePoint& p) {
+        result.diffusion += p.dS * mobility * gradient_at(on_element(mesh, e, mu), p).squaredNorm();
+      });
+  return result;
+}
+
 }  // namespace
 
-Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
-                 const Field& from, const Curvature& curvature, const Nodes& slip, double tau) {
-  const LinearSystem system = equation_of_order(mesh, material, at, from, curvature, slip, tau);
-  return solve(system.matrix, system.rhs, at.beta);
+OrderStepResult order_step(const Triangulation& mesh, const model::Material& material,
+                           const State& at, const OrderStepData& step) {
+  if (material.order == model::OrderDynamics::diffusive) return diffused(mesh, material, at, step);
+  return {.beta = relaxed(mesh, material, at, step)};
+}
+
+double total_order(const Triangulation& mesh, const State& state) {
+  return weights_of(mesh, state.X).dot(state.beta);
 }
 
 Field order_force(const Triangulation& mesh, const model::Material& material, const State& at,

@@ -1,16 +1,33 @@
-// The order equation (B1)–(B5) of one step, with the velocity and the mesh motion known.
+// The order equation (B1)–(B8) of one step, with the velocity and the mesh motion known.
 #pragma once
 
 #include "model/material.h"
 #include "surface3d/curvature.h"
 
+#include <optional>
+
 namespace sbeh::surface3d {
 
-/// β of the next time, τ after `from`, which are the nodes' numbers; surface and coefficients are those
-/// of `at`. 3 x nodes `slip` is that of the material, relative to the mesh: V − Y/τ. Empty
-/// when the linear solve fails.
-Field order_step(const Triangulation& mesh, const model::Material& material, const State& at,
-                 const Field& from, const Curvature& curvature, const Nodes& slip, double tau);
+/// What the order step reads besides the surface and the coefficients, which are those of `at`.
+struct OrderStepData {
+  const Curvature& curvature;
+  const Nodes& slip;  ///< 3 x nodes: of the material relative to the mesh, V − Y/τ
+  const Field& from;  ///< nodes: β at the time from which the step is counted
+  const Nodes& next;  ///< 3 x nodes of the surface then
+  double tau;
+  std::optional<double> total{};  ///< ∫β dS there; of a conserved order, as it is without
+};
+
+/// β of the next time, and where the order diffuses ∫ M_β |∇μ_β|² dS. Empty when the linear solve fails.
+struct OrderStepResult {
+  Field beta{};
+  double diffusion = 0;
+};
+OrderStepResult order_step(const Triangulation& mesh, const model::Material& material,
+                           const State& at, const OrderStepData& step);
+
+/// ∫β dS
+double total_order(const Triangulation& mesh, const State& state);
 
 /// h = δU/δβ, nodes: (h, ψ) = (B2) + … + (B5). Empty when the linear solve fails.
 Field order_force(const Triangulation& mesh, const model::Material& material, const State& at,

@@ -150,9 +150,9 @@ Target area_and_volume(const Triangulation& mesh, const Nodes& X) {
     }
   });
   Target sum{};
-  for (const auto& [area, volume] : parts) {
-    sum.area += area;
-    sum.volume += volume;
+  for (const Target& part : parts) {
+    sum.area += part.area;
+    sum.volume += part.volume;
   }
   return sum;
 }

@@ -13,12 +13,11 @@ namespace {
 
 Constraints constraints_of(const Triangulation& mesh, const Nodes& X,
                            const std::optional<Target>& target, double tau) {
-  const auto [A, V] = area_and_volume(mesh, X);
-  const Target wanted = target.value_or(Target{A, V});
-  return {.area_rate = (wanted.area - A) / (tau * A),
-          .volume_rate = (wanted.volume - V) / tau,
-          .keep_volume = !is_sphere(mesh, A, V),
-          .area = A};
+  const Target now = area_and_volume(mesh, X), wanted = target.value_or(now);
+  return {.area_rate = (wanted.area - now.area) / (tau * now.area),
+          .volume_rate = (wanted.volume - now.volume) / tau,
+          .keep_volume = !is_sphere(mesh, now.area, now.volume),
+          .area = now.area};
 }
 
 // Whether the layer is so much softer in one place than in another that the terms with ∇κ_G, which read
@@ -60,6 +59,7 @@ bool TimeStepper::recall(const StepperMemory& memory) {
 
 FlowStep TimeStepper::step(const State& at, const State& from, const std::optional<Target>& target,
                            double tau) {
+  total_order_ = target ? target->order : std::nullopt;
   constexpr int most_corrections = 3;
   const Constraints constraints = constraints_of(*mesh_, at.X, target, tau);
   FlowStep result = solve(at, from, constraints, tau, Pass::first);
@@ -87,9 +87,15 @@ FlowStep TimeStepper::solve(const State& at, const State& from, const Constraint
                             double tau, Pass pass) {
   const auto curvature = curvature_of(*mesh_, at.X, &from.X);
   if (!curvature) return {.fault = model::FlowFault::degenerate};
-  const Field force = has_free_order(model_) ? order_force(*mesh_, material_, at, *curvature)
-                                             : Field::Zero(mesh_->nodes);
+  Field force = has_free_order(model_) ? order_force(*mesh_, material_, at, *curvature)
+                                       : Field::Zero(mesh_->nodes);
   if (force.size() == 0) return {};
+  if (material_.conserves_order()) {
+    // What p would take up but for the elements: at rest h is μ_β everywhere.
+    const double mu = total_order(*mesh_, {at.X, force}) / constraints.area;
+    force.array() -= mu;
+    system_.set_material(material_.at_chemical_potential(mu));
+  }
   system_.assemble(*mesh_, at, *curvature, force, {from.X, curvature->H_from}, tau, constraints);
   const auto solution = solver_.solve(system_, at, tau, pass);
   if (!solution) return {};
@@ -98,21 +104,32 @@ FlowStep TimeStepper::solve(const State& at, const State& from, const Constraint
   if (!(mesh_quality(*mesh_, next.X) > 0))  // a triangle is turned over
     return {.fault = model::FlowFault::degenerate};
   const Nodes slip = fields_.V - fields_.Y / tau;
-  if (has_free_order(model_))
-    next.beta = order_step(*mesh_, material_, at, from.beta, *curvature, slip, tau);
+  double diffusion = 0;
+  if (has_free_order(model_)) {
+    OrderStepResult order = order_step(*mesh_, material_, at,
+                                       {.curvature = *curvature,
+                                        .slip = slip,
+                                        .from = from.beta,
+                                        .next = next.X,
+                                        .tau = tau,
+                                        .total = total_order_});
+    next.beta = std::move(order.beta);
+    diffusion = order.diffusion;
+  }
   if (next.beta.size() == 0) return {};
-  const Dissipation dissipation = dissipation_of(*mesh_, material_, at,
-                                                 {.velocity = fields_.V,
-                                                  .slip = slip,
-                                                  .order_rate = (next.beta - from.beta) / tau,
-                                                  .order = next.beta});
-  return {
-      .fault = model::FlowFault::none,
-      .state = next,
-      .dissipation = dissipation,
-      .lambda = fields_.lambda,
-      .speed_max = fields_.V.colwise().norm().maxCoeff(),
-      .order_speed = std::sqrt(dissipation.order / (material_.order_drag() * area(*mesh_, at.X)))};
+  Dissipation dissipation = dissipation_of(*mesh_, material_, at,
+                                           {.velocity = fields_.V,
+                                            .slip = slip,
+                                            .order_rate = (next.beta - from.beta) / tau,
+                                            .order = next.beta});
+  const double order = dissipation.order;  // as of an order that relaxes
+  if (material_.order == model::OrderDynamics::diffusive) dissipation.order = diffusion;
+  return {.fault = model::FlowFault::none,
+          .state = next,
+          .dissipation = dissipation,
+          .lambda = fields_.lambda,
+          .speed_max = fields_.V.colwise().norm().maxCoeff(),
+          .order_speed = std::sqrt(order / (material_.order_drag() * area(*mesh_, at.X)))};
 }
 
 }  // namespace sbeh::surface3d

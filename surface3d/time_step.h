@@ -65,6 +65,7 @@ class TimeStepper {
   CoupledSystem system_;
   LaggedSolver solver_;
   StepFields fields_{};
+  std::optional<double> total_order_;  // ∫β dS after the step, where it is conserved
 };
 
 }  // namespace sbeh::surface3d

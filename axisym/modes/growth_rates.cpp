@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <functional>
+#include <stdexcept>
 
 namespace sbeh::axisym {
 
@@ -63,7 +64,10 @@ ModeProblem<flow_unknowns> problem_of(const LinearFlow& flow, int m, Parity pari
   if (kept.cols() > 0) {
     problem.idle = among_flow_unknowns(Eigen::VectorXd(kept.col(0)));  // a constant p
     // On a sphere volume is area, which p keeps.
-    if (!round) problem.constraints = among_flow_unknowns(Eigen::VectorXd(kept.col(1)));
+    const Eigen::Index first = round ? 2 : 1, others = kept.cols() - first;
+    if (others > 0) problem.constraints.resize(problem.idle.rows(), others);
+    for (Eigen::Index k = 0; k < others; ++k)
+      problem.constraints.col(k) = among_flow_unknowns(Eigen::VectorXd(kept.col(first + k)));
     problem.soft = second.moment_of(m, parity);
     if (round) problem.soft = {};
     if (problem.soft.b.size() > 0) problem.soft.b = among_flow_unknowns(problem.soft.b);
@@ -83,6 +87,8 @@ LinearFlow::LinearFlow(const SecondVariation& of, const model::Material& of_mate
 
 std::optional<std::vector<GrowthMode>> growth_rates(const LinearFlow& flow, int m, int count) {
   const Sector& sector = flow.second.sector;
+  if (flow.material.order == model::OrderDynamics::diffusive)
+    throw std::invalid_argument("growth rates of an order that diffuses are not known");
   std::vector<GrowthMode> growth;
   if (flow.is_along_normals) {
     // σ = −λ/γ_⊥ of the second variation.

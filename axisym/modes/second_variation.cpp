@@ -165,9 +165,9 @@ void put(const ElementMatrix& element, double copies, NodeChain::Element& to) {
     for (int i = 0; i < element.rows(); ++i) to(place(i), place(j)) = copies * element(i, j);
 }
 
-// First variations of area, volume and W₂, by the data of the perturbation.
+// First variations of area, volume, W₂ and ∫β dS, by the data of the perturbation.
 using FormVector = Eigen::Matrix<double, perturbations, 1>;
-std::array<FormVector, 3> first_variations(const CurvePoint& p, double H) {
+std::array<FormVector, 4> first_variations(const CurvePoint& p, double H, double beta) {
   FormVector of_area = FormVector::Zero(), of_volume = FormVector::Zero();
   of_area[of_r] = p.stretch;
   of_area[of_r_xi] = p.x[0] * p.t[0];
@@ -176,7 +176,9 @@ std::array<FormVector, 3> first_variations(const CurvePoint& p, double H) {
   of_volume[of_z_xi] = -p.x[0] * p.x[0] / 2;
   FormVector of_W2 = H * of_area;
   of_W2[of_H] = p.x[0] * p.stretch;
-  return {of_area, of_volume, of_W2};
+  FormVector of_order = beta * of_area;
+  of_order[of_beta] = p.x[0] * p.stretch;
+  return {of_area, of_volume, of_W2, of_order};
 }
 
 Hessian hessian_at(const model::Material& material, const StationaryState& state,
@@ -191,7 +193,7 @@ void assemble(const model::Material& material, const Nodes& normals, int e, Seco
   std::array<ElementMatrix, 3> powers;
   powers.fill(ElementMatrix::Zero());
   ElementMatrix mass = ElementMatrix::Zero();
-  std::array<ElementVector, 3> kept;
+  std::array<ElementVector, 4> kept;
   kept.fill(ElementVector::Zero());
   for (const ShapeValues& s : assembly_points()) {
     const NormalShapes shapes(normals, e, s);
@@ -203,15 +205,17 @@ void assemble(const model::Material& material, const Nodes& normals, int e, Seco
       model::add_matrix(rows, rows, forms[k], s.weight, powers[k]);
     model::add_matrix(rows, rows, squares(p.nu, out.has_order), s.weight * p.x[0] * p.stretch,
                       mass);
-    const auto variations = first_variations(p, value_at(out.state.H, e, s));
-    for (std::size_t k = 0; k < 3; ++k) model::add_vector(rows, variations[k], s.weight, kept[k]);
+    const auto variations =
+        first_variations(p, value_at(out.state.H, e, s), value_at(out.state.beta, e, s));
+    for (std::size_t k = 0; k < 4; ++k) model::add_vector(rows, variations[k], s.weight, kept[k]);
   }
   const double copies = out.sector.copies(e);
   for (std::size_t k = 0; k < 3; ++k) put(powers[k], copies, out.powers[k].element(e));
   put(mass, copies, out.mass.element(e));
-  for (int k = 0; k < 2; ++k)
+  for (int k = 0; k < int(out.constraints.cols()); ++k)
     for (int i = 0; i < 4 * node_unknowns; ++i)
-      out.constraints(3 * node_unknowns * e + place(i), k) += copies * kept[std::size_t(k)][i];
+      out.constraints(3 * node_unknowns * e + place(i), k) +=
+          copies * kept[std::size_t(k < 2 ? k : 3)][i];
   for (int i = 0; out.moment.b.size() > 0 && i < 4 * node_unknowns; ++i)
     out.moment.b[3 * node_unknowns * e + place(i)] += copies * kept[2][i];
 }
@@ -245,17 +249,18 @@ void keep_what_is_free(const SecondVariation& of, int m, Parity parity, double d
 
 SecondVariation second_variation(const model::Material& whole, model::Model model,
                                  const StationaryState& state) {
-  const model::Material material = felt_material(whole, model).at_moment(state.moment);
+  const model::Material material = held_material(felt_material(whole, model), state);
   const Sector sector{element_count(state.X), is_symmetric(state.X)};
   const NodeChain empty(sector.elements());
-  SecondVariation out{.sector = sector,
-                      .powers = {empty, empty, empty},
-                      .mass = empty,
-                      .constraints = Eigen::MatrixXd::Zero(empty.size(), 2),
-                      .moment = {},
-                      .has_order = has_free_order(model),
-                      .stiffness = material.kappa(state.beta.maxCoeff()),
-                      .state = sector.is_half ? symmetric_part(state) : state};
+  SecondVariation out{
+      .sector = sector,
+      .powers = {empty, empty, empty},
+      .mass = empty,
+      .constraints = Eigen::MatrixXd::Zero(empty.size(), whole.conserves_order() ? 3 : 2),
+      .moment = {},
+      .has_order = has_free_order(model),
+      .stiffness = material.kappa(state.beta.maxCoeff()),
+      .state = sector.is_half ? symmetric_part(state) : state};
   out.state.tension = felt_tension(whole, state);
   if (whole.area_difference.is_there())
     out.moment = {Eigen::VectorXd::Zero(empty.size()),

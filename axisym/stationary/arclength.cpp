@@ -29,6 +29,7 @@ Increment scaled(Increment t, double factor) {
   t.tension *= factor;
   t.pressure *= factor;
   t.moment *= factor;
+  t.chemical_potential *= factor;
   t.mu *= factor;
   return t;
 }

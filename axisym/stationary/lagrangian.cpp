@@ -94,13 +94,17 @@ Eigen::Matrix<double, data, 1> padded(const First& density) {
   return g;
 }
 
-// From ∂W₂ to what the moment's equation has: less c/(π k_ad) ∂A.
+// From ∂W₂ to what the moment's equation has: less c/(π k_ad) ∂A; and from −∂∫β dS to that of the chemical potential.
 template <class Derivatives>
 void finish(const model::Material& material, double moment, Derivatives& out) {
   if (!material.area_difference.is_there())
     out.of_W2.setZero();
   else
     out.of_W2 -= moment * material.area_difference.compliance() * out.constraints.col(0);
+  if (material.conserves_order())
+    out.of_order += *material.mean_order * out.constraints.col(0);
+  else
+    out.of_order.setZero();
 }
 
 }  // namespace
@@ -110,41 +114,47 @@ LagrangianDerivatives::LagrangianDerivatives(const Sector& of)
       hessian(node_unknowns * of.nodes(), 4 * node_unknowns - 1),
       gradient(node_unknowns * of.nodes()),
       constraints(node_unknowns * of.nodes(), 2),
-      of_W2(node_unknowns * of.nodes()) {}
+      of_W2(node_unknowns * of.nodes()),
+      of_order(node_unknowns * of.nodes()) {}
 
 void assemble(const model::Material& whole, const StationaryState& state, const Nodes& normals,
               LagrangianDerivatives& out) {
-  const model::Material material = whole.at_moment(state.moment);
+  const model::Material material = held_material(whole, state);
   const double tension = felt_tension(whole, state);
   out.hessian.set_zero();
   out.gradient.setZero();
   out.constraints.setZero();
   out.of_W2.setZero();
-  out.area = out.volume = out.W2 = 0;
+  out.of_order.setZero();
+  out.area = out.volume = out.W2 = out.order = 0;
   Eigen::Matrix<double, element_unknowns, element_unknowns> matrix;
-  Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV, dW2;
+  Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV, dW2, dOrder;
   for (int e = 0; e < out.sector.elements(); ++e) {
     matrix.setZero();
     vector.setZero();
     dA.setZero();
     dV.setZero();
     dW2.setZero();
+    dOrder.setZero();
     for (const ShapeValues& s : assembly_points()) {
       const NormalShapes shapes(normals, e, s);
       const auto rows = data_rows(shapes, s);
       const auto q = point_data(state, shapes, e, s);
       const PointDerivatives density = differentiate(material, tension, state.pressure, q);
       const auto x = independent<First>(q);
-      const First A = area_density(x), V = volume_density(x), W2 = A * x[at_H];
+      const First A = area_density(x), V = volume_density(x), W2 = A * x[at_H],
+                  order = A * x[at_beta];
       const double weight = out.sector.copies(e) * s.weight;
       model::add_matrix(rows, rows, density.hessian, weight, matrix);
       model::add_vector(rows, density.gradient, weight, vector);
       model::add_vector(rows, padded(A), weight, dA);
       model::add_vector(rows, padded(V), weight, dV);
       model::add_vector(rows, padded(W2), weight, dW2);
+      model::add_vector(rows, padded(order), weight, dOrder);
       out.area += weight * A.a;
       out.volume += weight * V.a;
       out.W2 += weight * W2.a;
+      out.order += weight * order.a;
     }
     const auto global = [&](int k) { return global_index(out.sector, e, k); };
     for (int j = 0; j < element_unknowns; ++j) {
@@ -152,6 +162,7 @@ void assemble(const model::Material& whole, const StationaryState& state, const 
       out.constraints(global(j), 0) += dA[j];
       out.constraints(global(j), 1) -= dV[j];
       out.of_W2[global(j)] += dW2[j];
+      out.of_order[global(j)] -= dOrder[j];
       for (int i = 0; i < element_unknowns; ++i) out.hessian(global(i), global(j)) += matrix(i, j);
     }
   }
@@ -160,17 +171,18 @@ void assemble(const model::Material& whole, const StationaryState& state, const 
 
 LagrangianGradient gradient_at(const model::Material& whole, const StationaryState& state,
                                const Nodes& normals, const Sector& sector) {
-  const model::Material material = whole.at_moment(state.moment);
+  const model::Material material = held_material(whole, state);
   const double tension = felt_tension(whole, state);
   const Eigen::Index unknowns = node_unknowns * sector.nodes();
   LagrangianGradient out{Eigen::VectorXd::Zero(unknowns), Eigen::MatrixXd::Zero(unknowns, 2),
-                         Eigen::VectorXd::Zero(unknowns)};
-  Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV, dW2;
+                         Eigen::VectorXd::Zero(unknowns), Eigen::VectorXd::Zero(unknowns)};
+  Eigen::Matrix<double, element_unknowns, 1> vector, dA, dV, dW2, dOrder;
   for (int e = 0; e < sector.elements(); ++e) {
     vector.setZero();
     dA.setZero();
     dV.setZero();
     dW2.setZero();
+    dOrder.setZero();
     for (const ShapeValues& s : assembly_points()) {
       const NormalShapes shapes(normals, e, s);
       const auto rows = data_rows(shapes, s);
@@ -183,15 +195,18 @@ LagrangianGradient gradient_at(const model::Material& whole, const StationarySta
         gradient += padded(q[nonlinear_data + k] * c);
         gradient[nonlinear_data + k] = c.a;
       }
-      const First A = area_density(x), V = volume_density(x), W2 = A * x[at_H];
+      const First A = area_density(x), V = volume_density(x), W2 = A * x[at_H],
+                  order = A * x[at_beta];
       const double weight = sector.copies(e) * s.weight;
       model::add_vector(rows, gradient, weight, vector);
       model::add_vector(rows, padded(A), weight, dA);
       model::add_vector(rows, padded(V), weight, dV);
       model::add_vector(rows, padded(W2), weight, dW2);
+      model::add_vector(rows, padded(order), weight, dOrder);
       out.area += weight * A.a;
       out.volume += weight * V.a;
       out.W2 += weight * W2.a;
+      out.order += weight * order.a;
     }
     for (int k = 0; k < element_unknowns; ++k) {
       const int i = global_index(sector, e, k);
@@ -199,6 +214,7 @@ LagrangianGradient gradient_at(const model::Material& whole, const StationarySta
       out.constraints(i, 0) += dA[k];
       out.constraints(i, 1) -= dV[k];
       out.of_W2[i] += dW2[k];
+      out.of_order[i] -= dOrder[k];
     }
   }
   finish(whole, state.moment, out);

@@ -81,8 +81,10 @@ struct LagrangianDerivatives {
   model::BandMatrix hessian;    // 4 nodes x 4 nodes
   Eigen::VectorXd gradient;     // 4 nodes
   Eigen::MatrixXd constraints;  // 4 nodes x 2: ∂A, −∂V
-  Eigen::VectorXd of_W2;  // 4 nodes: ∂(W₂ − c A/(π k_ad)); 0 without an area difference
+  Eigen::VectorXd of_W2;     // 4 nodes: ∂(W₂ − c A/(π k_ad)); 0 without an area difference
+  Eigen::VectorXd of_order;  // 4 nodes: −∂∫(β − β̄)dS; 0 where the order is not conserved
   double area = 0, volume = 0, W2 = 0;
+  double order = 0;  ///< ∫β dS
   explicit LagrangianDerivatives(const Sector& sector);
 };
 
@@ -95,7 +97,8 @@ struct LagrangianGradient {
   Eigen::VectorXd gradient;     // 4 nodes
   Eigen::MatrixXd constraints;  // 4 nodes x 2: ∂A, −∂V
   Eigen::VectorXd of_W2;        // 4 nodes
-  double area = 0, volume = 0, W2 = 0;
+  Eigen::VectorXd of_order;     // 4 nodes
+  double area = 0, volume = 0, W2 = 0, order = 0;
 };
 LagrangianGradient gradient_at(const model::Material& material, const StationaryState& state,
                                const Nodes& normals, const Sector& sector);

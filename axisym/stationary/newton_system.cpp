@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <stdexcept>
 
 namespace sbeh::axisym {
 
@@ -21,7 +22,10 @@ Eigen::VectorXd scattered(const Increment& row) {
 
 NewtonSystem::NewtonSystem(const model::Material& material, model::Model model,
                            const Sector& sector)
-    : material_(felt_material(material, model)), model_(model), derivatives_(sector) {}
+    : material_(felt_material(material, model)), model_(model), derivatives_(sector) {
+  if (material_.conserves_order() && !material_.mean_order)
+    throw std::invalid_argument("a conserved order at rest: mean_order must be given");
+}
 
 // What acts on the whole, on its part: what acts on mirror images is added.
 Eigen::VectorXd NewtonSystem::folded(const Eigen::VectorXd& load) const {
@@ -41,16 +45,19 @@ bool NewtonSystem::linearise(const StationaryState& state) {
     derivatives_.gradient[i] = 0;
     derivatives_.constraints.row(i).setZero();
     derivatives_.of_W2[i] = 0;
+    derivatives_.of_order[i] = 0;
   });
   return derivatives_.gradient.allFinite() && derivatives_.hessian.factor();
 }
 
 template <class Derivatives>
-Eigen::Vector3d NewtonSystem::miss(const Derivatives& there, const Target& target,
+Eigen::Vector4d NewtonSystem::miss(const Derivatives& there, const Target& target,
                                    double moment) const {
   const model::AreaDifference& ad = material_.area_difference;
   const double of_W2 = ad.is_there() ? ad.W2 + moment * ad.compliance() * there.area - there.W2 : 0;
-  return {target.area - there.area, there.volume - target.volume, of_W2};
+  const double of_order =
+      material_.conserves_order() ? there.order - *material_.mean_order * there.area : 0;
+  return {target.area - there.area, there.volume - target.volume, of_W2, of_order};
 }
 
 bool NewtonSystem::newton_step(const Target& target, Increment& step) {
@@ -66,21 +73,21 @@ bool NewtonSystem::newton_step_from(const StationaryState& state, const Target& 
 
 bool NewtonSystem::newton_step(const Target& target, const PathEquation& path, double arc,
                                Increment& step) {
-  Eigen::Vector4d border;
+  Eigen::Matrix<double, 5, 1> border;
   border << miss(derivatives_, target, moment_), arc;
   return solve(-derivatives_.gradient, border, &path, step);
 }
 
 bool NewtonSystem::tangent(const Eigen::VectorXd& gradient_rate, double volume_rate, double W2_rate,
                            Increment& direction) {
-  const bool ok =
-      solve(-folded(gradient_rate), Eigen::Vector3d(0, -volume_rate, W2_rate), nullptr, direction);
+  const bool ok = solve(-folded(gradient_rate), Eigen::Vector4d(0, -volume_rate, W2_rate, 0),
+                        nullptr, direction);
   direction.mu = 1;
   return ok;
 }
 
 bool NewtonSystem::tangent(const PathEquation& path, Increment& direction) {
-  return solve(Eigen::VectorXd::Zero(derivatives_.gradient.size()), Eigen::Vector4d(0, 0, 0, 1),
+  return solve(Eigen::VectorXd::Zero(derivatives_.gradient.size()), Eigen::VectorXd::Unit(5, 4),
                &path, direction);
 }
 
@@ -92,12 +99,14 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
   B.col(2) = C.col(2) = derivatives_.of_W2;
   const model::AreaDifference& ad = material_.area_difference;
   D(2, 2) = ad.is_there() ? -ad.compliance() * derivatives_.area : 1;
+  B.col(3) = C.col(3) = derivatives_.of_order;
+  D(3, 3) = material_.conserves_order() ? 0 : 1;
   if (path) {
-    B.col(3) = folded(path->gradient_rate);
-    C.col(3) = folded(scattered(path->row));
-    D(1, 3) = path->volume_rate;
-    D(2, 3) = ad.is_there() ? -path->W2_rate : 0;
-    D(3, 3) = path->row.mu;
+    B.col(4) = folded(path->gradient_rate);
+    C.col(4) = folded(scattered(path->row));
+    D(1, 4) = path->volume_rate;
+    D(2, 4) = ad.is_there() ? -path->W2_rate : 0;
+    D(4, 4) = path->row.mu;
   }
   Eigen::VectorXd f = rhs;
   const Sector& sector = derivatives_.sector;
@@ -121,7 +130,8 @@ bool NewtonSystem::solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& bord
   out.tension = solution.y[0];
   out.pressure = solution.y[1];
   out.moment = solution.y[2];
-  out.mu = path ? solution.y[3] : 0;
+  out.chemical_potential = solution.y[3];
+  out.mu = path ? solution.y[4] : 0;
   return true;
 }
 
@@ -158,6 +168,7 @@ void displace(const Increment& step, double scale, StationaryState& state) {
   state.tension += scale * step.tension;
   state.pressure += scale * step.pressure;
   state.moment += scale * step.moment;
+  state.chemical_potential += scale * step.chemical_potential;
 }
 
 }  // namespace sbeh::axisym

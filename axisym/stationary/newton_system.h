@@ -20,7 +20,7 @@ void for_each_pinned(model::Model model, const Sector& sector, Visit&& visit) {
 /// A direction or a step in all unknowns; fields are nodal, `d` along the node normals.
 struct Increment {
   Field d, Lambda, H, beta;
-  double tension = 0, pressure = 0, moment = 0;
+  double tension = 0, pressure = 0, moment = 0, chemical_potential = 0;
   double mu = 0;  ///< parameter of a path; 0 where there is none
 };
 
@@ -71,9 +71,9 @@ class NewtonSystem {
 
  private:
   Eigen::VectorXd folded(const Eigen::VectorXd& load) const;
-  // What area, volume and moment miss; `there` is a LagrangianDerivatives or LagrangianGradient.
+  // What area, volume, moment and order miss; `there` is a LagrangianDerivatives or LagrangianGradient.
   template <class Derivatives>
-  Eigen::Vector3d miss(const Derivatives& there, const Target& target, double moment) const;
+  Eigen::Vector4d miss(const Derivatives& there, const Target& target, double moment) const;
   bool solve(const Eigen::VectorXd& rhs, const Eigen::VectorXd& border_rhs,
              const PathEquation* path, Increment& out);
 

@@ -8,7 +8,7 @@ namespace sbeh::axisym {
 
 namespace {
 
-constexpr int global_multipliers = 3;     // tension, pressure, moment
+constexpr int global_multipliers = 4;     // tension, pressure, moment, chemical potential
 constexpr int block = 3 * node_unknowns;  // an element without its last node
 using Block = Eigen::Matrix<double, block, block>;
 using Border = Eigen::Matrix<double, block, global_multipliers>;
@@ -63,10 +63,12 @@ int negative_directions(const LagrangianDerivatives& lagrangian, const model::Ma
     return std::abs(i - j) <= lagrangian.hessian.half_width() ? lagrangian.hessian(i, j) : 0.;
   };
 
-  // Without an area difference nothing couples to the moment, whose 1 counts as no negative.
+  // Without an area difference nothing couples to the moment, whose 1 counts as no negative; likewise the order.
   const model::AreaDifference& ad = material.area_difference;
+  const bool conserves = has_free_order(model) && material.conserves_order();
   Corner corner = Corner::Zero();
   corner(2, 2) = ad.is_there() ? -ad.compliance() * lagrangian.area : 1;
+  corner(3, 3) = conserves ? 0 : 1;
   InertiaCounter counter(corner);
   const int blocks = (size + block - 1) / block;  // the last one is padded
   for (int k = 0; k < blocks; ++k) {
@@ -81,10 +83,11 @@ int negative_directions(const LagrangianDerivatives& lagrangian, const model::Ma
       const bool is_free = row < size && !pinned[std::size_t(row)];
       for (int c = 0; c < 2; ++c) border(i, c) = is_free ? lagrangian.constraints(row, c) : 0;
       border(i, 2) = is_free ? lagrangian.of_W2[row] : 0;
+      border(i, 3) = is_free ? lagrangian.of_order[row] : 0;
     }
     counter.eliminate(diagonal, below, border);
   }
-  return counter.finish() - nodes - (ad.is_there() ? 3 : 2);
+  return counter.finish() - nodes - 2 - (ad.is_there() ? 1 : 0) - (conserves ? 1 : 0);
 }
 
 }  // namespace sbeh::axisym

@@ -12,7 +12,11 @@
 namespace sbeh::axisym {
 
 model::Material felt_material(const model::Material& material, model::Model model) {
-  return has_free_order(model) ? material : material.without_gaussian();
+  return has_free_order(model) ? material : material.without_gaussian().with_uniform_order();
+}
+
+model::Material held_material(const model::Material& material, const StationaryState& state) {
+  return material.at_moment(state.moment).at_chemical_potential(state.chemical_potential);
 }
 
 double felt_tension(const model::Material& material, const StationaryState& state) {
@@ -34,6 +38,13 @@ StationaryState guess_from(const model::Material& whole, model::Model model, con
     return gradient_at(material, guess, n, {element_count(guess.X), false});
   };
   LagrangianGradient lagrangian = gradient();
+  if (material.conserves_order()) {
+    // Least squares over the orders, each of which feels its own force and μ_β.
+    const auto orders = Eigen::seqN(Eigen::Index(node_beta), nodes, Eigen::Index(node_unknowns));
+    const Eigen::VectorXd column = lagrangian.of_order(orders);
+    guess.chemical_potential = -column.dot(lagrangian.gradient(orders)) / column.squaredNorm();
+    lagrangian = gradient();
+  }
   const model::AreaDifference& ad = material.area_difference;
   const bool is_couple = ad.is_there() && ad.compliance() == 0;  // whose moment may be any
   if (ad.is_there() && !is_couple) {

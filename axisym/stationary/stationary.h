@@ -5,7 +5,9 @@
 //   𝓛 = U(X, β, H) + [(H ν, Λ) + (1, Div_C Λ)] + Σ (A − A₀) − P (V − V₀).
 // With an area difference (model/material.h) the moment c is one more number:
 //   … + c (W₂ − W₂⁰) − c² A/(2π k_ad),
-// which acts as f + c for f, and as Σ − c²/(2π k_ad) for Σ.
+// which acts as f + c for f, and as Σ − c²/(2π k_ad) for Σ. Where the order is conserved the chemical potential is one, too:
+//   … − μ_β (∫β dS − β̄ A),
+// which acts as u − μ_β(β − β̄) for u.
 // The curve moves along its node normals, X + Σ d_i φ_i n_i, and the multiplier is Λ = Σ Λ_i φ_i n_i;
 // the north pole is held to fix the position along the axis. All derivatives come from automatic
 // differentiation of the one pointwise density, so that residual and matrix cannot disagree and the
@@ -43,6 +45,9 @@ struct NewtonOptions {
 /// What the Lagrangian has of a material: all of it where the order is free; where it is uniform no Gaussian energy,
 /// which is a constant, and whose parts would outweigh all others in narrow necks.
 model::Material felt_material(const model::Material& material, model::Model model);
+
+/// With what the state's moment and chemical potential make of it.
+model::Material held_material(const model::Material& material, const StationaryState& state);
 
 /// Σ − c²/(2π k_ad), what multiplies the area in the Lagrangian.
 double felt_tension(const model::Material& material, const StationaryState& state);

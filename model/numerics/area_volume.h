@@ -8,10 +8,11 @@
 
 namespace sbeh::model {
 
-/// The area and volume that a surface keeps.
+/// The area and volume that a surface keeps, and ∫β dS where the order is conserved.
 struct Target {
   double area;
   double volume;
+  std::optional<double> order{};
 };
 
 /// V_r = 6√π V / A^{3/2}, 1 for the sphere.

@@ -54,6 +54,15 @@ class BlockMatrix {
           all.template block<Count, Count>(Count * i, Count * j).setZero();
     return all;
   }
+  /// The symmetric matrix of which these are the blocks on its diagonal and above.
+  auto symmetric() const {
+    auto all = dense();
+    for (int j = 0; j < Columns; ++j)
+      for (int i = 0; i < j; ++i)
+        all.template block<Count, Count>(Count * j, Count * i) =
+            all.template block<Count, Count>(Count * i, Count * j).transpose();
+    return all;
+  }
 
  private:
   static constexpr std::size_t index(int i, int j) {
@@ -84,9 +93,13 @@ BlockMatrix<Count, Rows, Columns>& outer_products(BlockMatrix<Count, Rows, Colum
   return matrix;
 }
 
+/// Which blocks of a matrix are added to: all, or those of a symmetric one on its diagonal and above.
+enum class Blocks { all, upper };
+
 /// matrix += weight · Tᵀ D B.  D: factors x data, row = test, column = unknown. Its zeros cost nothing, and
 /// data that read the same unknowns are combined before they meet the test functions.
-template <int Count, std::size_t Factors, std::size_t Data, class Derivative, class Matrix>
+template <Blocks blocks = Blocks::all, int Count, std::size_t Factors, std::size_t Data,
+          class Derivative, class Matrix>
 void add_matrix(const std::array<DataRow<Count>, Factors>& T,
                 const std::array<DataRow<Count>, Data>& B, const Derivative& D, double weight,
                 Matrix& matrix) {
@@ -100,7 +113,7 @@ void add_matrix(const std::array<DataRow<Count>, Factors>& T,
     std::array<bool, Data> met{};
     for (std::size_t j = 0; j < Data; ++j) {
       const double value = D(Eigen::Index(i), Eigen::Index(j));
-      if (value == 0) continue;
+      if (value == 0 || (blocks == Blocks::upper && B[j].first < T[i].first)) continue;
       const std::size_t k = leader[j];
       if (met[k])
         trial[k] += value * ShapeMap<Count>(B[j].shape);

@@ -172,6 +172,8 @@ CompareInput read_compare(const std::filesystem::path& path) {
   input.state.material = read_material_without_L(material, {input.state.L()},
                                                  "a comparison, where L comes from [compare]")
                              .with_L1(input.state.L());
+  if (input.state.material.conserves_order())
+    material.fail("order", "must be \"relaxing\" in a comparison: most methods know no other");
   refuse_spontaneous_curvature(material, input);
   input.state.numerics = read_numerics<axisym::Numerics>(numerics);
   input.surface3d = read_surface_method(surface, input);

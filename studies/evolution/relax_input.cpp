@@ -40,8 +40,12 @@ void read_scan(const TomlTable& start, RelaxInput& input) {
 
 const std::vector<StartShape<RelaxInput>>& relax_shapes() {
   static const std::vector<StartShape<RelaxInput>> all{
-      {"ellipsoid", {"reduced_volume", "axes", "kind", "order"}, read_ellipsoid},
-      {"harmonics", {"modes", "reduced_volume", "order", "order_modes"}, read_harmonics},
+      {"ellipsoid",
+       {"reduced_volume", "axes", "kind", "order", "domains", "domain_width"},
+       read_ellipsoid},
+      {"harmonics",
+       {"modes", "reduced_volume", "order", "order_modes", "domains", "domain_width"},
+       read_harmonics},
       {"scan", scan_row_keys(), read_scan, true},
   };
   return all;
@@ -49,8 +53,9 @@ const std::vector<StartShape<RelaxInput>>& relax_shapes() {
 
 void read_start(const TomlTable& start, RelaxInput& input) {
   const auto& shape = chosen_shape(start, relax_shapes());
-  refuse_order(start, input.model, {"order", "order_modes"});
+  refuse_order(start, input.model, {"order", "order_modes", "domains", "domain_width"});
   shape.read(start, input);
+  input.order_pattern = read_order_pattern(start, true);
   if (start.has("perturbation"))
     input.perturbation = start.modes("perturbation", 1, largest_degree);
   start.reject_unknown_keys();
@@ -62,6 +67,7 @@ void write_start(TomlText& toml, const RelaxInput& input) {
   std::visit([&](const auto& start) { write_shape(toml, start); }, input.start);
   if (std::holds_alternative<Ellipsoid>(input.start) && has_free_order(input.model))
     toml.value("order", input.initial_order);
+  write_order_pattern(toml, input.order_pattern);
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
 }
 
@@ -84,6 +90,11 @@ RelaxInput read_relax(const std::filesystem::path& path) {
   read_start(start, input);
   static_cast<Physics&>(input) =
       read_physics(file, model, material, [&] { return origin_of_any(input.start); });
+  if (input.material.conserves_order() && has_free_order(input.model) && !start.has("order")) {
+    input.initial_order = outside_of(start, input.material, input.order_pattern);
+    if (auto* harmonics = std::get_if<Harmonics>(&input.start))
+      harmonics->order = input.initial_order;
+  }
   input.numerics = read_numerics<axisym::Numerics>(numerics);
   time.measured_by(read_scales(file, input.units, input.material, input.model));
   input.times = read_times(time, "profiles");

@@ -4,6 +4,7 @@
 #include "axisym/options.h"
 #include "axisym/start_shapes.h"
 #include "model/material.h"
+#include "studies/evolution/initial_order.h"
 #include "studies/evolution/start_shape.h"
 #include "studies/evolution/times.h"
 #include "studies/parameters/units.h"
@@ -33,7 +34,8 @@ struct Harmonics {
 struct RelaxInput : Physics {
   std::variant<Ellipsoid, Harmonics, ScanRow> start;
   double initial_order = model::full_order;  ///< β of the ellipsoid, 0 … 1
-  std::vector<axisym::Mode> perturbation;    ///< displaces along the normal by Σ a_l Y_l
+  OrderPattern order_pattern;  ///< domains around the poles, where the start brings no order
+  std::vector<axisym::Mode> perturbation;  ///< displaces along the normal by Σ a_l Y_l
   axisym::Numerics numerics;
   Times times;                   ///< states: profiles
   std::optional<Units> units{};  ///< for people: no number depends on them

@@ -58,11 +58,17 @@ std::vector<std::string> and_triangles(std::vector<std::string> keys) {
   return keys;
 }
 
+const ParameterNames order_keys{"order", "domains", "domain_width", "order_modes", "order_noise"};
+std::vector<std::string> and_order(std::vector<std::string> keys) {
+  keys.insert(keys.end(), order_keys.begin(), order_keys.end());
+  return keys;
+}
+
 const std::vector<StartShape<RunInput>>& run_shapes() {
   static const std::vector<StartShape<RunInput>> all{
-      {"ellipsoid", {"reduced_volume", "axes", "kind", "triangles", "order"}, read_ellipsoid},
-      {"harmonics", {"modes", "reduced_volume", "triangles", "order"}, read_harmonics},
-      {"mesh", {"file", "order"}, read_mesh_file},
+      {"ellipsoid", and_order({"reduced_volume", "axes", "kind", "triangles"}), read_ellipsoid},
+      {"harmonics", and_order({"modes", "reduced_volume", "triangles"}), read_harmonics},
+      {"mesh", and_order({"file"}), read_mesh_file},
       {"scan", and_triangles(scan_row_keys()), read_scan, true},
       {"frame", {"file"}, read_frame_file, true},
       {"mode", {"file", "amplitude", "triangles"}, read_mode_file, true},
@@ -72,11 +78,12 @@ const std::vector<StartShape<RunInput>>& run_shapes() {
 
 void read_surface(const TomlTable& surface, RunInput& input) {
   const auto& shape = chosen_shape(surface, run_shapes());
-  refuse_order(surface, input.model, {"order"});
+  refuse_order(surface, input.model, order_keys);
   shape.read(surface, input);
   input.triangles = surface.integer("triangles", meshing::fewest_triangles, meshing::most_triangles,
                                     input.triangles);
   input.initial_order = surface.number("order", orders, input.initial_order);
+  input.order_pattern = read_order_pattern(surface, false);
   if (surface.has("perturbation"))
     input.perturbation = surface.harmonics("perturbation", largest_degree);
   surface.reject_unknown_keys();
@@ -106,7 +113,10 @@ void write_surface(TomlText& toml, const RunInput& input) {
   toml.value("shape", shape.name);
   std::visit([&](const auto& start) { write_shape(toml, start); }, input.start);
   if (shape.has("triangles")) toml.value("triangles", input.triangles);
-  if (shape.has("order") && has_free_order(input.model)) toml.value("order", input.initial_order);
+  if (shape.has("order") && has_free_order(input.model)) {
+    toml.value("order", input.initial_order);
+    write_order_pattern(toml, input.order_pattern);
+  }
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
 }
 
@@ -138,6 +148,8 @@ RunInput read_with(const fs::path& path, const FindOrigin& find_origin) {
   read_surface(surface, input);
   static_cast<Physics&>(input) =
       read_physics(file, model, material, [&] { return find_origin(input); });
+  if (input.material.conserves_order() && has_free_order(input.model) && !surface.has("order"))
+    input.initial_order = outside_of(surface, input.material, input.order_pattern);
   input.numerics = read_numerics<surface3d::Numerics>(numerics);
   if (input.numerics.integrator == surface3d::Integrator::variational
       && area_constraint(input.model) == model::AreaConstraint::global)

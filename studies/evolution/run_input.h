@@ -3,6 +3,7 @@
 
 #include "meshing/spherical_harmonics.h"
 #include "model/material.h"
+#include "studies/evolution/initial_order.h"
 #include "studies/evolution/start_shape.h"
 #include "studies/evolution/times.h"
 #include "studies/parameters/units.h"
@@ -67,6 +68,7 @@ struct RunInput : Physics {
   std::variant<Ellipsoid, HarmonicSphere, MeshFileStart, ScanRow, FrameStart, ModeStart> start;
   int triangles = 320;                          ///< about so many; files bring their own
   double initial_order = model::full_order;     ///< where the start brings none, 0 … 1
+  OrderPattern order_pattern;                   ///< likewise, added to it
   std::vector<meshing::Harmonic> perturbation;  ///< displaces along the normal by Σ a_lm Y_lm
   surface3d::Numerics numerics;
   Times times;  ///< states: frames

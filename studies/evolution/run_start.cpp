@@ -11,6 +11,8 @@
 #include "studies/mesh_files/mesh_file.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/profile_file.h"
+#include "surface3d/moments.h"
+#include "surface3d/order_step.h"
 
 #include <fmt/format.h>
 
@@ -174,6 +176,33 @@ meshing::RevolvedMesh displaced(const StateMode& mode, double amplitude, int tri
   return {std::move(made.mesh), beta};
 }
 
+namespace {
+
+// Where the start brings none.
+surface3d::Field first_order(const RunInput& input, const surface3d::Triangulation& mesh,
+                             const surface3d::Nodes& X) {
+  if (!model::has_free_order(input.model))
+    return surface3d::Field::Constant(mesh.nodes, model::full_order);
+  try {
+    AreaSamples surface;
+    if (input.order_pattern.is_there()) {
+      auto samples = surface3d::samples_of(mesh, X);
+      surface = {std::move(samples.points), std::move(samples.areas)};
+    }
+    surface3d::State state{X,
+                           with_pattern(surface3d::Field::Constant(mesh.nodes, input.initial_order),
+                                        input.order_pattern, X, surface)};
+    if (input.material.conserves_order())
+      state.beta.array() += shift_to_mean(
+          input.material, surface3d::total_order(mesh, state) / surface3d::area(mesh, X));
+    return state.beta;
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("[surface] {}", error.what()));
+  }
+}
+
+}  // namespace
+
 RunStart start_of(const RunInput& input) {
   Start start;
   try {
@@ -190,10 +219,8 @@ RunStart start_of(const RunInput& input) {
   if (std::abs(meshing::area(start.mesh) / unit_area - 1) > 1e-14)
     meshing::scale_to_area(start.mesh, unit_area);
   const bool free_order = model::has_free_order(input.model);
-  if (start.beta.size() == 0)
-    start.beta.setConstant(start.mesh.node_count(),
-                           free_order ? input.initial_order : model::full_order);
   const auto mesh = std::make_shared<const surface3d::Triangulation>(start.mesh);
+  if (start.beta.size() == 0) start.beta = first_order(input, *mesh, start.mesh.nodes);
   const surface3d::State brought{start.mesh.nodes, start.beta};
   surface3d::State state = brought;
   if (!free_order) state.beta.setConstant(model::full_order);

@@ -284,6 +284,23 @@ TomlTable TomlTable::table(std::string_view key) const {
   return TomlTable(std::make_shared<TableState>(std::move(child)));
 }
 
+std::vector<TomlTable> TomlTable::tables(std::string_view key) const {
+  constexpr const char* kind = "must be a list of tables, [{ ... }, ...]";
+  const toml::node* value = find(*state_, key, false, kind);
+  std::vector<TomlTable> all;
+  for (const toml::node& element : as_list(*state_, key, *value, kind)) {
+    if (!element.is_table()) fail_at(*state_, key, element, kind);
+    TableState child{
+        .file = state_->file, .document = state_->document, .section = state_->section};
+    child.file_table = state_->file_table ? state_->file_table : state_;
+    child.table = element.as_table();
+    child.line = line_of(element);
+    child.prefix = state_->prefix + shown_key(key) + ".";
+    all.emplace_back(std::make_shared<TableState>(std::move(child)));
+  }
+  return all;
+}
+
 void TomlTable::refuse(std::string_view key, std::string_view reason) const {
   if (state_->table && state_->table->get(key)) fail(key, reason);
 }

@@ -93,6 +93,8 @@ class TomlTable {
   std::vector<meshing::Harmonic> harmonics(std::string_view key, int highest) const;
   /// A table in this one. One that is absent is empty: what it requires is then missing.
   TomlTable table(std::string_view key) const;
+  /// A list of tables, not empty.
+  std::vector<TomlTable> tables(std::string_view key) const;
 
   /// For keys which have no place here: throws if the key is there, for this reason.
   void refuse(std::string_view key, std::string_view reason) const;

@@ -18,6 +18,8 @@ std::string as_toml(const std::string& text) { return in_quotes(text); }
 std::string as_toml(const meshing::Harmonic& h) {
   return fmt::format("[{}, {}, {}]", h.l, h.m, h.amplitude);
 }
+std::string as_toml(const std::optional<double>& value) { return value ? as_toml(*value) : ""; }
+
 std::string as_toml(const axisym::Mode& mode) {
   return fmt::format("[{}, {}]", mode.l, mode.amplitude);
 }

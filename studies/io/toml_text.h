@@ -5,6 +5,7 @@
 #include "meshing/spherical_harmonics.h"
 #include "model/material.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -15,6 +16,7 @@ namespace sbeh::studies {
 /// A value as it stands in a file; numbers have as many digits as they need.
 std::string as_toml(double value);
 std::string as_toml(int value);
+std::string as_toml(const std::optional<double>& value);  ///< of none: an empty text
 std::string as_toml(bool value);
 std::string as_toml(const std::string& text);
 std::string as_toml(const meshing::Harmonic& harmonic);
@@ -29,6 +31,12 @@ requires std::is_enum_v<Choice> std::string as_toml(Choice choice) {
 /// The coefficients of its powers.
 std::string as_toml(const model::Polynomial& polynomial);
 std::string as_toml(const model::AreaDifference& of);
+
+/// A value that stands in a file as it is here.
+struct AsIs {
+  std::string text;
+};
+inline std::string as_toml(const AsIs& value) { return value.text; }
 
 /// A list of values as they stand in a file, broken into lines that are not too long.
 std::string list_as_toml(const std::vector<std::string>& values);

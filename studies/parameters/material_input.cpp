@@ -3,6 +3,7 @@
 #include "studies/io/spelling.h"
 
 #include <numbers>
+#include <utility>
 
 namespace sbeh::studies {
 
@@ -52,7 +53,17 @@ model::Material read_functions(const TomlTable& table, model::Material material)
   if (!material.kappa_powers.empty())
     refuse(table, {"residual_stiffness"},
            "must not be given together with kappa, which says all of the bending stiffness");
+  // What a result was computed with may say more of another order.
+  if (!material.conserves_order() && !table.has("mean_order")) material.mean_order.reset();
+  if (material.order != model::OrderDynamics::diffusive && !table.has("order_mobility"))
+    material.order_mobility.reset();
   return material;
+}
+
+// A given κ(β) says all of the stiffness.
+ParameterNames without_k0(const model::Material& material, ParameterNames without) {
+  if (!material.kappa_powers.empty()) without.emplace_back("residual_stiffness");
+  return without;
 }
 
 }  // namespace
@@ -100,8 +111,11 @@ bool is_complete(const TomlTable& table, model::Model model) {
     const std::string_view key = parameter.name;
     if (contains(elastic_constants, key)) return;
     if (key == "kappa" || key == "kappa_gauss") return;  // as the elastic constants say
-    if (key == "area_difference") return;                // none
+    if (key == "area_difference" || key == "order" || key == "mean_order"
+        || key == "order_mobility")
+      return;  // none, relaxing
     bool said = table.has(key);
+    if (key == "residual_stiffness") said = table.has("kappa") || said;
     if (key == "potential") said = table.has(potential_shorthand) || said;
     if (contains(parameters_of_drag, key))
       said = said || has_own_drag(model) || (friction && key != "viscosity");
@@ -139,14 +153,16 @@ model::Material read_material_without_L(const TomlTable& table, const std::vecto
 
 void write_material(TomlText& toml, const model::Material& material, model::Model model) {
   toml.table("material");
-  write_parameters(toml, material, has_own_drag(model) ? parameters_of_drag : ParameterNames{});
+  write_parameters(
+      toml, material,
+      without_k0(material, has_own_drag(model) ? parameters_of_drag : ParameterNames{}));
 }
 
 void write_material_without_L(TomlText& toml, const model::Material& material,
                               ParameterNames without) {
   toml.table("material");
   without.emplace_back("L1");
-  write_parameters(toml, material, without);
+  write_parameters(toml, material, without_k0(material, std::move(without)));
 }
 
 void refuse_order(const TomlTable& table, model::Model model, const ParameterNames& keys) {

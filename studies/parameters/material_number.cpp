@@ -35,6 +35,8 @@ const std::vector<MaterialNumber>& MaterialNumber::all() {
         Number("k0", "residual_stiffness", "residual stiffness k₀", &Material::residual_stiffness,
                model::at_least(0)),
         Number("W2", "area_difference", "preferred W₂⁰", &model::AreaDifference::W2, {}),
+        Number("mean_order", "mean_order", "mean order β̄", &Material::mean_order,
+               model::between(-0.5, 1)),
     };
     const auto add = [&](const std::string& key, const char* letter, auto member,
                          std::size_t first) {
@@ -69,6 +71,8 @@ double MaterialNumber::of(const Material& material) const {
         const auto& value = part_with(material, member).*member;
         if constexpr (std::same_as<std::decay_t<decltype(value)>, double>) {
           return value;
+        } else if constexpr (std::same_as<std::decay_t<decltype(value)>, std::optional<double>>) {
+          return value.value_or(0);
         } else {
           const auto& powers = value.coefficients();
           return power_ < powers.size() ? powers[power_] : 0;
@@ -81,13 +85,14 @@ Material MaterialNumber::with(Material material, double value) const {
   std::visit(
       [&](auto member) {
         auto& there = part_with(material, member).*member;
-        if constexpr (std::same_as<std::decay_t<decltype(there)>, double>) {
+        using Value = std::decay_t<decltype(there)>;
+        if constexpr (std::same_as<Value, double> || std::same_as<Value, std::optional<double>>) {
           there = value;
         } else {
           auto powers = there.coefficients();
           powers.resize(std::max(powers.size(), power_ + 1));
           powers[power_] = value;
-          there = std::decay_t<decltype(there)>(std::move(powers));
+          there = Value(std::move(powers));
         }
       },
       member_);
@@ -97,11 +102,12 @@ Material MaterialNumber::with(Material material, double value) const {
 bool is_there(const MaterialNumber& number, const Material& material) {
   if (number.key() == "kappa") return !material.kappa_powers.empty();
   if (number.key() == "kappa_gauss") return !material.kappa_gauss_powers.empty();
+  if (number.key() == "mean_order") return material.conserves_order();
   return number.key() != "area_difference" || material.area_difference.is_there();
 }
 
 bool is_of_order(const MaterialNumber& number) {
-  return number.name().starts_with(number.key() + "_");
+  return number.name().starts_with(number.key() + "_") || number.key() == "mean_order";
 }
 
 }  // namespace sbeh::studies

@@ -3,6 +3,7 @@
 
 #include "model/material.h"
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
@@ -10,7 +11,7 @@
 
 namespace sbeh::studies {
 
-/// One of them: L (which is L1), L2, L3, H0, k0, W2 (of area_difference), or a coefficient of a power, as flexoelectric_1.
+/// One of them: L (which is L1), L2, L3, H0, k0, W2 (of area_difference), mean_order, or a coefficient of a power, as flexoelectric_1.
 class MaterialNumber {
  public:
   /// Null where there is none of that name; lives for ever.
@@ -30,7 +31,8 @@ class MaterialNumber {
 
  private:
   using Member = std::variant<double model::Material::*, model::Polynomial model::Material::*,
-                              model::Potential model::Material::*, double model::AreaDifference::*>;
+                              model::Potential model::Material::*, double model::AreaDifference::*,
+                              std::optional<double> model::Material::*>;
   MaterialNumber(std::string name, std::string key, std::string title, Member member,
                  const model::Interval& allowed, std::size_t power = 0)
       : name_(std::move(name)),
@@ -50,7 +52,8 @@ class MaterialNumber {
 /// Whether the number says how something depends on the order, which matters only where that is free.
 bool is_of_order(const MaterialNumber& number);
 
-/// Whether the material has it: κ and κ_G that are not given are no polynomials of the order, and an area difference may not be there.
+/// Whether the material has it: κ and κ_G that are not given are no polynomials of the order, an area difference may not be there, and
+/// the order may not be conserved.
 bool is_there(const MaterialNumber& number, const model::Material& material);
 
 }  // namespace sbeh::studies

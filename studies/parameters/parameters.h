@@ -37,6 +37,9 @@ inline void read_value(const TomlTable& table, const char* key, int& value) {
 inline void read_value(const TomlTable& table, const char* key, bool& value) {
   value = table.boolean(key, value);
 }
+inline void read_value(const TomlTable& table, const char* key, std::optional<double>& value) {
+  if (table.has(key)) value = table.number(key);
+}
 template <class E>
 requires std::is_enum_v<E>
 void read_value(const TomlTable& table, const char* key, E& value) {
@@ -68,13 +71,18 @@ void read_some(const TomlTable& table, Struct& into, const ParameterNames& these
   });
 }
 
-/// What stands in files: of polynomials those that are given, an area difference that is there.
+/// What stands in files: of polynomials and numbers those that are given, an area difference that is there, an order that does
+/// not relax.
 template <class Value>
 bool is_said(const Value& value) {
   if constexpr (std::derived_from<Value, model::Polynomial>)
     return !value.empty();
   else if constexpr (std::same_as<Value, model::AreaDifference>)
     return value.is_there();
+  else if constexpr (std::same_as<Value, std::optional<double>>)
+    return value.has_value();
+  else if constexpr (std::same_as<Value, model::OrderDynamics>)
+    return value != model::OrderDynamics::relaxing;
   else
     return true;
 }

@@ -26,7 +26,15 @@ Eigen::VectorXd as_numbers(const model::AreaDifference& of) {
 void set(model::AreaDifference& of, const Eigen::VectorXd& numbers) {
   of = {numbers[0], numbers.size() > 1 ? numbers[1] : 0};
 }
+Eigen::VectorXd as_numbers(const std::optional<double>& value) { return as_numbers(*value); }
+Eigen::VectorXd as_numbers(model::OrderDynamics value) { return as_numbers(double(int(value))); }
 void set(double& value, const Eigen::VectorXd& numbers) { value = numbers[0]; }
+void set(std::optional<double>& value, const Eigen::VectorXd& numbers) { value = numbers[0]; }
+void set(model::OrderDynamics& value, const Eigen::VectorXd& numbers) {
+  constexpr auto known = values_of(model::OrderDynamics{});
+  const double place = numbers[0];
+  if (place >= 0 && place < double(known.size())) value = known.at(std::size_t(place));
+}
 template <std::derived_from<model::Polynomial> Polynomial>
 void set(Polynomial& polynomial, const Eigen::VectorXd& numbers) {
   polynomial = Polynomial({numbers.begin(), numbers.end()});

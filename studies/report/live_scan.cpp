@@ -49,8 +49,8 @@ void add_shapes(const fs::path& folder, const PointModes& of, std::size_t most_n
     const auto nodes = evenly(read_rows(mode_node_columns(), file), most_nodes);
     using Node = ModeNode;
     shapes.add(fmt::format("{}/{}", of.row, stem(mode.key)),
-               values_of(nodes, std::array{&Node::r, &Node::z, &Node::order, &Node::displacement,
-                                           &Node::order_change}));
+               field_values(nodes, std::array{&Node::r, &Node::z, &Node::order, &Node::displacement,
+                                              &Node::order_change}));
   }
 }
 

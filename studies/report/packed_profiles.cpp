@@ -19,7 +19,7 @@ void PackedProfiles::add(int index, const std::filesystem::path& file) {
   using Row = ProfileRow;
   const auto nodes = evenly(read_rows(profile_columns(), file), most_nodes_);
   fields_.add(std::to_string(index),
-              values_of(nodes, std::array{&Row::r, &Row::z, &Row::order, &Row::mean_curvature}));
+              field_values(nodes, std::array{&Row::r, &Row::z, &Row::order, &Row::mean_curvature}));
 }
 
 }  // namespace sbeh::studies

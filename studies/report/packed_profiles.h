@@ -16,8 +16,8 @@ std::size_t most_profile_nodes(std::size_t profiles);
 
 /// Of each field at all nodes.
 template <class Node, std::size_t fields>
-std::vector<std::vector<double>> values_of(const std::vector<Node>& nodes,
-                                           const std::array<double Node::*, fields>& members) {
+std::vector<std::vector<double>> field_values(const std::vector<Node>& nodes,
+                                              const std::array<double Node::*, fields>& members) {
   std::vector<std::vector<double>> values;
   for (const auto member : members) {
     std::vector<double>& field = values.emplace_back();

@@ -4,6 +4,7 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
 #include "studies/io/stopwatch.h"
+#include "studies/rest_states/coarser_triangles.h"
 #include "studies/rest_states/rest_branch.h"
 #include "studies/rest_states/rest_search.h"
 #include "studies/rest_states/rest_state.h"
@@ -50,6 +51,9 @@ class RowsInOrder {
     if (input_.follow)
       line_.show(fmt::format("path {}: state {}, {} = {:.6g}", found.path, number_,
                              input_.follow->parameter, value));
+    const model::Material material = here.material.with_L1(at.L);
+    // Also of states that are there: an interruption changes nothing of what comes after it.
+    const RestStart& coarser = coarser_.at(found.mesh, found.point, material);
     const int number = number_++;
     if (const RestRow* there = table_.find(number)) return doubt(*there);
     RestRow row = row_at(here, {number, at});
@@ -57,12 +61,12 @@ class RowsInOrder {
     row.path = found.path;
     row.point = found.kind;
     if (found.from > 0) row.from = found.from;
-    const model::Material material = here.material.with_L1(at.L);
     const surface3d::Triangulation& mesh = *found.mesh;
     surface3d::NewtonSystem system(mesh, material, input_.model);
     if (system.linearise(found.point, found.point.normals, {{}, found.point.phase})) {
       measure(here, {system, found.mesh, found.point, found.point.normals, at}, folder_.path(),
               row);
+      if (!interrupt_signal()) row.energy_error = energy_error(here, row, coarser, true);
       for (const int share : {4, 2})
         if (std::isnan(row.energy_error) && !interrupt_signal())
           row.energy_error = energy_error(
@@ -85,6 +89,7 @@ class RowsInOrder {
   const OutputFolder& folder_;
   RestTable& table_;
   StatesSummary& summary_;
+  CoarserTriangles coarser_;
   ProgressLine line_;
   int number_ = 1;
 };

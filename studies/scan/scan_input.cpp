@@ -177,6 +177,12 @@ void refuse_given(const TomlTable& material, const ScanInput& input) {
       material.fail(key, "must not be given with beyond_fold: sharp rims are known without it");
     if (input.has(model::Model::SSH)) material.fail(key, ssh_has_all_by_H0);
   }
+  if (!input.beyond_fold) return;
+  if (input.material.area_difference.is_there())
+    material.fail("area_difference",
+                  "must not be given with beyond_fold: sharp rims are known without it");
+  if (input.material.conserves_order())
+    material.fail("order", "must be \"relaxing\" with beyond_fold: sharp rims are known with it");
 }
 
 }  // namespace

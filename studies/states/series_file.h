@@ -2,6 +2,7 @@
 // studies/docs/series.md.
 #pragma once
 
+#include "model/domains.h"
 #include "model/time/flow.h"
 #include "studies/io/columns.h"
 
@@ -14,15 +15,16 @@ struct SeriesRow {
   double order_min = not_known, order_mean = not_known, order_max = not_known;
   double order_variance = not_known, order_std = not_known;
   double H_abs_max = not_known, mesh_quality = not_known;
+  model::Domains domains{};
 };
 
 const Columns<SeriesRow>& series_columns();
 
 template <class Diagnostics>
 SeriesRow series_row(const model::FlowRecord& record, const Diagnostics& d) {
-  return {record,      d.area,        d.volume,    d.reduced_volume, d.W2,
-          d.order_min, d.order_mean,  d.order_max, d.order_variance, d.order_std,
-          d.H_abs_max, d.mesh_quality};
+  return {record,      d.area,         d.volume,    d.reduced_volume, d.W2,
+          d.order_min, d.order_mean,   d.order_max, d.order_variance, d.order_std,
+          d.H_abs_max, d.mesh_quality, d.domains};
 }
 
 }  // namespace sbeh::studies

@@ -7,6 +7,7 @@
 #include "meshing/resolution.h"
 #include "meshing/triangle_search.h"
 #include "surface3d/diagnostics.h"
+#include "surface3d/order_step.h"
 
 #include <fmt/format.h>
 
@@ -244,12 +245,14 @@ RemeshResult remesh(const Triangulation& mesh, const State& state, const model::
                       .report = report};
   Nodes& X = result.state.X;
   for (int i = 0; i < fresh.node_count(); ++i) result.state.beta[i] = old.order_at(X.col(i));
-  const auto [A, V] = area_and_volume(mesh, state.X);
-  const auto [new_A, new_V] = area_and_volume(*result.mesh, X);
-  report.area_change = new_A / A - 1;
-  report.volume_change = new_V / V - 1;
-  if (!correct_area_volume(*result.mesh, X, A, V))
+  const Target wanted = area_and_volume(mesh, state.X), found = area_and_volume(*result.mesh, X);
+  report.area_change = found.area / wanted.area - 1;
+  report.volume_change = found.volume / wanted.volume - 1;
+  if (!correct_area_volume(*result.mesh, X, wanted.area, wanted.volume))
     return refused(report, "area and volume cannot be restored");
+  if (material.conserves_order())
+    result.state.beta.array() +=
+        (total_order(mesh, state) - total_order(*result.mesh, result.state)) / wanted.area;
   fresh.nodes = X;
   measure_mesh(fresh, *result.mesh, X, old, report);
   if (std::string fault = fault_of(fresh, report); !fault.empty()) return refused(report, fault);

@@ -22,8 +22,9 @@ struct GradientSums {
 
   Eigen::Matrix<double, element_unknowns, 1> gradient = decltype(gradient)::Zero();
   Eigen::Matrix<double, 10, 2> constraints = decltype(constraints)::Zero();
-  Eigen::Matrix<double, element_unknowns, 1> of_W2 = decltype(of_W2)::Zero();
-  double area = 0, volume = 0, W2 = 0, value = 0;
+  Eigen::Matrix<double, element_unknowns, 1> of_W2 = decltype(of_W2)::Zero(),
+                                             of_order = decltype(of_order)::Zero();
+  double area = 0, volume = 0, W2 = 0, order = 0, value = 0;
 
   void add(const RawGradient& density, const Rows& rows, double weight) {
     value += weight * density.value;
@@ -41,7 +42,7 @@ struct ElementSums : GradientSums {
   ElementSums() { matrix.set_zero(); }
   void add(const RawDerivatives& density, const Rows& rows, double weight) {
     GradientSums::add(density, rows, weight);
-    model::add_matrix(rows.rows, rows.rows, density.hessian, weight, matrix);
+    model::add_matrix<model::Blocks::upper>(rows.rows, rows.rows, density.hessian, weight, matrix);
   }
 };
 
@@ -51,7 +52,7 @@ void add(const ceres::Jet<double, int(N)>& f, const Invariants<N>& invariants, c
   at_point::add(f.a, f.v, invariants, q, out);
 }
 
-void add_constraints(const Raw& q, const Rows& rows, double weight, bool with_W2,
+void add_constraints(const model::Material& material, const Raw& q, const Rows& rows, double weight,
                      GradientSums& sums) {
   using Number = GradientSums::Number<metric_invariants.size()>;
   RawGradient area, volume;
@@ -65,12 +66,15 @@ void add_constraints(const Raw& q, const Rows& rows, double weight, bool with_W2
   gradient.setZero();
   model::add_vector(rows.rows, volume.gradient, weight, gradient);
   sums.constraints.col(1) -= gradient.head<10>();
-  if (!with_W2) return;
-  const double H = q[raw_H];
-  Raw of_W2 = H * area.gradient;
-  of_W2[raw_H] += area.value;
-  sums.W2 += weight * area.value * H;
-  model::add_vector(rows.rows, of_W2, weight, sums.of_W2);
+  // ∫ q dS of a number q of the data.
+  const auto add_integral = [&](int at, double& sum, auto& by_unknowns) {
+    Raw by_data = q[at] * area.gradient;
+    by_data[at] += area.value;
+    sum += weight * area.value * q[at];
+    model::add_vector(rows.rows, by_data, weight, by_unknowns);
+  };
+  if (material.area_difference.is_there()) add_integral(raw_H, sums.W2, sums.of_W2);
+  if (material.conserves_order()) add_integral(raw_order, sums.order, sums.of_order);
 }
 
 template <class Sums>
@@ -110,7 +114,7 @@ Sums sums_on(const model::Material& material, bool free_order, const StationaryS
       add(connection_density(material, variables_of(gaussian_invariants, q)), gaussian_invariants,
           q, density);
     sums.add(density, rows, s.weight);
-    add_constraints(q, rows, s.weight, material.area_difference.is_there(), sums);
+    add_constraints(material, q, rows, s.weight, sums);
   }
   if (free_order) add_rim(material, local, sums);
   return sums;
@@ -143,12 +147,15 @@ void assemble_triangles(const model::Material& whole, const StationaryLayout& la
   const Triangulation& mesh = layout.mesh;
   const model::AreaDifference& ad = whole.area_difference;
   const double moment = state.moment, compliance = ad.is_there() ? ad.compliance() : 0;
-  const model::Material material = whole.at_moment(moment);
+  const model::Material material =
+      whole.at_moment(moment).at_chemical_potential(state.chemical_potential);
+  const bool has_order = layout.free_order && whole.conserves_order();
+  const int last = multiplier_count(whole) - 1;
   StationaryState felt_by = state;
   felt_by.tension -= moment * moment * compliance / 2;
   out.gradient.setZero(layout.size());
-  out.constraints.setZero(layout.size(), ad.is_there() ? 3 : 2);
-  Eigen::Matrix4Xd totals(4, mesh.count());
+  out.constraints.setZero(layout.size(), last + 1);
+  Eigen::Matrix<double, 5, Eigen::Dynamic> totals(5, mesh.count());
   for_each_by_colour(mesh, [&](int e) {
     const Sums sums =
         sums_on<Sums>(material, layout.free_order, felt_by, on_element(state, normals, mesh, e));
@@ -160,18 +167,23 @@ void assemble_triangles(const model::Material& whole, const StationaryLayout& la
       out.constraints.row(layout.index(node, node_d)).head<2>() += sums.constraints.row(a);
       for (int c = 0; ad.is_there() && c < layout.per_node; ++c)
         out.constraints(layout.per_node * node + c, 2) += sums.of_W2[10 * c + a];
+      for (int c = 0; has_order && c < layout.per_node; ++c)
+        out.constraints(layout.per_node * node + c, last) -= sums.of_order[10 * c + a];
     }
-    totals.col(e) << sums.area, sums.volume, sums.value, sums.W2;
+    totals.col(e) << sums.area, sums.volume, sums.value, sums.W2, sums.order;
   });
-  const Eigen::Vector4d total = totals.rowwise().sum();
+  const Eigen::Matrix<double, 5, 1> total = totals.rowwise().sum();
   out.area = total[0];
   out.volume = total[1];
   out.value = total[2];
   out.W2 = total[3];
+  out.order = total[4];
   out.corner.resize(0);
+  if (has_order) out.constraints.col(last) += *whole.mean_order * out.constraints.col(0);
   if (!ad.is_there()) return;
   out.constraints.col(2) -= moment * compliance * out.constraints.col(0);
-  out.corner = Eigen::Vector3d(0, 0, -out.area * compliance);
+  out.corner = Eigen::VectorXd::Zero(last + 1);
+  out.corner[2] = -out.area * compliance;
 }
 
 // Of the corners: where, and the energy by β.
@@ -213,7 +225,7 @@ void assemble(const model::Material& material, const StationaryLayout& layout,
   std::fill_n(out.hessian.valuePtr(), out.hessian.nonZeros(), 0.);
   assemble_triangles<ElementSums>(material, layout, state, normals, out,
                                   [&](int e, const ElementSums& sums) {
-                                    layout.pattern.add(e, sums.matrix.dense(), out.hessian);
+                                    layout.pattern.add(e, sums.matrix.symmetric(), out.hessian);
                                   });
   for (const auto& [k, energy] : corner_energies(material, layout, state)) {
     out.value += energy.a;
@@ -222,11 +234,13 @@ void assemble(const model::Material& material, const StationaryLayout& layout,
   }
 }
 
-Eigen::VectorXd LagrangianGradient::miss(const model::AreaDifference& of, const Target& target,
+Eigen::VectorXd LagrangianGradient::miss(const model::Material& material, const Target& target,
                                          double moment) const {
+  const model::AreaDifference& ad = material.area_difference;
   Eigen::VectorXd misses(multipliers());
   misses.head<2>() << target.area - area, volume - target.volume;
-  if (of.is_there()) misses[2] = of.W2 + moment * of.compliance() * area - W2;
+  if (ad.is_there()) misses[2] = ad.W2 + moment * ad.compliance() * area - W2;
+  if (material.conserves_order()) misses[misses.size() - 1] = order - *material.mean_order * area;
   return misses;
 }
 

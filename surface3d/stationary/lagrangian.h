@@ -24,6 +24,7 @@ struct StationaryState : State {
   double tension = 0;   ///< Σ = −∂U/∂A
   double pressure = 0;  ///< P = ∂U/∂V
   double moment = 0;    ///< c = −∂U/∂W₂⁰, of an area difference
+  double chemical_potential = 0;  ///< μ_β = ∂U/∂∫β dS of an order that is conserved
 };
 
 /// What the energy reads at a point; g_ij = a_i·a_j, a_i and β_i derivatives by the triangle's coordinates.
@@ -89,19 +90,42 @@ struct StationaryLayout {
   }
 };
 
+/// What multiplies the constraints, in the order of their columns: tension and pressure, and where the material has them moment
+/// and chemical potential. `of`: a StationaryState, or a change of one.
+inline int multiplier_count(const model::Material& m) {
+  return 2 + (m.area_difference.is_there() ? 1 : 0) + (m.conserves_order() ? 1 : 0);
+}
+template <class State>
+Eigen::VectorXd multipliers(const model::Material& m, const State& of) {
+  Eigen::VectorXd all(multiplier_count(m));
+  all.head<2>() << of.tension, of.pressure;
+  if (m.area_difference.is_there()) all[2] = of.moment;
+  if (m.conserves_order()) all[all.size() - 1] = of.chemical_potential;
+  return all;
+}
+template <class State>
+void set_multipliers(const model::Material& m, const Eigen::Ref<const Eigen::VectorXd>& all,
+                     State& of) {
+  of.tension = all[0];
+  of.pressure = all[1];
+  of.moment = m.area_difference.is_there() ? all[2] : 0;
+  of.chemical_potential = m.conserves_order() ? all[all.size() - 1] : 0;
+}
+
 /// Gradient of the Lagrangian, and gradients of A, V.
 struct LagrangianGradient {
   Eigen::VectorXd gradient;
-  /// By all unknowns: ∂A, −∂V, and with an area difference ∂W₂ − c/(π k_ad) ∂A.
+  /// By all unknowns: ∂A, −∂V, with an area difference ∂W₂ − c/(π k_ad) ∂A, and of a conserved order −∂∫(β − β̄)dS.
   Eigen::MatrixXd constraints;
-  /// With an area difference what the multipliers have among themselves: 0, 0, −A/(π k_ad); else empty.
+  /// With an area difference what the multipliers have among themselves: 0, 0, −A/(π k_ad), 0; else empty.
   Eigen::VectorXd corner;
   double area = 0, volume = 0, W2 = 0;
+  double order = 0;  ///< ∫β dS
   double value = 0;  ///< of 𝓛 without its constants ΣA₀, PV₀ and cW₂⁰
 
   int multipliers() const { return int(constraints.cols()); }
-  /// What the derivatives of 𝓛 by Σ, P and c miss, c = `moment` being that of the state.
-  Eigen::VectorXd miss(const model::AreaDifference& of, const Target& target, double moment) const;
+  /// What the derivatives of 𝓛 by its multipliers miss, c = `moment` being that of the state.
+  Eigen::VectorXd miss(const model::Material& material, const Target& target, double moment) const;
 };
 struct LagrangianDerivatives : LagrangianGradient {
   SparseMatrix hessian;

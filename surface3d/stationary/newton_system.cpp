@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace sbeh::surface3d {
 
@@ -19,11 +20,20 @@ void displace(const Increment& step, double scale, const Nodes& normals, Station
   state.tension += scale * step.tension;
   state.pressure += scale * step.pressure;
   state.moment += scale * step.moment;
+  state.chemical_potential += scale * step.chemical_potential;
 }
 
 NewtonSystem::NewtonSystem(const Triangulation& mesh, const model::Material& material,
                            model::Model model)
-    : material_(material), layout_(mesh, model) {}
+    : layout_(mesh, model) {
+  set_material(material);
+}
+
+void NewtonSystem::set_material(const model::Material& material) {
+  material_ = layout_.free_order ? material : material.with_uniform_order();
+  if (material_.conserves_order() && !material_.mean_order)
+    throw std::invalid_argument("a conserved order at rest: mean_order must be given");
+}
 
 bool NewtonSystem::linearise(const StationaryState& state, const Nodes& normals,
                              const Holds& holds) {
@@ -58,15 +68,13 @@ void NewtonSystem::respond(Eigen::Ref<Eigen::MatrixXd> loads) const {
 }
 
 bool NewtonSystem::newton_step(const Target& target, Increment& step) const {
-  return solve(-derivatives_.gradient,
-               derivatives_.miss(material_.area_difference, target, moment_), step);
+  return solve(-derivatives_.gradient, derivatives_.miss(material_, target, moment_), step);
 }
 
 bool NewtonSystem::newton_step_from(const StationaryState& state, const Nodes& normals,
                                     const Target& target, Increment& step) {
   assemble(material_, layout_, state, normals, others_);
-  return solve(-others_.gradient, others_.miss(material_.area_difference, target, state.moment),
-               step);
+  return solve(-others_.gradient, others_.miss(material_, target, state.moment), step);
 }
 
 Eigen::VectorXd NewtonSystem::gradient_with(const model::Material& material,
@@ -86,9 +94,7 @@ bool NewtonSystem::solve(Eigen::VectorXd rhs, const Eigen::VectorXd& miss, Incre
   step.H = rhs(layout_.all(node_H));
   step.beta = layout_.free_order ? Field(rhs(layout_.all(node_beta)))
                                  : Field(Field::Zero(layout_.mesh.nodes));
-  step.tension = rhs[n];
-  step.pressure = rhs[n + 1];
-  step.moment = miss.size() > 2 ? rhs[n + 2] : 0;
+  set_multipliers(material_, rhs.segment(n, miss.size()), step);
   step.hold = has_amplitude_ ? rhs[n + borders() - 1] : 0;
   return true;
 }

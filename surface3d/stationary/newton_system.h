@@ -9,7 +9,7 @@ namespace sbeh::surface3d {
 /// A step in all unknowns; fields are nodal, `d` along the node normals.
 struct Increment {
   Field d, Lambda, H, beta;
-  double tension = 0, pressure = 0, moment = 0;
+  double tension = 0, pressure = 0, moment = 0, chemical_potential = 0;
   double hold = 0;  ///< the force on what `Holds::amplitude` prescribes
 };
 
@@ -31,8 +31,8 @@ class NewtonSystem {
  public:
   NewtonSystem(const Triangulation& mesh, const model::Material& material, model::Model model);
 
-  /// From the next linearisation on.
-  void set_material(const model::Material& material) { material_ = material; }
+  /// From the next linearisation on. Throws std::invalid_argument for a conserved order without its mean.
+  void set_material(const model::Material& material);
   /// Assembles at a state that moves along these normals, and factors. False when the matrix is singular or not finite.
   bool linearise(const StationaryState& state, const Nodes& normals, const Holds& holds = {});
 
@@ -42,9 +42,10 @@ class NewtonSystem {
   bool newton_step_from(const StationaryState& state, const Nodes& normals, const Target& target,
                         Increment& step);
 
-  /// What moves under loads on all unknowns while area, −volume, and with an area difference W₂ − cA/(π k_ad) change so.
-  bool respond(const Eigen::VectorXd& loads, const Eigen::Vector3d& change, Increment& step) const {
-    return solve(loads, change.head(derivatives_.multipliers()), step);
+  /// What moves under loads on all unknowns while what is constrained changes so: area, −volume, and where they are W₂ − cA/(π k_ad)
+  /// and −∫(β − β̄)dS.
+  bool respond(const Eigen::VectorXd& loads, const Eigen::VectorXd& change, Increment& step) const {
+    return solve(loads, change, step);
   }
   /// The gradient with another material.
   Eigen::VectorXd gradient_with(const model::Material& material, const StationaryState& state,

@@ -19,6 +19,7 @@ Direction scaled(Direction t, double factor) {
   t.tension *= factor;
   t.pressure *= factor;
   t.moment *= factor;
+  t.chemical_potential *= factor;
   t.mu *= factor;
   return t;
 }
@@ -34,6 +35,7 @@ Direction sum(Direction a, double factor, const Direction& b) {
   a.tension += factor * b.tension;
   a.pressure += factor * b.pressure;
   a.moment += factor * b.moment;
+  a.chemical_potential += factor * b.chemical_potential;
   a.mu += factor * b.mu;
   return a;
 }
@@ -49,12 +51,9 @@ std::optional<Direction> along_mu(const Path& path, const PathSolution& x) {
     rate = (system.gradient_with(after, x, x.normals) - system.gradient_with(before, x, x.normals))
          / (2 * h);
   const Target low = path.target(x.mu - h), high = path.target(x.mu + h);
-  const auto wanted_W2 = [&](const model::AreaDifference& ad) {
-    return ad.is_there() ? ad.W2 + x.moment * ad.compliance() * system.derivatives().area : 0;
-  };
-  const Eigen::Vector3d change{
-      (high.area - low.area) / (2 * h), (low.volume - high.volume) / (2 * h),
-      (wanted_W2(after.area_difference) - wanted_W2(before.area_difference)) / (2 * h)};
+  const LagrangianDerivatives& here = system.derivatives();
+  const Eigen::VectorXd change =
+      (here.miss(after, high, x.moment) - here.miss(before, low, x.moment)) / (2 * h);
   Direction b;
   if (!system.respond(-rate, change, b)) return {};
   b.mu = 1;

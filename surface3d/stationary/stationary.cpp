@@ -23,6 +23,13 @@ StationaryState guess_from(const Triangulation& mesh, const model::Material& mat
     assemble(material, layout, guess, curvature->node_normals, lagrangian);
   };
   assemble_guess();
+  if (layout.free_order && material.conserves_order()) {
+    // Least squares over the orders, each of which feels its own force and μ_β.
+    const auto orders = layout.all(node_beta);
+    const Eigen::VectorXd column = lagrangian.constraints.rightCols<1>()(orders);
+    guess.chemical_potential = -column.dot(lagrangian.gradient(orders)) / column.squaredNorm();
+    assemble_guess();
+  }
   const model::AreaDifference& ad = material.area_difference;
   const bool is_couple = ad.is_there() && ad.compliance() == 0;  // whose moment may be any
   if (ad.is_there() && !is_couple) {

@@ -90,9 +90,7 @@ VariationalStepper::Unknowns VariationalStepper::guess(const StepBase& base) con
     x.next.H = part(n);
     x.x.tail(mesh_->quadratic_nodes) = part(mesh_->quadratic_nodes);
     x.borders = part(7);
-    x.next.tension = part(1)[0];
-    x.next.pressure = part(1)[0];
-    if (material_.area_difference.is_there()) x.next.moment = part(1)[0];
+    set_multipliers(material_, part(multipliers()), x.next);
   }
   x.x(layout_.all(node_Lambda)) = x.next.Lambda;
   x.x(layout_.all(node_H)) = x.next.H;
@@ -118,7 +116,7 @@ void VariationalStepper::remember(const StepBase& base, const Unknowns& x) {
   rates.resize(past_size());
   rates << motion_of(base, x).reshaped() / base.tau, (x.next.beta - base.old.beta) / base.tau,
       x.next.Lambda, x.next.H, x.x.tail(mesh_->quadratic_nodes), x.borders,
-      Eigen::Vector3d(x.next.tension, x.next.pressure, x.next.moment).head(multipliers());
+      surface3d::multipliers(material_, x.next);
   memory_.last.tau = base.tau;
 }
 
@@ -173,7 +171,7 @@ int VariationalStepper::correct(const StepBase& base, const Target& target, Unkn
   rhs.head(n) = -(force + resistance_.linear + held);
   value_ = value_of(x.next, target) + (force / 2 + resistance_.linear + held).dot(x.x);
   rhs(layout_.unknowns) -= energy_.gradient;
-  rhs.segment(n, m) = energy_.miss(material_.area_difference, target, x.next.moment);
+  rhs.segment(n, m) = energy_.miss(material_, target, x.next.moment);
   rhs.tail<7>() = -resistance_.borders.transpose() * x.x;
   const int iterations = matrix_.solve(energy_, rhs, step);
   if (iterations == 0 || !step.allFinite()) return 0;
@@ -189,9 +187,8 @@ int VariationalStepper::correct(const StepBase& base, const Target& target, Unkn
     change = std::max(change, step(layout_.all(node_beta)).cwiseAbs().maxCoeff());
     x.next.beta = x.x(layout_.all(node_beta));
   }
-  x.next.tension += step[n];
-  x.next.pressure += step[n + 1];
-  if (m > 2) x.next.moment += step[n + 2];
+  set_multipliers(material_, surface3d::multipliers(material_, x.next) + step.segment(n, m),
+                  x.next);
   return iterations;
 }
 
@@ -202,6 +199,7 @@ double VariationalStepper::value_at_rest(const StepBase& base, const Field& H, c
   StationaryState from{{base.old.X + base.Y, base.old.beta}, H, Field::Zero(mesh_->nodes)};
   from.tension = x.next.tension;
   from.pressure = x.next.pressure;
+  from.chemical_potential = x.next.chemical_potential;
   const model::AreaDifference& ad = material_.area_difference;
   if (ad.is_there() && ad.compliance() == 0) from.moment = x.next.moment;
   assemble(material_, layout_.state, from, base.curvature.node_normals, energy_);

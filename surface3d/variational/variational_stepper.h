@@ -54,7 +54,7 @@ class VariationalStepper {
   double value_at_rest(const StepBase& base, const Field& H, const Target& target,
                        const Unknowns& x);
   double value_of(const StationaryState& state, const Target& target) const;
-  int multipliers() const { return material_.area_difference.is_there() ? 3 : 2; }  // of U
+  int multipliers() const { return multiplier_count(material_); }  // of U
   Eigen::Index past_size() const;
   double enough(const StepBase& base, const Unknowns& x) const;
   FlowStep result_of(const StepBase& base, const Unknowns& x);

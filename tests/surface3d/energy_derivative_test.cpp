@@ -311,7 +311,7 @@ TEST(OrderStep, begins_with_minus_the_derivative_of_the_energy_by_the_order) {
         [&](double amount) { return energy_of_changed_order(d, *curvature, m, amount); }, 0.5);
     OrderTable table("(B1) against " + label + ", relative", "tau");
     for (const double tau : {1e-3, 1e-4, 1e-5}) {
-      const Field beta = order_step(d.mesh(), m, s, s.beta, *curvature, no_slip, tau);
+      const Field beta = order_step(d.mesh(), m, s, {*curvature, no_slip, s.beta, s.X, tau}).beta;
       ASSERT_EQ(beta.size(), s.beta.size());
       const double drag = m.order_drag() * product(d, (beta - s.beta) / tau, d.order_change);
       table.add(tau, drag / derivative + 1);
@@ -339,7 +339,8 @@ struct TurningSphere {
     State start = s.state;
     for (int i = 0; i < s.mesh->nodes; ++i) start.beta[i] = order(start.X.col(i));
     const auto curvature = curvature_of(*s.mesh, start.X);
-    const Field beta = order_step(*s.mesh, inert, start, start.beta, *curvature, slip, tau);
+    const Field beta =
+        order_step(*s.mesh, inert, start, {*curvature, slip, start.beta, start.X, tau}).beta;
     if (beta.size() == 0) return std::numeric_limits<double>::infinity();
     const Eigen::Matrix3d back = Eigen::AngleAxisd(-tau, axis).toRotationMatrix();
     double worst = 0;

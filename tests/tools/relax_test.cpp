@@ -16,7 +16,8 @@ const std::string columns =
     "time,time_step,energy,energy_distortion,energy_bending,energy_thermotropic,energy_area_"
     "difference,"
     "dissipation_friction,dissipation_order,dissipation_viscous,energy_balance,area,volume,"
-    "reduced_volume,W2,order_min,order_mean,order_max,order_variance,order_std,H_abs_max,"
+    "reduced_volume,W2,order_min,order_mean,order_max,order_variance,order_std,domains,domain_area,"
+    "domain_boundary,H_abs_max,"
     "speed_max,lambda,mesh_quality,rejected_steps";
 
 const std::string ellipsoid =

@@ -48,12 +48,18 @@ model::AreaDifference area_difference_of(const py::handle& value) {
   return of;
 }
 
+model::OrderDynamics order_named(const std::string& word) {
+  if (const auto order = value_named<model::OrderDynamics>(word)) return *order;
+  throw py::value_error("order: must be relaxing, conserved or diffusive, not " + word);
+}
+
 // As `material` but for the parameters given by name, L for the one-constant approximation.
 Material changed(Material material, const py::kwargs& values) {
   for (const auto& item : values) {
     const auto name = py::cast<std::string>(item.first);
     const py::handle value = item.second;
-    bool known = name == "L" || name == "potential" || name == "area_difference";
+    bool known = name == "L" || name == "potential" || name == "area_difference" || name == "order";
+    if (name == "order") material.order = order_named(py::cast<std::string>(value));
     if (name == "area_difference") material.area_difference = area_difference_of(value);
     if (name == "L") material = material.with_L(py::cast<double>(value));
     if (name == "potential") material.potential = powers_of<model::Potential>(name, value);
@@ -62,6 +68,13 @@ Material changed(Material material, const py::kwargs& values) {
       *powers = powers_of<model::Polynomial>(name, value);
       known = true;
     }
+    model::for_each_parameter(material, [&](const model::Parameter& p, auto& number) {
+      if constexpr (std::is_same_v<std::decay_t<decltype(number)>, std::optional<double>>)
+        if (name == p.name) {
+          number = py::cast<double>(value);
+          known = true;
+        }
+    });
     for_each_number(material, [&](const model::Parameter& p, double& number) {
       if (name != p.name) return;
       number = py::cast<double>(value);
@@ -84,6 +97,11 @@ py::dict dict_of(Material material) {
   if (areas.is_there())
     values["area_difference"] =
         py::dict(py::arg("stiffness") = areas.stiffness, py::arg("W2") = areas.W2);
+  if (material.conserves_order()) values["order"] = name(material.order);
+  model::for_each_parameter(material, [&](const model::Parameter& p, const auto& value) {
+    if constexpr (std::is_same_v<std::decay_t<decltype(value)>, std::optional<double>>)
+      if (value) values[p.name] = *value;
+  });
   return values;
 }
 
@@ -98,7 +116,7 @@ Parameters are given by name, the others are those of the paper: L (one-constant
 L1, L2, L3), L1, L2, L3, potential (coefficients of the powers of the order), viscosity, immobility,
 friction_tangential, friction_normal, order_viscosity, residual_stiffness, spontaneous_curvature (of the
 sign of the trace H, -2 on the unit sphere), flexoelectric (coefficients of f(order) in f H), kappa and kappa_gauss (coefficients too, instead of those by the elastic constants),
-area_difference (of the two leaflets, {"stiffness": k_ad, "W2": of no strain}; an infinite stiffness is the bilayer couple). Raises ValueError for values that are not allowed.)");
+area_difference (of the two leaflets, {"stiffness": k_ad, "W2": of no strain}; an infinite stiffness is the bilayer couple), order ("relaxing", or with a mean_order "conserved" or "diffusive", then with an order_mobility). Raises ValueError for values that are not allowed.)");
   material.def(py::init([](const py::kwargs& values) { return changed({}, values); }))
       .def("replace", &changed, "The same with other values of the parameters that are named.")
       .def("to_dict", &dict_of, "All parameters by name.")

@@ -32,10 +32,14 @@ std::vector<NamedMaterial> materials() {
   cubic.potential = model::Potential({0.3, -0.2, 1.1, -4., 5., 0.7});
   Material coupled = general;
   coupled.area_difference = {1.2, -20};
+  Material conserved = general;
+  conserved.order = model::OrderDynamics::conserved;
+  conserved.mean_order = 0.4;
   return {{"one constant", paper_material(0.05)},
           {"unequal L, k0, H0, f", general},
           {"potential of degree 5", cubic},
-          {"area difference", coupled}};
+          {"area difference", coupled},
+          {"conserved order", conserved}};
 }
 
 // No solution of anything: smooth fields that have nothing to do with each other.
@@ -71,6 +75,9 @@ double lagrangian(const Material& material, const StationaryState& s, const Node
         const double c = s.moment;  // c (W₂ − W₂⁰) − c²A/(2π k_ad), but for the constant
         sum += shape.weight * area_density(q) * (c * q[at_H] - c * c / (2 * pi * ad.stiffness));
       }
+      if (material.conserves_order())  // −μ_β ∫(β − β̄)dS
+        sum -= shape.weight * area_density(q) * s.chemical_potential
+             * (q[at_beta] - *material.mean_order);
       for (int k = 0; k < 2; ++k) {
         const Field Lambda_k = s.Lambda.cwiseProduct(normals.row(k).transpose());
         sum += shape.weight
@@ -122,10 +129,11 @@ LagrangianDerivatives assembled(const Material& material, const StationaryState&
   return out;
 }
 
-// With a moment where the material has one.
+// With a moment and a chemical potential where the material has them.
 StationaryState any_state_in(const Material& material) {
   StationaryState s = any_state();
   if (material.area_difference.is_there()) s.moment = 0.9;
+  if (material.conserves_order()) s.chemical_potential = -0.7;
   return s;
 }
 
@@ -221,6 +229,23 @@ TEST(Lagrangian, knows_how_its_gradient_goes_with_the_moment) {
     EXPECT_LT((L.of_W2 - alone.of_W2).cwiseAbs().maxCoeff(), 1e-13);
     EXPECT_NEAR(L.W2, alone.W2, 1e-13);
   }
+}
+
+TEST(Lagrangian, knows_how_its_gradient_goes_with_the_chemical_potential) {
+  const Material material = materials().back().material;
+  const StationaryState s = any_state_in(material);
+  const Nodes n = node_normals(s.X);
+  const LagrangianDerivatives L = assembled(material, s, n);
+  const Eigen::VectorXd expected = difference([&](double t) -> Eigen::VectorXd {
+    StationaryState at = s;
+    at.chemical_potential += t;
+    return assembled(material, at, n).gradient;
+  });
+  EXPECT_LT((L.of_order - expected).cwiseAbs().maxCoeff(), accuracy);
+  EXPECT_GT(L.of_order.cwiseAbs().maxCoeff(), 0.1);
+  EXPECT_NEAR(L.order, diagnose(material, s).order_mean * area(s.X), 1e-9);
+  const LagrangianGradient alone = gradient_at(material, s, n, {elements, false});
+  EXPECT_LT((L.of_order - alone.of_order).cwiseAbs().maxCoeff(), 1e-13);
 }
 
 // Of a symmetric state's nodes, in columns: what a change of a node of the upper half is to the whole.

@@ -91,6 +91,11 @@ TEST(RunInput, reads_back_from_its_description_as_the_same_run) {
           + time,
       "model = 'Helfrich-global'\n[surface]\nshape = 'harmonics'\nmodes = [[5, 3, 0.5]]\n" + time
           + "[numerics]\nscheme = 'monolithic'\nfactorisation = 'every-step'\ntolerance = 1e-3\n",
+      sbeh + "[surface]\nshape = 'ellipsoid'\nreduced_volume = 0.9\ndomains = [{ fraction = 0.3, order "
+          + "= 0.6 }, { axis = [0, 1, 0.5], fraction = 0.1, order = 0.55 }]\ndomain_width = 0.2\n"
+          + "order_modes = [[2, 1, 0.01]]\norder_noise = { amplitude = 0.02, seed = 7 }\n" + time
+          + "[material]\nL = 0.02\nkappa = [0.1, 0.2]\norder = 'diffusive'\nmean_order = 0.3\n"
+          + "order_mobility = 0.5\n",
       sbeh + "[surface]\nshape = 'mesh'\nfile = '\"a\\b\" \xc3\xa4.obj'\norder = 0.25\n" + time,
       sbeh + "[surface]\nshape = 'frame'\nfile = '" + frame + "'\n" + time
           + "[material]\nL1 = 0.1\nL2 = -0.05\nL3 = 0.07\nresidual_stiffness = 0.01\n",
@@ -204,7 +209,7 @@ TEST(RunInput, with_a_wrong_surface_is_refused_with_line_key_and_value) {
       {"triangles = 200001", ":6: [surface] triangles = 200001: must be >= 20 and <= 200000"},
       {"triangle = 80",
        ":6: [surface] triangle: unknown key; did you mean 'triangles'? Known: shape, axes, "
-       "reduced_volume, kind, triangles, order, perturbation"},
+       "reduced_volume, kind, triangles, order, domains, order_modes, order_noise, perturbation"},
       {"order = 'a'", ":6: [surface] order = 'a': must be a number"},
       {"order = -0.1", ":6: [surface] order = -0.1: must be >= 0 and <= 1"},
       {"order = 1.1", ":6: [surface] order = 1.1: must be >= 0 and <= 1"},

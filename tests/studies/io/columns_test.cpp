@@ -160,7 +160,9 @@ TEST(Tables, have_these_columns) {
          "time,time_step,energy,energy_distortion,energy_bending,energy_thermotropic,"
          "energy_area_difference,dissipation_friction,dissipation_order,dissipation_viscous,energy_"
          "balance,area,volume,"
-         "reduced_volume,W2,order_min,order_mean,order_max,order_variance,order_std,H_abs_max,"
+         "reduced_volume,W2,order_min,order_mean,order_max,order_variance,order_std,domains,domain_"
+         "area,"
+         "domain_boundary,H_abs_max,"
          "speed_max,lambda,mesh_quality,rejected_steps");
   expect(frame_columns(), "index,time,file");
   expect(comparison_columns(),

@@ -199,8 +199,8 @@ TEST(RelaxInput, from_a_scan_has_the_material_of_the_scan_with_the_rows_L) {
   EXPECT_EQ(row.L, 0.03);
   EXPECT_EQ(input.material.L1, 0.03);
   EXPECT_EQ(input.material.spontaneous_curvature, -2.7);
-  for (const std::string L : {"L = 0.04", "L1 = 0.04"}) {
-    const RelaxInput changed = relax_of(start + "[material]\n" + L);
+  for (const char* table : {"[material]\nL = 0.04", "[material]\nL1 = 0.04"}) {
+    const RelaxInput changed = relax_of(start + table);
     EXPECT_EQ(changed.material.L1, 0.04);
     EXPECT_EQ(changed.material.spontaneous_curvature, -2.7);
   }
@@ -250,7 +250,7 @@ TEST(RelaxInput, with_a_wrong_start_is_refused_with_line_key_and_value) {
        ":4: [start] order = 0.5: belongs to shape = 'ellipsoid' and 'harmonics', not to 'scan'"},
       {"'ellipsoid'\nreduced_volume = 0.7\nknid = 'prolate'",
        ":5: [start] knid: unknown key; did you mean 'kind'? Known: shape, axes, reduced_volume, "
-       "kind, order, perturbation"},
+       "kind, order, domains, perturbation"},
       {"'harmonics'", ":2: [start] modes: missing; " + pairs},
       {"'harmonics'\nmodes = []", ":4: [start] modes = []: must not be empty"},
       {"'harmonics'\nmodes = [2, 0.1]", ":4: [start] modes = 2: " + pairs},

@@ -1,6 +1,7 @@
 // [material] and [numerics]: what is read, and what is refused with which words.
 #include "studies/parameters/material_input.h"
 
+#include "studies/compare/compare_input.h"
 #include "studies/evolution/relax_input.h"
 #include "studies/scan/scan_input.h"
 #include "tests/studies/parameters/input_file.h"
@@ -115,7 +116,7 @@ TEST(Material, that_is_wrong_is_refused_with_line_key_and_value) {
        ":5: [material] viscocity: unknown key; did you mean 'viscosity'? Known: L2, L3, friction, "
        "potential, landau_de_gennes, viscosity, immobility, friction_tangential, friction_normal, "
        "order_viscosity, residual_stiffness, spontaneous_curvature, kappa, kappa_gauss, "
-       "flexoelectric, area_difference"},
+       "flexoelectric, area_difference, order, mean_order, order_mobility"},
   };
   expect_messages(read_scan, small_scan + "[material]\n", in_scans);
   const std::vector<Case> in_evolutions{
@@ -126,6 +127,42 @@ TEST(Material, that_is_wrong_is_refused_with_line_key_and_value) {
       {"L1 = 0.25\nL2 = -1", ":4: [material] 2 L1 + L2 + L3 = -0.5: must be >= 0 (bending energy)"},
   };
   expect_messages(read_relax, small_relax + "[material]\n", in_evolutions);
+}
+
+TEST(Material, that_a_method_does_not_know_is_refused) {
+  const std::string rims =
+      "[scan]\nreduced_volume = 0.7\nL = 0.05\nbeyond_fold = true\n[material]\n";
+  expect_messages(
+      read_scan, rims,
+      {{"area_difference = { stiffness = 1, W2 = -26 }",
+        ":6: [material] area_difference = { W2 = -26, stiffness = 1 }: must not be given with "
+        "beyond_fold: sharp rims are known "
+        "without it"},
+       {"order = 'conserved'\nmean_order = 0.6",
+        ":6: [material] order = 'conserved': must be 'relaxing' with beyond_fold: sharp rims are "
+        "known with it"}});
+  expect_messages(read_compare,
+                  "[compare]\nmodel = 'SBEH'\nL = 0.05\nreduced_volume = 0.8\nmethods = ['newton', "
+                  "'minimiser']\n[material]\n",
+                  {{"order = 'conserved'\nmean_order = 0.6",
+                    ":7: [material] order = 'conserved': must be 'relaxing' in a comparison: most "
+                    "methods know no other"}});
+}
+
+TEST(Material, may_have_an_order_that_is_conserved) {
+  const model::Material material =
+      material_of("order = 'diffusive'\nmean_order = 0.6\norder_mobility = 2\n");
+  EXPECT_EQ(material.order, model::OrderDynamics::diffusive);
+  EXPECT_EQ(material.mean_order, 0.6);
+  EXPECT_EQ(material.order_mobility, 2);
+  expect_messages(
+      read_relax, small_relax + "[material]\n",
+      {{"order = 'kept'",
+        ":5: [material] order = 'kept': must be one of 'relaxing', 'conserved', 'diffusive'"},
+       {"order = 'conserved'",
+        ":5: [material] order = 'conserved': needs mean_order, the (1/A)∫β dS that stays"},
+       {"order = 'conserved'\nmean_order = 0.6\norder_mobility = 2",
+        ":7: [material] order_mobility = 2: has a meaning with order = 'diffusive' only"}});
 }
 
 TEST(Numerics, that_are_wrong_are_refused_with_line_key_and_value) {

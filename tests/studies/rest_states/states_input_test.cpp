@@ -81,7 +81,8 @@ TEST(StatesInput, that_is_wrong_is_refused_with_line_key_and_value) {
         "frame"},
        {"[follow]\nparameter = 'viscosity'",
         ":5: [follow] parameter = 'viscosity': must be one of 'reduced_volume', 'L', 'L2', 'L3', "
-        "'H0', 'k0', 'W2', 'potential_1', 'potential_2', 'potential_3', 'potential_4', "
+        "'H0', 'k0', 'W2', 'mean_order', 'potential_1', 'potential_2', 'potential_3', "
+        "'potential_4', "
         "'flexoelectric_0', 'flexoelectric_1', 'flexoelectric_2', 'flexoelectric_3', "
         "'flexoelectric_4', 'kappa_0', 'kappa_1', 'kappa_2', 'kappa_3', 'kappa_4', "
         "'kappa_gauss_0', "
@@ -90,6 +91,9 @@ TEST(StatesInput, that_is_wrong_is_refused_with_line_key_and_value) {
         ":5: [follow] parameter = 'kappa_2': needs kappa in [material], where its way begins"},
        {"[follow]\nparameter = 'W2'\nto = 1",
         ":5: [follow] parameter = 'W2': needs area_difference in [material], where its way begins"},
+       {"[follow]\nparameter = 'mean_order'\nto = 0.5",
+        ":5: [follow] parameter = 'mean_order': needs mean_order in [material], where its way "
+        "begins"},
        {"[follow]\nparameter = 'L2'\nto = -1",
         ":6: [follow] to = -1: is no material there: 6 L1 + L2 + L3 = -0.8200000000000001: must be "
         "> 0 "

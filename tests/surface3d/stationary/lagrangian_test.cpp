@@ -52,9 +52,16 @@ Material with_areas() {
   material.area_difference = {.stiffness = 0.7, .W2 = -21};
   return material;
 }
+Material with_conserved_order() {
+  Material material = with_areas();
+  material.order = model::OrderDynamics::conserved;
+  material.mean_order = 0.4;
+  return material;
+}
 Case any_case(const Material& material) {
   Case c = any_case();
   if (material.area_difference.is_there()) c.state.moment = 0.6;
+  if (material.conserves_order()) c.state.chemical_potential = -0.7;
   return c;
 }
 
@@ -228,14 +235,39 @@ TEST(Lagrangian3d, knows_what_the_moment_is_the_multiplier_of) {
   // ∂𝓛/∂c without W₂⁰, and once more.
   const double slope = difference([&](double t) { return at_moment(t).value; });
   const Target same{L.area, L.volume};
-  EXPECT_NEAR(
-      slope,
-      material.area_difference.W2 - L.miss(material.area_difference, same, c.state.moment)[2],
-      accuracy * 30);
+  EXPECT_NEAR(slope, material.area_difference.W2 - L.miss(material, same, c.state.moment)[2],
+              accuracy * 30);
   EXPECT_NEAR(L.corner[2], difference([&](double t) {
-                return -at_moment(t).miss(material.area_difference, same, c.state.moment + t)[2];
+                return -at_moment(t).miss(material, same, c.state.moment + t)[2];
               }),
               accuracy);
+}
+
+TEST(Lagrangian3d, knows_what_the_chemical_potential_is_the_multiplier_of) {
+  const Material material = with_conserved_order();
+  const Case c = any_case(material);
+  const StationaryLayout layout(c.mesh, Model::SBEH);
+  const LagrangianDerivatives L = assembled(material, layout, c, c.state);
+  ASSERT_EQ(L.multipliers(), 4);
+  const auto at_potential = [&](double t) {
+    StationaryState other = c.state;
+    other.chemical_potential += t;
+    return assembled(material, layout, c, other);
+  };
+  const Eigen::VectorXd border =
+      difference([&](double t) -> Eigen::VectorXd { return at_potential(t).gradient; });
+  EXPECT_LT((L.constraints.col(3) - border).cwiseAbs().maxCoeff(),
+            accuracy * border.cwiseAbs().maxCoeff());
+  EXPECT_NEAR(difference([&](double t) { return at_potential(t).value; }),
+              -L.miss(material, {L.area, L.volume}, c.state.moment)[3], accuracy * 30);
+  // What the multiplier adds is in the Hessian, too.
+  const Eigen::VectorXd v = random_direction(layout, node_beta, 3);
+  const Eigen::VectorXd expected = difference([&](double t) -> Eigen::VectorXd {
+    return assembled(material, layout, c, moved(c, layout, v, t)).gradient;
+  });
+  const Eigen::VectorXd product = L.hessian.selfadjointView<Eigen::Lower>() * v;
+  EXPECT_LT((product - expected).cwiseAbs().maxCoeff(),
+            1e-6 * (1 + expected.cwiseAbs().maxCoeff()));
 }
 
 TEST(Lagrangian3d, ties_H_to_the_surface_by_its_derivative_in_Lambda) {
