@@ -1,4 +1,4 @@
-// The order equation (B1)–(B7) of one step, with the velocity and the mesh motion known.
+// The order equation (B1)–(B8) of one step, with the velocity and the mesh motion known.
 #pragma once
 
 #include "axisym/curve.h"

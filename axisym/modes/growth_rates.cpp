@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <functional>
-#include <stdexcept>
 
 namespace sbeh::axisym {
 
@@ -87,8 +86,7 @@ LinearFlow::LinearFlow(const SecondVariation& of, const model::Material& of_mate
 
 std::optional<std::vector<GrowthMode>> growth_rates(const LinearFlow& flow, int m, int count) {
   const Sector& sector = flow.second.sector;
-  if (flow.material.order == model::OrderDynamics::diffusive)
-    throw std::invalid_argument("growth rates of an order that diffuses are not known");
+  if (flow.material.order == model::OrderDynamics::diffusive) return {};
   std::vector<GrowthMode> growth;
   if (flow.is_along_normals) {
     // σ = −λ/γ_⊥ of the second variation.

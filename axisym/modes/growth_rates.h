@@ -29,7 +29,7 @@ struct LinearFlow {
 };
 
 /// The `count` largest rates of m and of each parity, at the most, in descending order and without rigid motions. Empty
-/// where Lanczos' iteration does not settle. For SSH b = 0. How far the state is from having such modes, `lowest_modes`
+/// where Lanczos' iteration does not settle, and where the order diffuses: of its drag they know nothing. For SSH b = 0. How far the state is from having such modes, `lowest_modes`
 /// says by its rigid_residual.
 std::optional<std::vector<GrowthMode>> growth_rates(const LinearFlow& flow, int m, int count);
 

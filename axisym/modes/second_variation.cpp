@@ -256,7 +256,7 @@ SecondVariation second_variation(const model::Material& whole, model::Model mode
       .sector = sector,
       .powers = {empty, empty, empty},
       .mass = empty,
-      .constraints = Eigen::MatrixXd::Zero(empty.size(), whole.conserves_order() ? 3 : 2),
+      .constraints = Eigen::MatrixXd::Zero(empty.size(), material.conserves_order() ? 3 : 2),
       .moment = {},
       .has_order = has_free_order(model),
       .stiffness = material.kappa(state.beta.maxCoeff()),

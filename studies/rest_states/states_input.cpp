@@ -215,6 +215,8 @@ StatesInput read_states(const std::filesystem::path& path) {
   if (input.start == StatesStart::scan)
     absent.material = origin_of(row_of(input, places_of(input).front().at)).physics->material;
   if (absent.material) take_material(file, material, *absent.material, input);
+  if (input.rates > 0 && input.material.order == model::OrderDynamics::diffusive)
+    states.fail("rates", "must be 0 with order = \"diffusive\": its rates are not known");
   if (file.has("follow")) input.follow = read_follow(follow, input);
   if (file.has("search")) {
     if (input.follow)

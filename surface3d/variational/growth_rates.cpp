@@ -150,6 +150,7 @@ GrowthMode mode_of(const StepLayout& layout, const SparseMatrix& mass, const Nod
 std::optional<std::vector<GrowthMode>> growth_rates(const model::Material& material,
                                                     const Triangulation& mesh, model::Model model,
                                                     const StationaryState& state, int count) {
+  if (effective(material, model).order == model::OrderDynamics::diffusive) return {};
   const auto curvature = curvature_of(mesh, state.X);
   if (!curvature) return {};
   const StepLayout layout(mesh, model);

@@ -21,7 +21,8 @@ struct GrowthMode {
 };
 
 /// The `count` largest rates of a state at rest of SBEH or SSH, in descending order, with the material's viscosity, friction and
-/// immobility. Empty where the surface is degenerate, or the iteration does not settle.
+/// immobility. Empty where the surface is degenerate, the order diffuses, whose drag they do not know,
+/// or the iteration does not settle.
 std::optional<std::vector<GrowthMode>> growth_rates(const model::Material& material,
                                                     const Triangulation& mesh, model::Model model,
                                                     const StationaryState& state, int count);

@@ -167,6 +167,25 @@ TEST(ConservedOrder, decays_with_the_rate_of_its_modes) {
   EXPECT_NEAR(measured, slowest.rate, 0.02 * std::abs(slowest.rate));
 }
 
+// SSH has no free order, and takes no notice of what is said of one.
+TEST(ConservedOrder, is_nothing_to_a_uniform_one) {
+  const BranchState rest = first_oblate(Model::SSH);
+  Material conserved = paper_material(0.05);
+  conserved.order = OrderDynamics::conserved;
+  conserved.mean_order = 0.3;
+  EXPECT_EQ(second_variation(conserved, Model::SSH, rest).constraints.cols(), 2);
+  EXPECT_EQ(negative_directions(conserved, Model::SSH, rest),
+            negative_directions(paper_material(0.05), Model::SSH, rest));
+}
+
+// Their drag is not that of an order which relaxes.
+TEST(ConservedOrder, has_no_rates_known_where_it_diffuses) {
+  const BranchState rest = first_oblate(Model::SBEH);
+  const Material material = two_phases(0.02, 6, 0.3, OrderDynamics::diffusive);
+  const SecondVariation second = second_variation(material, Model::SBEH, rest);
+  EXPECT_FALSE(growth_rates(LinearFlow(second, material, Model::SBEH), 0, 1));
+}
+
 TEST(ConservedOrder, must_be_that_of_the_start) {
   const State start = with_a_cap(0.9, 48, 0.3, 0.2);
   const Material material = two_phases(0.02, 6, 0.2, OrderDynamics::conserved);

@@ -73,7 +73,9 @@ TEST(StatesInput, that_is_wrong_is_refused_with_line_key_and_value) {
                     "from, to, count }"}});
   expect_messages(
       read_states, small_states,
-      {{"rates = -1", ":4: [states] rates = -1: must be >= 0 and <= 50"},
+      {{"rates = 3\n[material]\norder = 'diffusive'\nmean_order = 0.6",
+        ":4: [states] rates = 3: must be 0 with order = 'diffusive': its rates are not known"},
+       {"rates = -1", ":4: [states] rates = -1: must be >= 0 and <= 50"},
        {"eigenpairs = 51", ":4: [states] eigenpairs = 51: must be >= 0 and <= 50"},
        {"[search]\nreach = 0", ":5: [search] reach = 0: must be > 0 and <= 1"},
        {"[follow]\nto = 0.6\n[search]",
