@@ -2,6 +2,7 @@
 
 #include "meshing/curving.h"
 #include "meshing/icosphere.h"
+#include "meshing/mesh_symmetry.h"
 #include "meshing/quality.h"
 #include "meshing/remeshing.h"
 
@@ -47,12 +48,32 @@ struct Candidate {
   double score = 0;  // 1: good enough
 };
 
-Candidate candidate(const TriangleMesh& plain, int order, const Projection& onto_surface) {
+Candidate candidate(const TriangleMesh& plain, const Resolution& resolution,
+                    const Projection& onto_surface) {
   constexpr double good_angle = 40, good_jacobian = 0.4;
-  Candidate c{.mesh = curved(plain, order, onto_surface)};
+  Candidate c{.mesh = curved(plain, resolution.order, onto_surface)};
+  symmetrise(c.mesh, resolution.symmetry, onto_surface);
   c.min_jacobian = min_jacobian(c.mesh);
   c.score = std::min(min_angle(plain) / good_angle, c.min_jacobian / good_jacobian);
   return c;
+}
+
+// That the shape is symmetric itself.
+void require_symmetric(const TriangleMesh& sphere, const Projection& from_sphere,
+                       const PointGroup& group) {
+  constexpr double tolerance = 1e-6;  // in units of the largest radius
+  double farthest = 0, off = 0;
+  for (const auto d : sphere.points.colwise()) {
+    const Eigen::Vector3d x = from_sphere(d);
+    farthest = std::max(farthest, x.norm());
+    for (const Operation& operation : group.operations())
+      off = std::max(off, (from_sphere(operation * d) - operation * x).norm());
+  }
+  if (!(off <= tolerance * farthest))
+    throw std::invalid_argument(
+        fmt::format("symmetry = \"{}\": the shape has not this symmetry, turned or mirrored it is "
+                    "off by {:.2g} of its radius",
+                    group.symbol(), off / farthest));
 }
 
 // New triangles, where they come out better.
@@ -60,7 +81,7 @@ void remesh(Candidate& best, const Resolution& resolution, const Projection& ont
   try {
     const TriangleMesh plain =
         remeshed(corners(best.mesh), best.mesh.triangle_count(), onto_surface, 0);
-    Candidate other = candidate(plain, resolution.order, onto_surface);
+    Candidate other = candidate(plain, resolution, onto_surface);
     if (other.score > best.score) best = std::move(other);
   } catch (const std::invalid_argument&) {  // none so large go round it
   }
@@ -72,20 +93,26 @@ std::optional<CurvedMesh> even_mesh_if_any(const Resolution& resolution,
                                            const Projection& from_sphere,
                                            const Projection& onto_surface) {
   constexpr int coarsest = 4;  // divisions that a shape needs for its triangles to settle
-  int n = std::max(1, int(std::lround(std::sqrt(resolution.triangles / 20.)))), halvings = 0;
+  const TriangleMesh body = body_with(resolution.symmetry);
+  int n = std::max(
+          1, int(std::lround(std::sqrt(double(resolution.triangles) / body.triangle_count())))),
+      halvings = 0;
   for (; n % 2 == 0 && n / 2 >= coarsest; n /= 2) ++halvings;
-  TriangleMesh start = icosphere(n);
+  TriangleMesh start = on_sphere(body, n);
+  require_symmetric(start, from_sphere, resolution.symmetry);
   project(start, from_sphere);
 
   Candidate best;
   for (const double evenness : {0.5, 1.}) {
-    const Smoothing aim{.grading = resolution.grading, .evenness = evenness};
+    const Smoothing aim{
+        .grading = resolution.grading, .evenness = evenness, .symmetry = resolution.symmetry};
     const TriangleMesh plain = refined(start, halvings, onto_surface, aim);
-    Candidate other = candidate(plain, resolution.order, onto_surface);
+    Candidate other = candidate(plain, resolution, onto_surface);
     if (best.mesh.triangle_count() == 0 || other.score > best.score) best = std::move(other);
     if (best.score >= 1) return best.mesh;
   }
-  if (resolution.grading == 0) remesh(best, resolution, onto_surface);
+  if (resolution.grading == 0 && resolution.symmetry.is_trivial())
+    remesh(best, resolution, onto_surface);
   if (!(best.min_jacobian > 0)) return {};
   return best.mesh;
 }

@@ -1,5 +1,7 @@
 #include "meshing/icosphere.h"
 
+#include "meshing/mesh_symmetry.h"
+
 #include <Eigen/Geometry>
 
 #include <algorithm>
@@ -30,6 +32,33 @@ TriangleMesh icosahedron() {
     mesh.triangles.col(4 * k + 1) << 1 + k, 6 + k, 1 + next;
     mesh.triangles.col(4 * k + 2) << 6 + k, 6 + next, 1 + next;
     mesh.triangles.col(4 * k + 3) << 11, 6 + next, 6 + k;
+  }
+  return mesh;
+}
+
+// Vertices above and below, rings of `corners` around them, one of each ring at y = 0, and another ring on the equator: all rings have five or six
+// triangles at each vertex.
+TriangleMesh lantern(int corners) {
+  constexpr double height = 0.6;  // of the rings, over the equator
+  const double radius = std::sqrt(1 - height * height), step = 2 * std::numbers::pi / corners;
+  TriangleMesh mesh{Eigen::Matrix3Xd(3, 3 * corners + 2), Eigen::Matrix3Xi(3, 6 * corners)};
+  const int above = 3 * corners, below = above + 1;
+  mesh.points.col(above) << 0, 0, 1;
+  mesh.points.col(below) << 0, 0, -1;
+  for (int k = 0; k < corners; ++k) {
+    const double angle = k * step, between = (k + 0.5) * step;
+    const int upper = k, lower = corners + k, middle = 2 * corners + k;
+    const int next = (k + 1) % corners, before = (k + corners - 1) % corners;
+    mesh.points.col(upper) << radius * std::cos(angle), radius * std::sin(angle), height;
+    mesh.points.col(lower) << radius * std::cos(angle), radius * std::sin(angle), -height;
+    mesh.points.col(middle) << std::cos(between), std::sin(between), 0;
+    auto triangle = mesh.triangles.middleCols<6>(6 * k);
+    triangle.col(0) << above, upper, next;
+    triangle.col(1) << below, corners + next, lower;
+    triangle.col(2) << upper, middle, next;
+    triangle.col(3) << lower, corners + next, middle;
+    triangle.col(4) << upper, 2 * corners + before, middle;
+    triangle.col(5) << lower, middle, 2 * corners + before;
   }
   return mesh;
 }
@@ -110,18 +139,47 @@ TriangleMesh divided(const TriangleMesh& coarse, int n) {
 
 }  // namespace
 
-TriangleMesh icosphere(int n) {
-  if (n < 1) throw std::invalid_argument("icosphere: n must be >= 1");
-  TriangleMesh mesh = divided(icosahedron(), n);
+TriangleMesh on_sphere(const TriangleMesh& body, int n) {
+  if (n < 1) throw std::invalid_argument("sphere: its edges must be divided into n >= 1 parts");
+  TriangleMesh mesh = divided(body, n);
   mesh.points.colwise().normalize();
   return mesh;
 }
 
-TriangleMesh octasphere(int n) {
-  if (n < 1) throw std::invalid_argument("octasphere: n must be >= 1");
-  TriangleMesh mesh = divided(octahedron(), n);
-  mesh.points.colwise().normalize();
-  return mesh;
+TriangleMesh icosphere(int n) { return on_sphere(icosahedron(), n); }
+TriangleMesh octasphere(int n) { return on_sphere(octahedron(), n); }
+
+namespace {
+
+// The same body seen from another axis of its own, a mirror again at y = 0.
+TriangleMesh seen_along(TriangleMesh body, const Eigen::Vector3d& axis,
+                        const Eigen::Vector3d& across) {
+  Eigen::Matrix3d frame;
+  frame << across.cross(axis), across, axis;
+  body.points = (frame.transpose() * body.points).eval();
+  return body;
+}
+TriangleMesh by_a_quarter(const TriangleMesh& body) {
+  return seen_along(body, Eigen::Vector3d::UnitZ(), Eigen::Vector3d::UnitX());
+}
+
+}  // namespace
+
+TriangleMesh body_with(const PointGroup& group) {
+  const TriangleMesh five = icosahedron();
+  const Eigen::Vector3d above = five.points.col(0), next = five.points.col(1),
+                        beside = five.points.col(2);
+  const TriangleMesh three = seen_along(five, (above + next + beside).normalized(),
+                                        (beside - next).normalized()),
+                     two = seen_along(five, (above + next).normalized(), Eigen::Vector3d::UnitY());
+  std::vector<TriangleMesh> bodies{five,        three, two, by_a_quarter(five), by_a_quarter(three),
+                                   octahedron()};
+  constexpr int most_corners = 24;  // of S24 and D12d
+  for (const int corners : {6, 5}) bodies.push_back(lantern(corners));
+  for (int corners = 7; corners <= most_corners; ++corners) bodies.push_back(lantern(corners));
+  for (const TriangleMesh& body : bodies)
+    if (has_symmetry(body, group)) return body;
+  throw std::logic_error("no body has the symmetry " + group.symbol());
 }
 
 TriangleMesh subdivided(const TriangleMesh& mesh) { return divided(mesh, 2); }

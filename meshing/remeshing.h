@@ -21,8 +21,8 @@ using SizeField = std::function<double(const Eigen::Vector3d&)>;
 /// flip towards six triangles at each point, points move along the surface; at last `smooth`. (CGAL 5.5
 /// remeshes to one length only: `remeshed` is for that, and for meshes that are poor to start from.)
 /// The size should not change by more than about a third from neighbour to neighbour. Throws
-/// std::invalid_argument when the mesh is no closed oriented surface.
-TriangleMesh graded(const TriangleMesh& mesh, const SizeField& size,
-                    const Projection& onto_surface);
+/// std::invalid_argument when the mesh is no closed oriented surface, or has not the symmetry, which it keeps.
+TriangleMesh graded(const TriangleMesh& mesh, const SizeField& size, const Projection& onto_surface,
+                    const PointGroup& symmetry = {});
 
 }  // namespace sbeh::meshing

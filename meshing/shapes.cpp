@@ -2,8 +2,10 @@
 
 #include "meshing/curving.h"
 #include "meshing/even_mesh.h"
+#include "meshing/fitting.h"
 #include "meshing/icosphere.h"
 #include "meshing/measures.h"
+#include "meshing/mesh_symmetry.h"
 #include "meshing/quality.h"
 #include "model/numerics/root.h"
 #include "model/numerics/spheroid.h"
@@ -48,6 +50,50 @@ CurvedMesh stretched_sphere(const Vector3d& semi_axes, const Resolution& resolut
   return mesh;
 }
 
+// Where a line meets r(d) d.
+HitByLine on_rays(const RadialFunction& r) {
+  const auto excess = [&r](const Vector3d& x) { return x.norm() - r(x.normalized()); };
+  const auto gradient = [excess](const Vector3d& x) {
+    const double step = 1e-5 * x.norm();
+    Vector3d slope;
+    for (int k = 0; k < 3; ++k) {
+      const Vector3d way = step * Vector3d::Unit(k);
+      slope[k] = (excess(x + way) - excess(x - way)) / (2 * step);
+    }
+    return slope;
+  };
+  return [excess, gradient](const Vector3d& x, const Vector3d& along) -> std::optional<LineHit> {
+    constexpr int iterations = 20;
+    constexpr double accuracy = 1e-12;
+    double s = 0, error = excess(x);
+    const double slope = gradient(x).dot(along);
+    for (int i = 0; i < iterations && std::abs(error) > accuracy * x.norm(); ++i) {
+      s -= error / slope;
+      error = excess(x + s * along);
+    }
+    if (!(std::abs(error) <= accuracy * x.norm())) return {};
+    return LineHit{s, gradient(x + s * along).normalized()};
+  };
+}
+
+void fit_to(const RadialFunction& r, const Resolution& resolution, CurvedMesh& mesh) {
+  if (!resolution.fitted || resolution.order != 3) return;
+  const MeshSymmetry symmetry = required_symmetry(mesh, resolution.symmetry);
+  if (!fit(mesh, on_rays(r))) return;
+  mesh.nodes = symmetry.symmetric_part(mesh.nodes);  // against rounding
+}
+
+RadialFunction ellipsoid_radius(const Vector3d& semi_axes) {
+  return [semi_axes](const Vector3d& d) { return 1 / d.cwiseQuotient(semi_axes).norm(); };
+}
+
+// What it was before nodes left the shape.
+void restore(double v, const Resolution& resolution, CurvedMesh& mesh) {
+  if (resolution.fitted && !correct_area_volume(mesh, area(mesh), v))
+    throw std::invalid_argument(
+        fmt::format("reduced volume {}: so few triangles have no surface of it", v));
+}
+
 }  // namespace
 
 CurvedMesh star_shaped(const RadialFunction& r, const Resolution& resolution) {
@@ -61,11 +107,15 @@ CurvedMesh star_shaped(const RadialFunction& r, const Resolution& resolution) {
                       std::acos(d.z()), std::atan2(d.y(), d.x())));
     return radius * d;
   };
-  return even_mesh(resolution, radially, radially);
+  CurvedMesh mesh = even_mesh(resolution, radially, radially);
+  fit_to(r, resolution, mesh);
+  return mesh;
 }
 
 CurvedMesh sphere(const Resolution& resolution) {
-  return star_shaped([](const Vector3d&) { return 1.; }, resolution);
+  Resolution on_it = resolution;
+  on_it.fitted = false;
+  return star_shaped([](const Vector3d&) { return 1.; }, on_it);
 }
 
 CurvedMesh ellipsoid(const Vector3d& semi_axes, const Resolution& resolution) {
@@ -85,8 +135,11 @@ CurvedMesh ellipsoid(const Vector3d& semi_axes, const Resolution& resolution) {
   const auto even = even_mesh_if_any(resolution, radially, is_slender ? onto : radially);
   CurvedMesh mesh = stretched_sphere(semi_axes, resolution);
   // New triangles that are wider than a needle close it where it is not yet at its end.
-  if (even && volume(*even) > least_of_volume * volume(mesh)) return *even;
+  const bool is_even = even && volume(*even) > least_of_volume * volume(mesh);
+  if (is_even) mesh = *even;
   if (!(min_jacobian(mesh) > 0)) refuse_as_too_sharp(resolution);
+  if (!is_even && !resolution.symmetry.is_trivial()) required_symmetry(mesh, resolution.symmetry);
+  fit_to(ellipsoid_radius(semi_axes), resolution, mesh);
   return mesh;
 }
 
@@ -105,7 +158,9 @@ CurvedMesh ellipsoid(double v, bool prolate, const Resolution& resolution) {
     q = root_between([&](double x) { return spheroid_reduced_volume(x) - v; },
                      std::min(extreme, 1.), std::max(extreme, 1.))
             .middle();
-  CurvedMesh mesh = ellipsoid(Vector3d(1, 1, q), resolution);
+  Resolution on_it = resolution;
+  on_it.fitted = false;
+  CurvedMesh mesh = ellipsoid(Vector3d(1, 1, q), on_it);
   if (v < 1) {
     // Stretched along z it remains a spheroid, nodes included.
     const auto stretched = [&](double s) {
@@ -121,8 +176,11 @@ CurvedMesh ellipsoid(double v, bool prolate, const Resolution& resolution) {
                       v, mesh.triangle_count(), mesh.order, highest));
     const double too_far = prolate ? 1.5 : 0.5;
     const auto miss = [&](double s) { return reduced_volume(stretched(s)) - v; };
-    mesh =
-        stretched(root_between(miss, std::min(too_far, 1 / q), std::max(too_far, 1 / q)).middle());
+    const double s =
+        root_between(miss, std::min(too_far, 1 / q), std::max(too_far, 1 / q)).middle();
+    mesh = stretched(s);
+    fit_to(ellipsoid_radius({1, 1, q * s}), resolution, mesh);
+    restore(v, resolution, mesh);
   }
   scale_to_area(mesh, 4 * pi);
   return mesh;
@@ -164,14 +222,21 @@ CurvedMesh harmonic_sphere(std::span<const Harmonic> modes, double v,
   const double guess = root_between(miss(coarse), 0, high).middle();
   std::vector<Harmonic> scaled(modes.begin(), modes.end());
   for (Harmonic& mode : scaled) mode.amplitude *= guess;
-  const CurvedMesh mesh = harmonic_sphere(scaled, resolution);
+  Resolution on_it = resolution;
+  on_it.fitted = false;
+  const CurvedMesh mesh = harmonic_sphere(scaled, on_it);
   constexpr double range = 1.05;  // coarse and fine mesh differ by less
   const auto fine = miss(mesh);
   if (!(fine(guess / range) > 0 && fine(guess * range) < 0))
     throw std::invalid_argument(
         fmt::format("harmonics: reduced volume {}: {} triangles of order {} are too few for it", v,
                     mesh.triangle_count(), mesh.order));
-  return with_factor(mesh, root_between(fine, guess / range, guess * range).middle());
+  const double factor = root_between(fine, guess / range, guess * range).middle();
+  CurvedMesh result = with_factor(mesh, factor);
+  fit_to([&](const Vector3d& d) { return 1 + factor * harmonic_sum(modes, d); }, resolution,
+         result);
+  restore(v, resolution, result);
+  return result;
 }
 
 }  // namespace sbeh::meshing

@@ -1,5 +1,5 @@
 // Shapes given by a formula as curved meshes: spheres, ellipsoids, spherical harmonics, and any
-// surface that is star-shaped about the origin. Every node lies on the shape, to rounding.
+// surface that is star-shaped about the origin. Every node lies on the shape, to rounding, unless it is fitted.
 #pragma once
 
 #include "meshing/curved_mesh.h"
@@ -26,7 +26,7 @@ CurvedMesh sphere(const Resolution& resolution);
 CurvedMesh ellipsoid(const Eigen::Vector3d& semi_axes, const Resolution& resolution);
 
 /// Spheroid about z, oblate or prolate, of area 4π and reduced volume 0 < V_r <= 1; the curved
-/// mesh itself has these values to rounding, and its nodes lie on one spheroid. At V_r = 1 it is
+/// mesh itself has these values to rounding, and its nodes, unless fitted, lie on one spheroid. At V_r = 1 it is
 /// the sphere, whose mesh has a V_r a little below 1. Throws std::invalid_argument outside, for
 /// shapes thinner than 1:100, and for V_r < 1 above that of this mesh of the sphere.
 CurvedMesh ellipsoid(double reduced_volume, bool prolate, const Resolution& resolution);

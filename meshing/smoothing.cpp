@@ -1,12 +1,15 @@
 #include "meshing/smoothing.h"
 
+#include "meshing/edge_orbits.h"
 #include "meshing/half_edge_mesh.h"
 
 #include <Eigen/Geometry>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
+#include <vector>
 
 namespace sbeh::meshing {
 
@@ -119,18 +122,26 @@ bool should_flip(const Vector3d& a, const Vector3d& b, const Vector3d& c, const 
   return (d - c).cross(b - c).dot(outward) > 0 && (a - c).cross(d - c).dot(outward) > 0;
 }
 
-int flip_edges(HalfEdgeMesh& mesh) {
+int flip_edges(HalfEdgeMesh& mesh, const MeshSymmetry& symmetry) {
   int flips = 0;
-  for (const auto edge : mesh.edges()) {
+  for (const SmartEdge edge : mesh.edges()) {
     const auto h = edge.h0();
     const auto c = h.next().to(), d = h.opp().next().to();
     if (!should_flip(point(mesh, h.from()), point(mesh, h.to()), point(mesh, c), point(mesh, d)))
       continue;
-    if (h.from().valence() < 4 || h.to().valence() < 4 || !mesh.is_flip_ok(edge)) continue;
-    mesh.flip(edge);
-    ++flips;
+    const std::vector<SmartEdge> orbit = orbit_of(mesh, edge, symmetry);
+    if (!may_flip(mesh, orbit)) continue;
+    for (const SmartEdge other : orbit) mesh.flip(other);
+    flips += int(orbit.size());
   }
   return flips;
+}
+
+void take_symmetric_part(HalfEdgeMesh& mesh, const MeshSymmetry& symmetry) {
+  Eigen::Matrix3Xd points(3, Eigen::Index(mesh.n_vertices()));
+  for (const auto vertex : mesh.vertices()) points.col(vertex.idx()) = point(mesh, vertex);
+  points = symmetry.symmetric_part(points);
+  for (const auto vertex : mesh.vertices()) set_point(mesh, vertex, points.col(vertex.idx()));
 }
 
 }  // namespace
@@ -142,10 +153,13 @@ void project(TriangleMesh& mesh, const Projection& onto_surface) {
 
 void smooth(TriangleMesh& mesh, const Projection& onto_surface, const Smoothing& aim, int sweeps) {
   constexpr int flip_passes = 10;  // they end by themselves long before, except for rounding
+  const MeshSymmetry symmetry =
+      symmetry_of_triangles(mesh, aim.symmetry);  // points keep their numbers
   HalfEdgeMesh half_edges = half_edge_mesh(mesh);
   for (int sweep = 0; sweep < sweeps; ++sweep) {
     move_points(half_edges, onto_surface, aim);
-    for (int pass = 0; pass < flip_passes && flip_edges(half_edges) > 0; ++pass) {
+    if (!aim.symmetry.is_trivial()) take_symmetric_part(half_edges, symmetry);
+    for (int pass = 0; pass < flip_passes && flip_edges(half_edges, symmetry) > 0; ++pass) {
     }
   }
   mesh = triangle_mesh(half_edges);

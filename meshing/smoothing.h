@@ -1,6 +1,7 @@
 // Even triangles on a smooth surface: points move along it and edges flip, the counts stay.
 #pragma once
 
+#include "meshing/point_group.h"
 #include "meshing/triangle_mesh.h"
 
 #include <functional>
@@ -23,11 +24,13 @@ struct Smoothing {
   /// Power of the triangles' areas in their weights: 1 makes areas even at the cost of angles,
   /// 0 angles at the cost of areas.
   double evenness = 0.5;
+  /// That the mesh has and keeps.
+  PointGroup symmetry = {};
 };
 
 /// Sweeps over a closed mesh: every point goes along the surface to the weighted mean of the
 /// centroids of its triangles, weight = (area/size⁴)^evenness, and back onto the surface; then
-/// edges that violate Delaunay's criterion flip.
+/// edges that violate Delaunay's criterion flip. Throws std::invalid_argument where the triangles have not the symmetry.
 void smooth(TriangleMesh& mesh, const Projection& onto_surface, const Smoothing& aim, int sweeps);
 
 /// Smallest angle of the triangles, degrees.

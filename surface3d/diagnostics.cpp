@@ -61,6 +61,7 @@ Diagnostics diagnose(const Triangulation& mesh, const model::Material& material,
   d.volume = volume(mesh, state.X);
   d.reduced_volume = reduced_volume(d.area, d.volume);
   d.mesh_quality = mesh_quality(mesh, state.X);
+  d.asymmetry = std::numeric_limits<double>::quiet_NaN();
   d.H_abs_max = curvature->H.cwiseAbs().maxCoeff();
   d.order_min = state.beta.minCoeff();
   d.order_max = state.beta.maxCoeff();

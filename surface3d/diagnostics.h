@@ -35,6 +35,7 @@ struct Diagnostics {
   double H_abs_max;     ///< largest |H|
   double resolution;    ///< largest |B| times the node spacing, as the area there tells it
   double mesh_quality;  ///< see mesh_quality
+  double asymmetry;     ///< see symmetry.h, of a state whose mesh has a symmetry; else not a number
 };
 /// Throws std::runtime_error where the surface is degenerate.
 Diagnostics diagnose(const Triangulation& mesh, const model::Material& material,

@@ -6,6 +6,7 @@
 #include "model/time/implicit_euler.h"
 #include "surface3d/mesh/self_contact.h"
 #include "surface3d/order_step.h"
+#include "surface3d/symmetry.h"
 #include "surface3d/variational/variational_stepper.h"
 
 #include <fmt/format.h>
@@ -30,18 +31,26 @@ class Solver {
   using State = surface3d::State;
 
   Solver(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
-         model::Model model, const Numerics& numerics)
+         model::Model model, const Numerics& numerics, const FlowSymmetry& symmetry,
+         const State& state)
       : mesh_(std::move(mesh)),
         material_(material),
         model_(model),
         numerics_(numerics),
+        symmetry_(symmetry),
+        kept_(kept_by(*mesh_, state)),
         stepper_(std::make_unique<Stepper>(mesh_, material_, model_, numerics_)) {}
 
   FlowStep step(const auto&... of) { return stepper_->step(of...); }
 
   bool restore(State& state, const Target& target) const {
+    const auto project = [&] {
+      if (kept_) state = symmetric_part(*kept_, state);
+    };
+    project();
     if (!correct_area_volume(*mesh_, state.X, stepper_->fields().H, target.area, target.volume))
       return false;
+    project();  // what the quadrature's lack of symmetry has made of H: of second order in area and volume
     if (target.order)
       state.beta.array() += (*target.order - total_order(*mesh_, state)) / area(*mesh_, state.X);
     return true;
@@ -81,10 +90,18 @@ class Solver {
   }
 
  private:
+  std::optional<meshing::MeshSymmetry> kept_by(const Triangulation& mesh,
+                                               const State& state) const {
+    if (symmetry_.kept.is_trivial()) return {};
+    return required_symmetry(mesh, state, symmetry_.kept);
+  }
+
   std::shared_ptr<const Triangulation> mesh_;
   model::Material material_;
   model::Model model_;
   Numerics numerics_;
+  FlowSymmetry symmetry_;
+  std::optional<meshing::MeshSymmetry> kept_;  // empty: none
   std::unique_ptr<Stepper> stepper_;
   std::optional<Curvature> curvature_;  // of the state whose energy was asked for last
   Indicators indicators_{};
@@ -104,10 +121,12 @@ bool Solver<Stepper>::renew(State& state) {
   look_at(state);
   if (!numerics_.remesh || remeshing_over_ || resolved(indicators_)) return false;
   const int triangles = std::min(numerics_.most_triangles, mesh_->count() * 3 / 2);
-  remeshed_ = remesh(*mesh_, state, material_, {.triangles = triangles});
+  remeshed_ =
+      remesh(*mesh_, state, material_, {.triangles = triangles, .symmetry = symmetry_.mesh});
   if (!remeshed_->mesh) return remeshing_over_ = true, false;
   mesh_ = remeshed_->mesh;
   state = remeshed_->state;
+  kept_ = kept_by(*mesh_, state);
   stepper_ = std::make_unique<Stepper>(mesh_, material_, model_, numerics_);
   const auto curvature = curvature_of(*mesh_, state.X);
   remeshing_over_ = triangles == numerics_.most_triangles
@@ -176,11 +195,11 @@ FlowResult run_flow(const model::Material& given, model::Model model, const Flow
     throw std::invalid_argument(
         "integrator = \"variational\": has no steps of order = \"diffusive\"");
   if (variational && !is_sphere(*start.mesh, start.target.area, start.target.volume)) {
-    MinimalSolver solver(start.mesh, material, model, numerics);
+    MinimalSolver solver(start.mesh, material, model, numerics, start.symmetry, start.state);
     model::ImplicitEuler<MinimalSolver> steps(solver, target);
     return run(solver, steps, steps);
   }
-  LinearSolver solver(start.mesh, material, model, numerics);
+  LinearSolver solver(start.mesh, material, model, numerics, start.symmetry, start.state);
   model::TwoStep<LinearSolver> two_step(solver, target);
   if (numerics.integrator != Integrator::step_doubling) return run(solver, two_step, two_step);
   model::StepDoubling<LinearSolver> doubling(solver, target, numerics.extrapolate);

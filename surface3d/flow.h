@@ -1,6 +1,7 @@
 // An evolution in time of the 3D solver; see model/time/flow.h.
 #pragma once
 
+#include "meshing/point_group.h"
 #include "model/time/flow_record.h"
 #include "model/time/step_control.h"
 #include "model/time/two_step.h"
@@ -23,6 +24,12 @@ struct FlowMemory {
   std::optional<model::Past<State>> past;  ///< of the two-step method
   bool remeshing_over = false;             ///< no new mesh is tried any more
 };
+/// Point groups about the origin; C1: none.
+struct FlowSymmetry {
+  meshing::PointGroup mesh = {};  ///< of the triangles, new ones included
+  meshing::PointGroup kept = {};  ///< in it: what each step is projected onto
+  bool operator==(const FlowSymmetry&) const = default;
+};
 /// A moment of a run: all that it needs to go on with the same bits, and what its files are made of.
 struct FlowMoment {
   std::shared_ptr<const Triangulation> mesh;
@@ -30,7 +37,8 @@ struct FlowMoment {
   Target target;
   FlowRecord record = {};  ///< for a run that goes on its time and next_step count
   FlowMemory memory = {};
-  StepFields fields = {};  ///< as in StepView; a run goes on without
+  StepFields fields = {};      ///< as in StepView; a run goes on without
+  FlowSymmetry symmetry = {};  ///< of the run
 };
 /// What an observer sees besides the state.
 struct StepView {
@@ -50,11 +58,11 @@ using FlowResult = model::FlowResult<State>;
 inline constexpr const char* no_variational_steps =
     "belongs to models whose area is kept at each point";
 
-/// Runs the flow, keeping area and volume at the start's target to rounding. A run whose mesh does not
+/// Runs the flow, keeping area and volume at the start's target, and its symmetry, to rounding. A run whose mesh does not
 /// resolve the surface (see resolution.h) goes on, on a new mesh with half as many triangles
 /// more where Numerics::remesh allows it. It ends where the mesh degenerates or the surface touches
 /// itself (see self_contact.h). Spheres, which do not move, have no variational steps, but those of TwoStep. Throws
-/// std::invalid_argument where the model has none.
+/// std::invalid_argument where the model has none, and where the mesh has not the symmetry.
 FlowResult run_flow(const model::Material& material, model::Model model, const FlowMoment& start,
                     const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe = {});

@@ -9,6 +9,7 @@
 #include "studies/io/description.h"
 #include "studies/io/interrupt.h"
 #include "surface3d/stationary/rest_ahead.h"
+#include "surface3d/symmetry.h"
 
 #include <algorithm>
 #include <utility>
@@ -40,12 +41,12 @@ class RunObservers {
   const std::optional<double>& unresolved_from() const { return events_.unresolved_from(); }
 
  private:
-  surface3d::Diagnostics diagnostics() const {
-    return surface3d::diagnose(*now_.mesh, input_.material, now_.state);
-  }
+  surface3d::Diagnostics diagnostics();
 
   const RunInput& input_;
   FlowMoment now_;
+  std::shared_ptr<const surface3d::Triangulation> symmetric_mesh_;  // that has the one below
+  std::optional<meshing::MeshSymmetry> mesh_symmetry_;
   ProgressLine line_;
   LongProgress progress_;
   SeriesWriter series_;
@@ -64,11 +65,22 @@ RunObservers::RunObservers(const RunInput& input, const OutputFolder& folder, Fl
       events_(folder, input.numerics.remesh, until, line_),
       checkpoint_(folder, input, line_) {}
 
+surface3d::Diagnostics RunObservers::diagnostics() {
+  surface3d::Diagnostics d = surface3d::diagnose(*now_.mesh, input_.material, now_.state);
+  if (input_.symmetry.mesh.is_trivial()) return d;
+  if (symmetric_mesh_ != now_.mesh) {
+    mesh_symmetry_ = surface3d::symmetry_of(*now_.mesh, now_.state, input_.symmetry.mesh);
+    symmetric_mesh_ = now_.mesh;
+  }
+  if (mesh_symmetry_) d.asymmetry = surface3d::asymmetry(*now_.mesh, now_.state, *mesh_symmetry_);
+  return d;
+}
+
 bool RunObservers::see(const FlowRecord& record, const surface3d::State& state,
                        const StepView& view, bool exact) {
   progress_.see(record);
   events_.see(record, view);
-  now_ = {view.mesh, state, now_.target, record, view.memory, view.fields};
+  now_ = {view.mesh, state, now_.target, record, view.memory, view.fields, now_.symmetry};
   if (record.ends) return true;  // what remains is for finish()
   series_.see(record, exact, [&] { return diagnostics(); });
   const auto write = [&](const fs::path& file) { write_frame(file, now_, input_); };
@@ -127,7 +139,8 @@ RunSummary run_surface(const RunInput& asked, const fs::path& path, std::string_
   if (begin)
     for (const std::string& remark : begin->remarks) tell(fmt::format("sbeh: {}\n", remark));
 
-  const FlowMoment& start = known.moment ? *known.moment : begin->moment;
+  FlowMoment start = known.moment ? *known.moment : begin->moment;
+  start.symmetry = input.symmetry;
   RunObservers observers(input, folder, start, known.moment ? start.record.time : -1);
   try {
     const surface3d::FlowResult run = run_observed(input, start, observers);

@@ -86,6 +86,14 @@ void read_surface(const TomlTable& surface, RunInput& input) {
   input.order_pattern = read_order_pattern(surface, false);
   if (surface.has("perturbation"))
     input.perturbation = surface.harmonics("perturbation", largest_degree);
+  input.symmetry.mesh = input.symmetry.kept = read_symmetry(surface, "symmetry");
+  if (surface.has("keep_symmetry")) {
+    input.symmetry.kept = read_symmetry(surface, "keep_symmetry");
+    if (!input.symmetry.mesh.contains(input.symmetry.kept))
+      surface.fail("keep_symmetry",
+                   fmt::format("must be part of symmetry = \"{}\", that of the triangles",
+                               input.symmetry.mesh.symbol()));
+  }
   surface.reject_unknown_keys();
 }
 
@@ -118,6 +126,9 @@ void write_surface(TomlText& toml, const RunInput& input) {
     write_order_pattern(toml, input.order_pattern);
   }
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
+  if (input.symmetry.mesh.is_trivial()) return;
+  toml.value("symmetry", input.symmetry.mesh.symbol());
+  toml.value("keep_symmetry", input.symmetry.kept.symbol());
 }
 
 bool is_gone(const RunInput& input) {

@@ -8,6 +8,7 @@
 #include "studies/evolution/times.h"
 #include "studies/parameters/units.h"
 #include "studies/scan/scan_row.h"
+#include "surface3d/flow.h"
 #include "surface3d/options.h"
 
 #include <filesystem>
@@ -70,6 +71,8 @@ struct RunInput : Physics {
   double initial_order = model::full_order;     ///< where the start brings none, 0 … 1
   OrderPattern order_pattern;                   ///< likewise, added to it
   std::vector<meshing::Harmonic> perturbation;  ///< displaces along the normal by Σ a_lm Y_lm
+  /// Of triangles, and the part of it that each step is projected onto: keys `symmetry`, `keep_symmetry`.
+  surface3d::FlowSymmetry symmetry{};
   surface3d::Numerics numerics;
   Times times;  ///< states: frames
   RunFinish finish = RunFinish::flow;

@@ -13,6 +13,8 @@
 #include "studies/states/profile_file.h"
 #include "surface3d/moments.h"
 #include "surface3d/order_step.h"
+#include "surface3d/stationary/symmetry_class.h"
+#include "surface3d/symmetry.h"
 
 #include <fmt/format.h>
 
@@ -25,6 +27,7 @@ namespace {
 
 using meshing::CurvedMesh;
 constexpr double unit_area = 4 * std::numbers::pi;
+constexpr double usual_grading = 1;
 
 // A surface and, where the start brings it, its order.
 struct Start {
@@ -50,15 +53,26 @@ CurvedMesh sound(CurvedMesh mesh, const std::string& file, const meshing::Names&
   return mesh;
 }
 
+meshing::Resolution on_shape(const RunInput& input) {
+  return {.triangles = input.triangles, .symmetry = input.symmetry.mesh};
+}
+// Of shapes that a formula gives.
+meshing::Resolution fitted(const RunInput& input) {
+  return {.triangles = input.triangles,
+          .grading = usual_grading,
+          .symmetry = input.symmetry.mesh,
+          .fitted = true};
+}
+
 Start make(const Ellipsoid& e, const RunInput& input) {
-  const meshing::Resolution resolution{.triangles = input.triangles};
+  const meshing::Resolution resolution = fitted(input);
   if (e.reduced_volume) return {meshing::ellipsoid(*e.reduced_volume, e.prolate, resolution)};
   const Eigen::Vector3d axes(e.axes.data());
   return {meshing::ellipsoid(axes / axes.maxCoeff(), resolution)};
 }
 
 Start make(const HarmonicSphere& sphere, const RunInput& input) {
-  const meshing::Resolution resolution{.triangles = input.triangles};
+  const meshing::Resolution resolution = fitted(input);
   if (sphere.reduced_volume)
     return {meshing::harmonic_sphere(sphere.modes, *sphere.reduced_volume, resolution)};
   return {meshing::harmonic_sphere(sphere.modes, resolution)};
@@ -108,7 +122,7 @@ Start make(const MeshFileStart& start, const RunInput&) {
 
 Start make(const ScanRow& row, const RunInput& input) {
   const axisym::State profile = state_of(row);
-  meshing::RevolvedMesh revolved = meshing::revolved(profile, {.triangles = input.triangles});
+  meshing::RevolvedMesh revolved = meshing::revolved(profile, on_shape(input));
   return {std::move(revolved.mesh), std::move(revolved.beta)};
 }
 
@@ -121,11 +135,15 @@ Start make(const FrameStart& start, const RunInput&) {
 
 Start make(const ModeStart& start, const RunInput& input) {
   try {
-    meshing::RevolvedMesh made = displaced(read_mode(start.file), start.amplitude, input.triangles);
+    meshing::RevolvedMesh made = displaced(read_mode(start.file), start.amplitude, on_shape(input));
     return {std::move(made.mesh), std::move(made.beta)};
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("amplitude = {}: {}", start.amplitude, error.what()));
   }
+}
+
+double difference(const surface3d::State& a, const surface3d::State& b) {
+  return std::max((a.X - b.X).cwiseAbs().maxCoeff(), (a.beta - b.beta).cwiseAbs().maxCoeff());
 }
 
 // Not a number where the surface is degenerate.
@@ -160,8 +178,9 @@ void perturb(CurvedMesh& mesh, const std::vector<meshing::Harmonic>& modes) {
   }
 }
 
-meshing::RevolvedMesh displaced(const StateMode& mode, double amplitude, int triangles) {
-  RevolvedMode made = revolved(mode, {.triangles = triangles});
+meshing::RevolvedMesh displaced(const StateMode& mode, double amplitude,
+                                const meshing::Resolution& resolution) {
+  RevolvedMode made = revolved(mode, resolution);
   const Eigen::VectorXd beta = made.beta + amplitude * made.order_change;
   if (!(orders.contains(beta.minCoeff()) && orders.contains(beta.maxCoeff())))
     throw std::invalid_argument(
@@ -201,6 +220,40 @@ surface3d::Field first_order(const RunInput& input, const surface3d::Triangulati
   }
 }
 
+// Throws std::invalid_argument where the state has not what it is to keep.
+std::string remark_on_symmetry(const surface3d::Triangulation& mesh, const surface3d::State& state,
+                               const surface3d::FlowSymmetry& symmetry) {
+  const std::string& symbol = symmetry.mesh.symbol();
+  const auto of_mesh = surface3d::symmetry_of(mesh, state, symmetry.mesh);
+  if (!of_mesh)
+    throw std::invalid_argument(
+        fmt::format("[surface] symmetry = \"{}\": the triangles have not this symmetry", symbol));
+  if (!symmetry.kept.is_trivial()) {
+    const auto kept = surface3d::symmetry_of(mesh, state, symmetry.kept);
+    const double off = kept ? difference(state, surface3d::symmetric_part(*kept, state)) : 1;
+    if (!(off <= 1e-6))
+      throw std::invalid_argument(fmt::format(
+          "[surface] keep_symmetry = \"{}\": the start has not this symmetry, it is off by {:.2g}; "
+          "give a smaller one, or C1 to let the start lose it",
+          symmetry.kept.symbol(), off));
+  }
+  return fmt::format(
+      "the triangles have the symmetry {}, from which the start is off by {:.1e}; {}", symbol,
+      surface3d::asymmetry(mesh, state, *of_mesh),
+      symmetry.kept.is_trivial() ? "it is not kept" : "each step keeps " + symmetry.kept.symbol());
+}
+
+// Of a start that may lose what its triangles have not.
+std::optional<std::string> remark_on_lack(const surface3d::Triangulation& mesh,
+                                          const surface3d::State& state) {
+  const std::string symbol = surface3d::symmetry_class(mesh, state);
+  if (symbol == "C1" || symbol.ends_with("oov") || symbol.ends_with("ooh")) return {};
+  return fmt::format(
+      "the start has the symmetry {0}, its triangles have not, which decides when a shape that is "
+      "unstable loses it; symmetry = \"{0}\" in [surface] gives it triangles that have it",
+      symbol);
+}
+
 }  // namespace
 
 RunStart start_of(const RunInput& input) {
@@ -231,9 +284,15 @@ RunStart start_of(const RunInput& input) {
     };
     if (const auto remark = remark_on(*origin, input, energies)) start.remarks.push_back(*remark);
   }
-  return {
-      {.mesh = mesh, .state = state, .target = surface3d::area_and_volume(*mesh, start.mesh.nodes)},
-      start.remarks};
+  if (!input.symmetry.mesh.is_trivial())
+    start.remarks.push_back(remark_on_symmetry(*mesh, state, input.symmetry));
+  else if (std::holds_alternative<HarmonicSphere>(input.start))
+    if (const auto remark = remark_on_lack(*mesh, state)) start.remarks.push_back(*remark);
+  return {{.mesh = mesh,
+           .state = state,
+           .target = surface3d::area_and_volume(*mesh, start.mesh.nodes),
+           .symmetry = input.symmetry},
+          start.remarks};
 }
 
 RunCost cost_of(const RunInput& input, int triangles) {

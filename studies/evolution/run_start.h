@@ -27,7 +27,8 @@ void perturb(meshing::CurvedMesh& mesh, const std::vector<meshing::Harmonic>& mo
 
 /// The state revolved and displaced by `amplitude` times a mode, its order with it. Throws std::invalid_argument where
 /// that takes the order out of its range, or folds the surface.
-meshing::RevolvedMesh displaced(const StateMode& mode, double amplitude, int triangles);
+meshing::RevolvedMesh displaced(const StateMode& mode, double amplitude,
+                                const meshing::Resolution& resolution);
 
 /// Seconds and MB as measured with the defaults on one core of 2026; good to a factor of two.
 struct RunCost {

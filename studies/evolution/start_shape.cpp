@@ -9,6 +9,15 @@ namespace {
 constexpr double largest_aspect = 1000, largest_meshed_aspect = 100;
 }  // namespace
 
+meshing::PointGroup read_symmetry(const TomlTable& table, std::string_view key) {
+  const std::string symbol = table.text(key, "C1");
+  try {
+    return meshing::PointGroup(symbol);
+  } catch (const std::invalid_argument& error) {
+    table.fail(key, error.what());
+  }
+}
+
 Ellipsoid read_ellipsoid(const TomlTable& start, std::size_t count, std::string_view axes) {
   Ellipsoid ellipsoid;
   if (start.has("axes")) {

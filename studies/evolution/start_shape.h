@@ -1,6 +1,7 @@
 // The shapes that the start of an evolution may have: one list for each kind of input.
 #pragma once
 
+#include "meshing/point_group.h"
 #include "studies/io/spelling.h"
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"
@@ -79,6 +80,9 @@ std::optional<Origin> origin_of_any(const Start& start) {
       },
       start);
 }
+
+/// The point group that a key names; C1 without it. Throws InputError.
+meshing::PointGroup read_symmetry(const TomlTable& table, std::string_view key);
 
 /// Ellipsoid, scaled to the area 4π: of a reduced volume, or with axes.
 struct Ellipsoid {

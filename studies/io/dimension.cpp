@@ -98,6 +98,7 @@ const std::vector<std::pair<Dimension, Names>>& all_columns() {
         "jump",
         "energy_balance",
         "mesh_quality",
+        "asymmetry",
         "rejected_steps",
         "index",
         "file",

@@ -5,6 +5,7 @@
 #include "studies/io/progress.h"
 #include "studies/rest_states/rest_state.h"
 #include "surface3d/mesh/remesh.h"
+#include "surface3d/symmetry.h"
 
 #include <fmt/format.h>
 
@@ -73,7 +74,8 @@ class Branches {
     from_ = begin.from;
     use(begin.mesh);
     PathPoint at = begin.first;
-    int triangles = mesh_->count();  // of the next ones
+    if (from_ > 0 && !resolved_by(*mesh_, at.X)) renew(at, mesh_->count());  // what is left was
+    int triangles = mesh_->count();                                          // of the next ones
     if (!take(RestPoint::first, at)) return;
     const double longest = input_.follow->longest_step;
     double ds = std::min(longest, begin.step);
@@ -124,9 +126,10 @@ class Branches {
   // are none that resolve it.
   bool renew(PathPoint& at, int triangles) {
     for (const double more : {1., 1.25, 1.5, 2.}) {
-      const auto made =
-          surface3d::remesh(*mesh_, at, path_.material(at.mu),
-                            {.triangles = int(more * triangles), .largest_energy_change = 1});
+      const auto made = surface3d::remesh(*mesh_, at, path_.material(at.mu),
+                                          {.triangles = int(more * triangles),
+                                           .largest_energy_change = 1,
+                                           .symmetry = symmetry_of(at)});
       if (!made.mesh) continue;
       const auto there = on_other_triangles(path_on(*made.mesh), made.state, at, begins);
       if (!there || !resolved_by(*made.mesh, there->X)) continue;
@@ -135,6 +138,19 @@ class Branches {
       return true;
     }
     return false;
+  }
+
+  // That new triangles can have: what has left the symmetry of the old ones gives it up.
+  meshing::PointGroup symmetry_of(const surface3d::State& state) const {
+    constexpr double tolerance = 1e-6;
+    if (input_.symmetry.is_trivial()) return {};
+    const auto symmetry = surface3d::symmetry_of(*mesh_, state, input_.symmetry);
+    const bool has_it = symmetry && symmetry->misfit(state.X) < tolerance
+                     && misfit(*symmetry, state.beta) < tolerance;
+    return has_it ? input_.symmetry : meshing::PointGroup();
+  }
+  static double misfit(const meshing::MeshSymmetry& symmetry, const surface3d::Field& beta) {
+    return (symmetry.symmetric_part(beta) - beta).cwiseAbs().maxCoeff();
   }
 
   // What a step has gone past, in its range.

@@ -16,7 +16,8 @@ namespace {
 RestStart failed(std::string why) { return {{}, {}, std::move(why)}; }
 
 RestStart revolved(const StatesInput& input, const axisym::State& profile, int triangles) {
-  meshing::RevolvedMesh made = meshing::revolved(profile, {.triangles = triangles});
+  meshing::RevolvedMesh made =
+      meshing::revolved(profile, {.triangles = triangles, .symmetry = input.symmetry});
   try {
     if (!input.perturbation.empty()) perturb(made.mesh, input.perturbation);
   } catch (const std::invalid_argument& error) {

@@ -206,6 +206,7 @@ StatesInput read_states(const std::filesystem::path& path) {
   else
     input.triangles = states.integer("triangles", meshing::fewest_triangles,
                                      meshing::most_triangles, input.triangles);
+  input.symmetry = read_symmetry(states, "symmetry");
   input.eigenpairs = states.integer("eigenpairs", 0, most_eigenpairs, input.eigenpairs);
   input.rates = states.integer("rates", 0, most_eigenpairs, input.rates);
   states.reject_unknown_keys();
@@ -250,6 +251,7 @@ std::string describe(const StatesInput& input, std::string_view version) {
   toml.value("L", input.L);
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
   if (!brings_its_mesh(input.start)) toml.value("triangles", input.triangles);
+  if (!input.symmetry.is_trivial()) toml.value("symmetry", input.symmetry.symbol());
   toml.value("eigenpairs", input.eigenpairs);
   toml.value("rates", input.rates);
   if (input.follow) {

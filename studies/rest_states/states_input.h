@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/stationary/stationary_case.h"
+#include "meshing/point_group.h"
 #include "meshing/spherical_harmonics.h"
 #include "studies/parameters/units.h"
 #include "studies/scan/scan_row.h"
@@ -61,11 +62,12 @@ struct StatesInput {
   std::vector<double> reduced_volume;  ///< V_r, each in 0 < V_r < 1; ascending
   std::vector<double> L;               ///< ascending; all combinations
   std::vector<meshing::Harmonic>
-      perturbation;          ///< displaces the start along the normal by Σ a_lm Y_lm
-  int triangles = 320;       ///< about so many; frames and meshes bring their own
-  int eigenpairs = 6;        ///< lowest of the second variation, 0 … 50
-  int rates = 0;             ///< largest of the linearised flow, 0 … 50
-  model::Material material;  ///< its L1 gives way to L
+      perturbation;                ///< displaces the start along the normal by Σ a_lm Y_lm
+  int triangles = 320;             ///< about so many; frames and meshes bring their own
+  meshing::PointGroup symmetry{};  ///< of the triangles, new ones included
+  int eigenpairs = 6;              ///< lowest of the second variation, 0 … 50
+  int rates = 0;                   ///< largest of the linearised flow, 0 … 50
+  model::Material material;        ///< its L1 gives way to L
   axisym::Numerics numerics;
   std::optional<FollowInput> follow{};
   std::optional<SearchInput> search{};

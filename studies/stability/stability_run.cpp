@@ -142,7 +142,7 @@ meshing::RevolvedMesh perturbed(const axisym::State& profile, const StabilityInp
                             mode->rate,
                             mode->u,
                             mode->b},
-                           displacement.amplitude, triangles);
+                           displacement.amplitude, {.triangles = triangles});
     } else {
       revolved = meshing::revolved(profile, {.triangles = triangles});
       perturb(revolved.mesh, {displacement});

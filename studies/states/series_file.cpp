@@ -40,6 +40,7 @@ const Columns<SeriesRow>& series_columns() {
       of_record("speed_max", &FlowRecord::speed_max),
       of_record("lambda", &FlowRecord::lambda),
       column("mesh_quality", &Row::mesh_quality),
+      known_column("asymmetry", &Row::asymmetry),
       of_record("rejected_steps", &FlowRecord::rejected),
   };
   return columns;

@@ -16,15 +16,18 @@ struct SeriesRow {
   double order_variance = not_known, order_std = not_known;
   double H_abs_max = not_known, mesh_quality = not_known;
   model::Domains domains{};
+  double asymmetry = not_known;
 };
 
 const Columns<SeriesRow>& series_columns();
 
 template <class Diagnostics>
 SeriesRow series_row(const model::FlowRecord& record, const Diagnostics& d) {
-  return {record,      d.area,         d.volume,    d.reduced_volume, d.W2,
-          d.order_min, d.order_mean,   d.order_max, d.order_variance, d.order_std,
-          d.H_abs_max, d.mesh_quality, d.domains};
+  SeriesRow row{record,      d.area,         d.volume,    d.reduced_volume, d.W2,
+                d.order_min, d.order_mean,   d.order_max, d.order_variance, d.order_std,
+                d.H_abs_max, d.mesh_quality, d.domains};
+  if constexpr (requires { d.asymmetry; }) row.asymmetry = d.asymmetry;
+  return row;
 }
 
 }  // namespace sbeh::studies

@@ -2,6 +2,7 @@
 
 #include "meshing/closest_point.h"
 #include "meshing/curving.h"
+#include "meshing/mesh_symmetry.h"
 #include "meshing/quality.h"
 #include "meshing/remeshing.h"
 #include "meshing/resolution.h"
@@ -90,14 +91,16 @@ double count_of(const Triangulation& mesh, const Nodes& X, const Field& side) {
 class OldSurface {
  public:
   OldSurface(const Triangulation& mesh, const State& state, const Curvature& curvature,
-             double grading)
+             const RemeshOptions& options)
       : mesh_(mesh),
         state_(state),
         curved_{.order = 3, .triangles = mesh.triangles, .nodes = state.X},
+        grading_(options.grading),
+        symmetry_(options.symmetry),
         lattice_(meshing::lattice(curved_)),
         closest_(std::make_shared<const meshing::ClosestPoint>(curved_)) {
     relative_size_ = (1
-                      + grading * radius(mesh, state.X) / std::sqrt(2.)
+                      + options.grading * radius(mesh, state.X) / std::sqrt(2.)
                             * node_curvature(mesh, state.X, curvature).array())
                          .inverse();
   }
@@ -105,7 +108,7 @@ class OldSurface {
   meshing::Projection projection() const { return meshing::onto(closest_); }
   double min_angle() const { return meshing::min_angle(meshing::corners(curved_)); }
   /// About so many P3 triangles in its place.
-  meshing::CurvedMesh triangles(int wanted, double grading) const;
+  meshing::CurvedMesh triangles(int wanted) const;
   double order_at(const Vector3d& x) const {
     return std::clamp(closest_->value(state_.beta, (*closest_)(x)), state_.beta.minCoeff(),
                       state_.beta.maxCoeff());
@@ -114,11 +117,13 @@ class OldSurface {
 
  private:
   meshing::SizeField sizes_for(double triangles) const;
-  meshing::CurvedMesh covered(double asked, double grading) const;
+  meshing::CurvedMesh covered(double asked) const;
 
   const Triangulation& mesh_;
   const State& state_;
   meshing::CurvedMesh curved_;
+  double grading_;
+  meshing::PointGroup symmetry_;
   meshing::TriangleMesh lattice_;  // the small plain triangles between the nodes
   std::shared_ptr<const meshing::ClosestPoint> closest_;
   Field relative_size_;  // of triangles, at the nodes
@@ -143,11 +148,16 @@ meshing::SizeField OldSurface::sizes_for(double triangles) const {
   };
 }
 
-meshing::CurvedMesh OldSurface::covered(double asked, double grading) const {
+meshing::CurvedMesh OldSurface::covered(double asked) const {
+  const bool symmetric = !symmetry_.is_trivial();
   meshing::TriangleMesh plain =
-      meshing::remeshed(lattice_, int(std::lround(asked)), projection(), 0);
-  if (grading > 0) plain = meshing::graded(plain, sizes_for(asked), projection());
-  return meshing::curved(plain, 3, projection());
+      symmetric ? meshing::corners(curved_)
+                : meshing::remeshed(lattice_, int(std::lround(asked)), projection(), 0);
+  if (grading_ > 0 || symmetric)
+    plain = meshing::graded(plain, sizes_for(asked), projection(), symmetry_);
+  meshing::CurvedMesh fresh = meshing::curved(plain, 3, projection());
+  symmetrise(fresh, symmetry_, projection());
+  return fresh;
 }
 
 // How well a mesh meets what is wanted; from 1 on: good enough.
@@ -160,13 +170,13 @@ double score(const meshing::CurvedMesh& mesh, int wanted) {
 }
 
 // Where new triangles come to lie at a sharp place is chance: the best of a few tries.
-meshing::CurvedMesh OldSurface::triangles(int wanted, double grading) const {
+meshing::CurvedMesh OldSurface::triangles(int wanted) const {
   constexpr int tries = 5;
   constexpr double usual_excess = 1.08, another = 1.015;
   meshing::CurvedMesh best;
   double asked = wanted / usual_excess, best_score = -std::numeric_limits<double>::infinity();
   for (int i = 0; i < tries && best_score < 1; ++i) {
-    meshing::CurvedMesh fresh = covered(asked, grading);
+    meshing::CurvedMesh fresh = covered(asked);
     asked *= another * wanted / fresh.triangle_count();
     const double its_score = score(fresh, wanted);
     if (its_score > best_score) best = std::move(fresh);
@@ -228,14 +238,13 @@ RemeshResult remesh(const Triangulation& mesh, const State& state, const model::
   RemeshReport report;
   const auto curvature = curvature_of(mesh, state.X);
   if (!curvature) return refused(report, "the surface is degenerate");
-  const OldSurface old(mesh, state, *curvature, options.grading);
+  const OldSurface old(mesh, state, *curvature, options);
   const Energy before = energy(mesh, material, state, *curvature);
   measure_before(mesh, state, old, before, report);
 
   meshing::CurvedMesh fresh;
   try {
-    fresh =
-        old.triangles(options.triangles > 0 ? options.triangles : mesh.count(), options.grading);
+    fresh = old.triangles(options.triangles > 0 ? options.triangles : mesh.count());
   } catch (const std::invalid_argument& error) {
     return refused(report, fmt::format("no new triangles: {}", error.what()));
   }
@@ -245,11 +254,14 @@ RemeshResult remesh(const Triangulation& mesh, const State& state, const model::
                       .report = report};
   Nodes& X = result.state.X;
   for (int i = 0; i < fresh.node_count(); ++i) result.state.beta[i] = old.order_at(X.col(i));
+  const meshing::MeshSymmetry symmetry = required_symmetry(fresh, options.symmetry);
+  result.state.beta = symmetry.symmetric_part(result.state.beta);
   const Target wanted = area_and_volume(mesh, state.X), found = area_and_volume(*result.mesh, X);
   report.area_change = found.area / wanted.area - 1;
   report.volume_change = found.volume / wanted.volume - 1;
   if (!correct_area_volume(*result.mesh, X, wanted.area, wanted.volume))
     return refused(report, "area and volume cannot be restored");
+  X = symmetry.symmetric_part(X);  // but for rounding it is
   if (material.conserves_order())
     result.state.beta.array() +=
         (total_order(mesh, state) - total_order(*result.mesh, result.state)) / wanted.area;

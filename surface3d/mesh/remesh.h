@@ -1,6 +1,7 @@
 // New triangles for a surface that has evolved.
 #pragma once
 
+#include "meshing/point_group.h"
 #include "model/material.h"
 #include "surface3d/surface.h"
 
@@ -14,6 +15,8 @@ struct RemeshOptions {
   double grading = 1;  ///< 0 … 10: sides ∝ 1/(1 + grading R|B|/√2), R = √(A/4π); 0: all the same
   /// Largest change of the energy, relative to the elastic one, 0 … 1; see README.md for what is usual.
   double largest_energy_change = 5e-3;
+  /// That old triangles and state have about the origin, and new ones are to have.
+  meshing::PointGroup symmetry = {};
 
   /// Throws std::invalid_argument with name, value and constraint.
   void validate() const;
@@ -44,7 +47,8 @@ struct RemeshResult {
 /// 1e-12 (of a sphere the area alone).
 /// Refused is a mesh that is no sphere, that intersects itself, that changes the energy beyond the
 /// bound; and one with angles below 25° or a quality below 0.4 if they were better before. The result
-/// depends on nothing but the input, to the last bit. Throws as RemeshOptions::validate.
+/// depends on nothing but the input, to the last bit. Throws as RemeshOptions::validate,
+/// and std::invalid_argument where the old mesh has not the symmetry.
 RemeshResult remesh(const Triangulation& mesh, const State& state, const model::Material& material,
                     const RemeshOptions& options = {});
 

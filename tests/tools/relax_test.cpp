@@ -18,7 +18,7 @@ const std::string columns =
     "dissipation_friction,dissipation_order,dissipation_viscous,energy_balance,area,volume,"
     "reduced_volume,W2,order_min,order_mean,order_max,order_variance,order_std,domains,domain_area,"
     "domain_boundary,H_abs_max,"
-    "speed_max,lambda,mesh_quality,rejected_steps";
+    "speed_max,lambda,mesh_quality,asymmetry,rejected_steps";
 
 const std::string ellipsoid =
     "model = \"SBEH\"\n[start]\nshape = \"ellipsoid\"\nreduced_volume = 0.8\n"

@@ -96,6 +96,9 @@ TEST(RunInput, reads_back_from_its_description_as_the_same_run) {
           + "order_modes = [[2, 1, 0.01]]\norder_noise = { amplitude = 0.02, seed = 7 }\n" + time
           + "[material]\nL = 0.02\nkappa = [0.1, 0.2]\norder = 'diffusive'\nmean_order = 0.3\n"
           + "order_mobility = 0.5\n",
+      sbeh + "[surface]\nshape = 'harmonics'\nmodes = [[5, 3, 0.5]]\nsymmetry = 'D3h'\n" + time,
+      sbeh + "[surface]\nshape = 'harmonics'\nmodes = [[5, 3, 0.5]]\nperturbation = [[4, 3, 1e-3]]\n"
+          + "symmetry = 'D3h'\nkeep_symmetry = 'C3v'\n" + time,
       sbeh + "[surface]\nshape = 'mesh'\nfile = '\"a\\b\" \xc3\xa4.obj'\norder = 0.25\n" + time,
       sbeh + "[surface]\nshape = 'frame'\nfile = '" + frame + "'\n" + time
           + "[material]\nL1 = 0.1\nL2 = -0.05\nL3 = 0.07\nresidual_stiffness = 0.01\n",
@@ -209,7 +212,8 @@ TEST(RunInput, with_a_wrong_surface_is_refused_with_line_key_and_value) {
       {"triangles = 200001", ":6: [surface] triangles = 200001: must be >= 20 and <= 200000"},
       {"triangle = 80",
        ":6: [surface] triangle: unknown key; did you mean 'triangles'? Known: shape, axes, "
-       "reduced_volume, kind, triangles, order, domains, order_modes, order_noise, perturbation"},
+       "reduced_volume, kind, triangles, order, domains, order_modes, order_noise, perturbation, "
+       "symmetry, keep_symmetry"},
       {"order = 'a'", ":6: [surface] order = 'a': must be a number"},
       {"order = -0.1", ":6: [surface] order = -0.1: must be >= 0 and <= 1"},
       {"order = 1.1", ":6: [surface] order = 1.1: must be >= 0 and <= 1"},
@@ -224,6 +228,15 @@ TEST(RunInput, with_a_wrong_surface_is_refused_with_line_key_and_value) {
       {"perturbation = [[2, 2, nan]]", ":6: [surface] perturbation = nan: must be a finite number"},
       {"perturbation = [[2, 2, 0.1],\n[2, 2, 0.2]]",
        ":7: [surface] perturbation = [2, 2, 0.2]: a harmonic must not be there twice"},
+      {"symmetry = 'D3x'",
+       ":6: [surface] symmetry = 'D3x': must be C1, Cs, Ci, Cn, Cnv, Cnh, Dn, Dnh, Dnd with n "
+       "= 2 ... 12, Sn with an even n = 4 ... 24, T, Td, Th, O, Oh, I or Ih"},
+      {"symmetry = 'D3h'\nkeep_symmetry = 'D2'",
+       ":7: [surface] keep_symmetry = 'D2': must be part of symmetry = \"D3h\", that of the "
+       "triangles"},
+      {"keep_symmetry = 'C3'",
+       ":6: [surface] keep_symmetry = 'C3': must be part of symmetry = \"C1\", that of the "
+       "triangles"},
   };
   expect_messages(read_run, small_run, any);
 }

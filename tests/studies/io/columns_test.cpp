@@ -163,7 +163,7 @@ TEST(Tables, have_these_columns) {
          "reduced_volume,W2,order_min,order_mean,order_max,order_variance,order_std,domains,domain_"
          "area,"
          "domain_boundary,H_abs_max,"
-         "speed_max,lambda,mesh_quality,rejected_steps");
+         "speed_max,lambda,mesh_quality,asymmetry,rejected_steps");
   expect(frame_columns(), "index,time,file");
   expect(comparison_columns(),
          "quantity,first,second,first_value,second_value,difference,relative_difference,tolerance,"

@@ -45,7 +45,8 @@ TEST(StatesInput, reads_back_from_its_description_as_the_same_input) {
   for (const std::string& text :
        {small_states, small_states + from_scan,
         small_states
-            + "perturbation = [[2, 2, 0.1]]\n[follow]\nparameter = 'L'\nto = 0.1\nswitch = false\n"
+            + "perturbation = [[2, 2, 0.1]]\nsymmetry = 'D2h'\n[follow]\nparameter = 'L'\nto = "
+              "0.1\nswitch = false\n"
               "[units]\nradius_um = 10\nbending_rigidity_kT = 20\n",
         small_states
             + "mesh = \"a.stl\"\nmodel = 'SSH'\neigenpairs = 0\nrates = 3\n[search]\nreach = 0.2\n",
