@@ -122,7 +122,7 @@ bool Solver<Stepper>::renew(State& state) {
   if (!numerics_.remesh || remeshing_over_ || resolved(indicators_)) return false;
   const int triangles = std::min(numerics_.most_triangles, mesh_->count() * 3 / 2);
   remeshed_ =
-      remesh(*mesh_, state, material_, {.triangles = triangles, .symmetry = symmetry_.mesh});
+      remesh(*mesh_, state, material_, {.triangles = triangles, .symmetry = symmetry_.kept});
   if (!remeshed_->mesh) return remeshing_over_ = true, false;
   mesh_ = remeshed_->mesh;
   state = remeshed_->state;

@@ -26,8 +26,9 @@ struct FlowMemory {
 };
 /// Point groups about the origin; C1: none.
 struct FlowSymmetry {
-  meshing::PointGroup mesh = {};  ///< of the triangles, new ones included
-  meshing::PointGroup kept = {};  ///< in it: what each step is projected onto
+  meshing::PointGroup mesh = {};  ///< of the first triangles
+  meshing::PointGroup kept =
+      {};  ///< in it: what each step is projected onto, and new triangles have
   bool operator==(const FlowSymmetry&) const = default;
 };
 /// A moment of a run: all that it needs to go on with the same bits, and what its files are made of.
