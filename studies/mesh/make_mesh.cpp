@@ -26,6 +26,7 @@ meshing::Resolution resolution_of(const MeshRequest& r) {
   resolution.triangles = r.triangles.value_or(resolution.triangles);
   resolution.order = r.order.value_or(resolution.order);
   resolution.grading = r.grading;
+  resolution.fitted = true;  // as a run begins
   resolution.validate();
   return resolution;
 }

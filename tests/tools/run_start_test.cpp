@@ -136,7 +136,8 @@ TEST_F(Run3d, starts_from_a_frame_a_mesh_and_a_row_of_a_scan) {
               table("first/series.csv").number(1, "energy"),
               1e-11);  // area and volume are restored
 
-  must({"mesh", "ellipsoid", "--reduced-volume", "0.8", "--triangles", "80", "-o", "mesh.vtu"});
+  must({"mesh", "ellipsoid", "--reduced-volume", "0.8", "--triangles", "80", "--grading", "1", "-o",
+        "mesh.vtu"});
   write("mesh.toml", "model = \"SBEH\"\n[surface]\nshape = \"mesh\"\nfile = \"mesh.vtu\"\n" + soon);
   must(into("third", "run", "mesh.toml"));
   EXPECT_NEAR(table("third/series.csv").number(0, "energy"),
