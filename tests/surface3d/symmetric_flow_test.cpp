@@ -133,5 +133,37 @@ TEST(SymmetricFlow, has_new_triangles_with_its_symmetry) {
             1e-13);
 }
 
+// What has grown beside the symmetry that is kept is not averaged away.
+TEST(SymmetricFlow, that_lets_its_symmetry_go_has_new_triangles_without_it) {
+  const Surface s = threefold_start(320);
+  State state = s.state;
+  const Nodes n = node_normals(*s.mesh, state.X);
+  for (int i = 0; i < s.mesh->nodes; ++i)
+    state.X.col(i) +=
+        2e-3 * meshing::spherical_harmonic(3, 0, state.X.col(i).normalized()) * n.col(i);
+  const auto unevenness = [](const Triangulation& mesh, const State& at) {  // odd by z → −z
+    double sum = 0;
+    for_each_point(mesh, at.X, diagnostic_points(),
+                   [&](int, const ShapeValues&, const SurfacePoint& p) {
+                     sum += p.dS * std::pow(p.x.z(), 3);
+                   });
+    return sum;
+  };
+  FlowMoment start = with(s, "C1");
+  start.state = state;
+  start.target = area_and_volume(*s.mesh, state.X);
+  Numerics numerics;
+  numerics.remesh = true;
+  std::shared_ptr<const Triangulation> mesh;
+  const FlowResult run =
+      run_flow(paper_material(0.05), Model::SSH, start, numerics, {.end_time = 1e-3},
+               [&](const FlowRecord&, const State&, const StepView& view, bool) {
+                 mesh = view.mesh;
+                 return true;
+               });
+  ASSERT_NE(mesh->count(), s.mesh->count());  // the start is too sharp for its triangles
+  EXPECT_NEAR(unevenness(*mesh, run.state) / unevenness(*s.mesh, state), 1, 0.3);
+}
+
 }  // namespace
 }  // namespace sbeh::surface3d
