@@ -119,4 +119,15 @@ bool PointGroup::contains(const PointGroup& other) const {
                      [this](const Operation& operation) { return has(operation); });
 }
 
+PointGroup PointGroup::part(const std::function<bool(const Operation&)>& is_in) const {
+  std::vector<Operation> kept;
+  std::ranges::copy_if(operations_, std::back_inserter(kept), is_in);
+  if (kept.size() == operations_.size()) return *this;
+  PointGroup group;
+  if (kept.size() < 2 || group_of(kept).size() != kept.size()) return group;
+  group.symbol_ = "part of " + symbol_;
+  group.operations_ = kept;
+  return group;
+}
+
 }  // namespace sbeh::meshing

@@ -3,6 +3,7 @@
 
 #include <Eigen/Core>
 
+#include <functional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -30,7 +31,12 @@ class PointGroup {
   /// Whether each operation of the other is one of this.
   bool contains(const PointGroup& other) const;
 
-  bool operator==(const PointGroup& other) const { return symbol_ == other.symbol_; }
+  /// Those operations of which this is true, if they are a group, else C1. Its symbol is "part of D4h", say, unless it is all of it.
+  PointGroup part(const std::function<bool(const Operation&)>& is_in) const;
+
+  bool operator==(const PointGroup& other) const {
+    return symbol_ == other.symbol_ && operations_ == other.operations_;
+  }
 
  private:
   std::string symbol_;

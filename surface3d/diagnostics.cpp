@@ -2,6 +2,7 @@
 
 #include "model/energy_density.h"
 #include "surface3d/domains.h"
+#include "surface3d/gaussian_energy.h"
 #include "surface3d/parallel.h"
 
 #include <algorithm>
@@ -11,16 +12,19 @@
 
 namespace sbeh::surface3d {
 
-Energy energy(const Triangulation& mesh, const model::Material& material, const State& state,
-              const Curvature& curvature) {
+namespace {
+
+// `gauss_curvature` of shape functions, point, normals and H of the triangle.
+Energy integrated(const Triangulation& mesh, const model::Material& material, const State& state,
+                  const Curvature& curvature, auto gauss_curvature) {
   const auto sum = integrate<5>(mesh, state.X, diagnostic_points(), [&](int e) {
-    return [&material, H_nodes = on_element(mesh, e, curvature.H),
+    return [&material, gauss_curvature, H_nodes = on_element(mesh, e, curvature.H),
             normals = on_element(mesh, e, curvature.normals),
             beta = on_element(mesh, e, state.beta)](const ShapeValues& s, const SurfacePoint& p) {
       const double H = value_at(H_nodes, s);
       const auto density =
           model::energy_density(material, value_at(beta, s), gradient_at(beta, p).squaredNorm(), H,
-                                model::gauss_curvature(shape_operator(p, normals, H)));
+                                gauss_curvature(p, normals, H));
       return Eigen::Array<double, 5, 1>{density.distortion, density.bending + density.gaussian,
                                         density.thermotropic, 1, H};
     };
@@ -29,6 +33,24 @@ Energy energy(const Triangulation& mesh, const model::Material& material, const 
           .bending = sum[1],
           .thermotropic = sum[2],
           .area_difference = material.area_difference.energy(sum[3], sum[4])};
+}
+
+}  // namespace
+
+Energy energy(const Triangulation& mesh, const model::Material& material, const State& state,
+              const Curvature& curvature) {
+  Energy energy = integrated(mesh, material, state, curvature,
+                             [](const SurfacePoint&, const ElementNodes&, double) { return 0.; });
+  energy.bending += gaussian_energy(material, mesh, state);
+  return energy;
+}
+
+Energy energy_by_shape_operator(const Triangulation& mesh, const model::Material& material,
+                                const State& state, const Curvature& curvature) {
+  return integrated(mesh, material, state, curvature,
+                    [](const SurfacePoint& p, const ElementNodes& normals, double H) {
+                      return model::gauss_curvature(shape_operator(p, normals, H));
+                    });
 }
 
 double mesh_quality(const Triangulation& mesh, const Nodes& X) {

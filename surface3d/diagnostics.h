@@ -10,9 +10,14 @@ namespace sbeh::surface3d {
 
 using model::Energy;
 
-/// Energy of a state whose curvature is known.
+/// Energy of a state whose curvature is known. Its Gaussian part is that of rest states: where κ_G is constant nothing but
+/// 4π κ_G, whatever the triangles (gaussian_energy.h).
 Energy energy(const Triangulation& mesh, const model::Material& material, const State& state,
               const Curvature& curvature);
+
+/// The same with the determinant of the shape operator for the Gaussian curvature, whose integral is 4π but for the error of the elements.
+Energy energy_by_shape_operator(const Triangulation& mesh, const model::Material& material,
+                                const State& state, const Curvature& curvature);
 
 /// Smallest over all triangles and their nodes of J_min/J_max · 4√3 area/Σ(side)², 1 for flat
 /// equilateral triangles, <= 0 where one is turned over; J the area per reference area, sides and area

@@ -62,8 +62,10 @@ class Solver {
   }
   Energy energy(const State& state) {
     curvature_ = curvature_of(*mesh_, state.X);
-    const double nan = std::numeric_limits<double>::quiet_NaN();
-    return curvature_ ? stepper_->energy(state, *curvature_) : Energy{nan, nan, nan};
+    return curvature_ ? stepper_->energy(state, *curvature_) : unknown;
+  }
+  Energy own_energy(const State& state) const {  // with the curvature that energy() has found
+    return curvature_ ? stepper_->own_energy(state, *curvature_) : unknown;
   }
   bool renew(State& state);
   std::optional<FlowStop> obstacle(const State& state) const {
@@ -90,6 +92,9 @@ class Solver {
   }
 
  private:
+  static constexpr double nan = std::numeric_limits<double>::quiet_NaN();
+  static constexpr Energy unknown{nan, nan, nan};
+
   std::optional<meshing::MeshSymmetry> kept_by(const Triangulation& mesh,
                                                const State& state) const {
     if (symmetry_.kept.is_trivial()) return {};

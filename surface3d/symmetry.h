@@ -15,6 +15,10 @@ std::optional<meshing::MeshSymmetry> symmetry_of(const Triangulation& mesh, cons
 meshing::MeshSymmetry required_symmetry(const Triangulation& mesh, const State& state,
                                         const meshing::PointGroup& group);
 
+/// The part of a group of the triangles that the state has, positions (in radii) and order to 1e-6.
+meshing::PointGroup kept_symmetry(const Triangulation& mesh, const State& state,
+                                  const meshing::PointGroup& group);
+
 /// What of positions and order the group leaves as it is: the mean over its operations.
 State symmetric_part(const meshing::MeshSymmetry& symmetry, const State& state);
 

@@ -41,7 +41,12 @@ class TimeStepper {
   /// Advances from `from` with the surface and the coefficients of `at`, keeping its area and volume: of a
   /// two-step method.
   FlowStep step(const State& at, const State& from, double tau) { return step(at, from, {}, tau); }
-  /// U, with det B for the Gaussian curvature.
+  /// What falls from step to step: U with det B for the Gaussian curvature, of one constant (κ/2)|B|², which takes in what is uneven in
+  /// the surface.
+  Energy own_energy(const State& state, const Curvature& curvature) const {
+    return energy_by_shape_operator(*mesh_, material_, state, curvature);
+  }
+  /// U
   Energy energy(const State& state, const Curvature& curvature) const {
     return surface3d::energy(*mesh_, material_, state, curvature);
   }

@@ -20,6 +20,9 @@ concept FlowSolver = requires(S solver, typename S::State state, const typename 
   { solver.obstacle(given) } -> std::same_as<std::optional<FlowStop>>;
 };
 
+// Steps are judged by U; of a solver that has own_energy(given), asked for right after energy(given), by that: what its scheme lets fall, which
+// is U but for the error of the elements.
+
 /// How a run steps from state to state: with the error of the step, area and volume kept.
 template <class I, class State>
 concept FlowIntegrator = requires(I integrator, const State& old, const FlowStep<State>& step,
@@ -52,6 +55,7 @@ class Flow {
     StepControl steps(control_, Integrator::largest_growth, from.next_step);
     Stops stops(schedule, from.time);
     run.last.energy = solver_.energy(start);
+    Energy own = own_energy(start, run.last.energy);
     run.last.next_step = steps.tau();
     const bool begins = from.next_step == 0;  // and does not go on
     if (begins && observe && !observe(run.last, run.state, stops.begin_at_one()))
@@ -61,20 +65,24 @@ class Flow {
       const Trial trial = steps.trial(stops.next() - run.last.time);
       const FlowStep<State> step = integrator_.advance(run.state, trial.tau);
       const Energy energy = step.ok() ? solver_.energy(step.state) : Energy{};
-      run.fault = step.ok() ? steps.judge(step.error, allowed(run.last.energy, energy), energy)
-                            : step.fault;
+      const Energy own_after = step.ok() ? own_energy(step.state, energy) : Energy{};
+      run.fault =
+          step.ok() ? steps.judge(step.error, allowed(own, own_after), own_after) : step.fault;
       if (run.fault != FlowFault::none) {
         ++run.last.rejected;
         if (steps.reject(trial, run.fault, step.error)) continue;
         return run.stop = FlowStop::step_too_small, run;
       }
       steps.accept(trial, step.error);
+      const EnergyRises rises = risen(run.last, own, own_after, trial.tau);
       run.last = record_of(step, trial.tau, run.state, run.last, energy);
+      run.last.rises = rises;
+      own = own_after;
       if (trial.exact) run.last.time = stops.next(), stops.pass();
       integrator_.accept(run.state, step, trial.tau);
       run.state = step.state;
       ++run.steps;
-      renew_mesh(run, steps);
+      if (renew_mesh(run, steps)) own = own_energy(run.state, run.last.energy);
       run.last.next_step = steps.tau();
       run.last.ends = end_of(run, schedule);
       if (observe && !observe(run.last, run.state, trial.exact))
@@ -98,7 +106,7 @@ class Flow {
             .speed_max = step.speed_max,
             .lambda = step.lambda,
             .rejected = before.rejected,
-            .rises = risen(before.rises, before, after, tau)};
+            .rises = before.rises};
   }
 
   // What the energy of a step may be, at most.
@@ -109,22 +117,31 @@ class Flow {
       return before;
   }
 
+  Energy own_energy(const State& state, const Energy& energy) {
+    if constexpr (requires { solver_.own_energy(state); })
+      return solver_.own_energy(state);
+    else
+      return energy;
+  }
+
   // New meshes have no part in it: `before` is on the mesh of the step.
-  static EnergyRises risen(EnergyRises rises, const FlowRecord& before, const Energy& after,
+  static EnergyRises risen(const FlowRecord& last, const Energy& before, const Energy& after,
                            double tau) {
-    const double rise = after.total() - before.energy.total();
-    if (rise <= energy_noise(before.energy)) return rises;
-    if (rises.sum == 0) rises.from = before.time;
+    EnergyRises rises = last.rises;
+    const double rise = after.total() - before.total();
+    if (rise <= energy_noise(before)) return rises;
+    if (rises.sum == 0) rises.from = last.time;
     rises.sum += rise;
-    rises.to = before.time + tau;
+    rises.to = last.time + tau;
     return rises;
   }
 
-  void renew_mesh(FlowResult<State>& run, StepControl& steps) {
-    if (!solver_.renew(run.state)) return;
+  bool renew_mesh(FlowResult<State>& run, StepControl& steps) {
+    if (!solver_.renew(run.state)) return false;
     integrator_.forget();
     run.last.energy = solver_.energy(run.state);
     steps.restart();
+    return true;
   }
 
   std::optional<FlowStop> end_of(const FlowResult<State>& run, const FlowSchedule& schedule) {

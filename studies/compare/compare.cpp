@@ -4,6 +4,7 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
 #include "studies/io/stopwatch.h"
+#include "studies/witnesses/evolution.h"
 
 #include <fmt/format.h>
 
@@ -46,15 +47,24 @@ WitnessState state_of(Witness witness, const CompareInput& input,
                         first_of(before, &WitnessState::profile));
     case Witness::harmonics:
       return harmonic_state(input.state, input.harmonics, first_of(before, &WitnessState::mesh));
+    case Witness::harmonic_flow:
+      break;
   }
   return {};
+}
+
+WitnessState evolution_of(Witness witness, const CompareInput& input) {
+  const EvolutionCase& of = *input.evolution;
+  if (witness == Witness::harmonic_flow) return evolution_by_harmonics(of.run, input.harmonic_flow);
+  return of.has_ended() ? evolution_of_folder(of.file) : evolution_on_triangles(of.run);
 }
 
 std::vector<WitnessState> states_of(const CompareInput& input, const fs::path& frame) {
   std::vector<WitnessState> states;
   for (const Witness witness : input.methods) {
     const Stopwatch watch;
-    states.push_back(state_of(witness, input, states, frame));
+    states.push_back(input.evolution ? evolution_of(witness, input)
+                                     : state_of(witness, input, states, frame));
     states.back().seconds = watch.seconds();
     if (interrupt_signal()) throw Interrupted("interrupted");
   }
@@ -154,7 +164,8 @@ void write_tables(const OutputFolder& folder, const CompareSummary& summary) {
   const auto write = [&](std::string_view name, const auto& columns, const auto& rows) {
     write_file(folder / name, table_text(columns, rows));
   };
-  write("profiles.csv", placed_columns(), all_placed(summary.states));
+  if (const auto points = all_placed(summary.states); !points.empty())
+    write("profiles.csv", placed_columns(), points);
   write("methods.csv", method_columns(), summary.states);
   std::vector<HistoryRow> histories;
   for (const WitnessState& state : summary.states)

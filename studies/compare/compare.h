@@ -10,7 +10,7 @@ namespace sbeh::studies {
 /// One quantity of two methods. Two have no values, only the difference: "distance", the largest of either
 /// profile's points (of surface3d and harmonics: nodes) from the other curve, which these two do not have
 /// from each other, and "history", the largest difference of the energies at equal times, of flow and
-/// surface3d alone.
+/// surface3d alone, or of an evolution.
 struct Comparison {
   std::string quantity;
   Witness first, second;
@@ -47,7 +47,7 @@ struct PlacedPoint {
 };
 const Columns<PlacedPoint>& placed_columns();
 
-/// histories.csv, of flow and of surface3d from the ellipsoid.
+/// histories.csv, of flow and of surface3d from the ellipsoid, or of an evolution.
 struct HistoryRow {
   Witness method;
   EnergyAt at;
@@ -55,7 +55,7 @@ struct HistoryRow {
 const Columns<HistoryRow>& history_columns();
 
 /// Runs the methods one after the other and leaves run.toml (the input, resolved), compare.csv,
-/// methods.csv, profiles.csv, histories.csv and, of a 3D run of its own, surface3d.vtu in the folder. A folder that
+/// methods.csv, profiles.csv (unless of an evolution), histories.csv and, of a 3D run of its own, surface3d.vtu in the folder. A folder that
 /// holds results already is refused. Throws InputError, OutputError and Interrupted.
 CompareSummary run_compare(const CompareInput& input, const std::filesystem::path& folder,
                            std::string_view version);

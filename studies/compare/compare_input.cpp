@@ -1,7 +1,10 @@
 #include "studies/compare/compare_input.h"
 
 #include "meshing/resolution.h"
+#include "studies/io/input_path.h"
+#include "studies/parameters/input_kind.h"
 #include "studies/parameters/material_input.h"
+#include "studies/witnesses/evolution.h"
 #include "studies/witnesses/state.h"
 
 #include <fmt/format.h>
@@ -9,6 +12,8 @@
 #include <algorithm>
 
 namespace sbeh::studies {
+
+namespace fs = std::filesystem;
 
 namespace {
 
@@ -40,6 +45,8 @@ void read_case(const TomlTable& table, CompareInput& input) {
   input.methods = table.choices("methods", values_of(Witness{}));
   if (input.methods.size() < 2)
     table.fail("methods", "must be two at least, to be compared with each other");
+  table.refuse_word("methods", name(Witness::harmonic_flow),
+                    "belongs to the evolution of a run: evolution = \"FILE\"");
   if (input.has(Witness::shooting) && state.model != model::Model::SSH)
     table.fail("methods",
                "must not contain \"shooting\" for model = \"SBEH\": it has full order only");
@@ -145,13 +152,80 @@ bool CompareInput::has(Witness witness) const {
   return std::find(methods.begin(), methods.end(), witness) != methods.end();
 }
 
-CompareInput read_compare(const std::filesystem::path& path) {
+namespace {
+
+EvolutionCase read_evolution_case(const TomlTable& table) {
+  EvolutionCase evolution{.file = table.path("evolution"), .run = {}};
+  require_there(evolution.file);
+  const fs::path description =
+      evolution.has_ended() ? fs::path(evolution.file) / "run.toml" : fs::path(evolution.file);
+  if (kind_of(description) != InputKind::run)
+    table.fail("evolution", "must be an input of sbeh run, or the folder of such a run");
+  evolution.run = read_run(description);
+  return evolution;
+}
+
+// What the run says itself has no place beside it.
+CompareInput read_evolution(const TomlTable& file, const TomlTable& table) {
+  for (const char* key : {"material", "numerics", "surface3d", "harmonics", "tolerance", "units"})
+    file.refuse(key, "has no place where evolution names a run");
+  for (const char* key : {"model", "branch", "reduced_volume", "L"})
+    table.refuse(key, "has no place where evolution names a run, which has it");
+  CompareInput input;
+  input.evolution = read_evolution_case(table);
+  const RunInput& run = input.evolution->run;
+  input.state.model = run.model;
+  input.state.material = run.material;
+  input.units = run.units;
+  input.methods = table.choices("methods", values_of(Witness{}));
+  for (const Witness method : input.methods)
+    if (!follows_evolutions(method))
+      table.refuse_word(
+          "methods", name(method),
+          "belongs to stationary states; of an evolution there are surface3d and harmonic_flow");
+  if (input.methods.size() < 2)
+    table.fail("methods", "must be two, to be compared with each other");
+  if (const std::string reason = no_harmonic_flow(run); !reason.empty())
+    table.refuse_word("methods", name(Witness::harmonic_flow), "has no place here: " + reason);
+  table.reject_unknown_keys();
+  const TomlTable harmonics = file.table("harmonic_flow"),
+                  tolerance_3d = file.table("tolerance_3d");
+  file.reject_unknown_keys();
+  input.harmonic_flow.degree = harmonics.integer("degree", 6, 24, input.harmonic_flow.degree);
+  input.harmonic_flow.tolerance =
+      harmonics.number("tolerance", between(1e-12, 1e-3), input.harmonic_flow.tolerance);
+  harmonics.reject_unknown_keys();
+  input.tolerance_3d = read_tolerances(tolerance_3d);
+  return input;
+}
+
+std::string describe_evolution(const CompareInput& input, std::string_view version) {
+  TomlText toml(version);
+  toml.table("compare");
+  toml.value("evolution", input.evolution->file);
+  toml.value("methods", input.methods);
+  toml.table("harmonic_flow");
+  toml.value("degree", input.harmonic_flow.degree);
+  toml.value("tolerance", input.harmonic_flow.tolerance);
+  write_tolerances(toml, "tolerance_3d", input.tolerance_3d);
+  return toml.text();
+}
+
+}  // namespace
+
+bool EvolutionCase::has_ended() const { return fs::is_directory(file); }
+
+CompareInput read_compare(const fs::path& path) {
   const TomlTable file = TomlFile::parse(path);
-  const TomlTable cases = file.table("compare"), material = file.table("material"),
-                  numerics = file.table("numerics");
+  const TomlTable cases = file.table("compare");
+  if (cases.has("evolution")) return read_evolution(file, cases);
+  if (file.has("harmonic_flow")) cases.refuse_misspelt({"evolution"});
+  const TomlTable material = file.table("material"), numerics = file.table("numerics");
   const TomlTable surface = file.table("surface3d"), harmonics = file.table("harmonics"),
                   tolerance_3d = file.table("tolerance_3d"), tolerance = file.table("tolerance");
   file.has("units");
+  file.refuse("harmonic_flow",
+              "belongs to the evolution of a run, which evolution would name in [compare]");
   file.reject_unknown_keys();
   CompareInput input;
   input.units = read_units(file);
@@ -186,6 +260,7 @@ CompareInput read_compare(const std::filesystem::path& path) {
 }
 
 std::string describe(const CompareInput& input, std::string_view version) {
+  if (input.evolution) return describe_evolution(input, version);
   TomlText toml(version);
   toml.table("compare");
   toml.value("model", input.state.model);

@@ -2,6 +2,7 @@
 #pragma once
 
 #include "axisym/stationary/stationary_case.h"
+#include "studies/evolution/run_input.h"
 #include "studies/parameters/units.h"
 #include "studies/witnesses/witness.h"
 
@@ -21,15 +22,28 @@ using Tolerances = std::map<std::string, double>;
 /// of the energy, which flow and surface3d have.
 std::vector<std::string> tolerated_quantities();
 
-/// Table [compare]: model, branch, reduced_volume, L, methods; optional [material] (without L),
+/// An evolution in 3D that several methods follow.
+struct EvolutionCase {
+  std::string file;  ///< an input of `sbeh run`, or the folder of a run that has ended
+  RunInput run;
+
+  bool has_ended() const;  ///< whether it is a folder
+  bool operator==(const EvolutionCase&) const = default;
+};
+
+/// Of a stationary state. Table [compare]: model, branch, reduced_volume, L, methods; optional [material] (without L),
 /// [numerics] (of newton), [surface3d], [harmonics], [tolerance] (pairs of axisymmetric methods) and
 /// [tolerance_3d] (pairs with surface3d or harmonics).
+/// Of an evolution. Table [compare]: evolution, methods ("surface3d", "harmonic_flow"); optional [harmonic_flow] and
+/// [tolerance_3d].
 struct CompareInput {
   axisym::StationaryCase state;  ///< V_r < 1, one-constant approximation
   std::vector<Witness> methods;  ///< two at least; the first is the reference
   SurfaceMethod surface3d;
   HarmonicMethod harmonics;
   Tolerances tolerance, tolerance_3d;
+  std::optional<EvolutionCase> evolution{};  ///< then the state has but its model and material
+  HarmonicFlowMethod harmonic_flow{};
 
   bool has(Witness witness) const;
   std::optional<Units> units{};  ///< for people: no number depends on them

@@ -8,6 +8,7 @@
 #include "meshing/shapes.h"
 #include "studies/io/errors.h"
 #include "studies/mesh/file_surface.h"
+#include "studies/mesh/shape_numbers.h"
 #include "studies/states/profile_file.h"
 
 #include <fmt/format.h>
@@ -26,6 +27,7 @@ meshing::Resolution resolution_of(const MeshRequest& r) {
   resolution.triangles = r.triangles.value_or(resolution.triangles);
   resolution.order = r.order.value_or(resolution.order);
   resolution.grading = r.grading;
+  resolution.symmetry = r.symmetry;
   resolution.fitted = true;  // as a run begins
   resolution.validate();
   return resolution;
@@ -191,7 +193,8 @@ MadeMesh make_mesh(const MeshRequest& request) {
   return made;
 }
 
-std::string report(const meshing::Quality& q) {
+std::string report(const MadeMesh& made, const MeshRequest& request) {
+  const meshing::Quality& q = made.quality;
   fmt::memory_buffer text;
   const auto line = [&](const char* name, const auto& value) {
     fmt::format_to(std::back_inserter(text), "{}: {}\n", name, value);
@@ -200,6 +203,12 @@ std::string report(const meshing::Quality& q) {
   line("area", q.area);
   line("volume", q.volume);
   line("reduced_volume", q.reduced_volume);
+  if (const auto bending = bending_of(made.mesh)) line("bending", *bending);
+  if (const auto shape = shape_numbers(request)) {
+    line("shape_area", shape->area);
+    line("shape_volume", shape->volume);
+    line("shape_bending", shape->bending);
+  }
   line("min_angle_deg", q.min_angle);
   line("max_angle_deg", q.max_angle);
   line("edge_ratio", q.edge_ratio);

@@ -47,6 +47,7 @@ struct MeshRequest {
   std::optional<int> triangles = {};  ///< about so many
   std::optional<int> order = {};      ///< 3
   double grading = 0;                 ///< meshing::Resolution
+  meshing::PointGroup symmetry = {};  ///< of the triangles; the shape must have it
   std::optional<double> area = {};    ///< else the shape's own; 4π for the spheroid of given V_r
   std::optional<double> reduced_volume = {};  ///< else the shape's own
 };
@@ -68,7 +69,7 @@ MadeMesh make_mesh(const MeshRequest& request);
 meshing::Quality quality_of_sound(const meshing::CurvedMesh& mesh,
                                   const meshing::Names& names = {});
 
-/// `name: value` lines.
-std::string report(const meshing::Quality& quality);
+/// `name: value` lines, of a shape that a formula gives beside what it has by itself (shape_numbers.h).
+std::string report(const MadeMesh& made, const MeshRequest& request);
 
 }  // namespace sbeh::studies

@@ -47,7 +47,8 @@ const std::vector<Contents>& all_contents() {
         {"scan.csv", "All points"}}},
       {ResultsKind::compare,
        {"compare.csv", "methods.csv"},
-       {{"profiles", "Profiles on top of each other, and their distance from the first method's"}},
+       {{"profiles", "Profiles on top of each other, and their distance from the first method's"},
+        {"histories", "Energies over time, and how far they are from the first method's"}},
        {{"methods.csv", "What each method finds"},
         {"compare.csv", "All pairs of methods"},
         {"histories.csv", "Energies over time"}}},
@@ -274,6 +275,7 @@ std::vector<std::string> missing_pictures(const fs::path& folder, ResultsKind ki
         (kind == ResultsKind::scan && picture == "energy" && !has_histories(folder))
         || (kind == ResultsKind::modes && picture == "contour"
             && !fs::exists(folder / "contour.csv"))
+        || (kind == ResultsKind::compare && !fs::exists(folder / (std::string(picture) + ".csv")))
         || (kind == ResultsKind::states && picture == "branches" && !has_branches(folder));
     if (!never && picture_file(folder, name).empty()) missing.emplace_back(name);
   }

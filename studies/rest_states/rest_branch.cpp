@@ -33,8 +33,9 @@ constexpr int most_refined = 5;  // fewer than so many times the triangles of th
 struct Begin {
   PathPoint first;
   Mesh mesh;
-  int from;     // the branching point's row
-  double step;  // the first
+  meshing::PointGroup symmetry;  // of the triangles
+  int from;                      // the branching point's row
+  double step;                   // the first
 };
 
 model::Material material_of(const StatesInput& input) {
@@ -49,13 +50,14 @@ class Branches {
         number_(number),
         take_(take),
         mesh_(std::move(mesh)),
+        symmetry_(input.symmetry),
         fewest_(mesh_->count()),
         path_(path_on(*mesh_)) {}
 
   std::string run(const surface3d::StationaryState& start) {
     const auto first = settled(path_, start, 0);
     if (!first) return "there is no branch through the first state: a fold is there";
-    waiting_.push_back({*first, mesh_, 0, input_.follow->longest_step});
+    waiting_.push_back({*first, mesh_, symmetry_, 0, input_.follow->longest_step});
     while (!waiting_.empty() && !interrupt_signal()) {
       const Begin begin = waiting_.front();
       waiting_.pop_front();
@@ -72,7 +74,7 @@ class Branches {
 
   void follow(const Begin& begin) {
     from_ = begin.from;
-    use(begin.mesh);
+    use(begin.mesh, begin.symmetry);
     PathPoint at = begin.first;
     if (from_ > 0 && !resolved_by(*mesh_, at.X)) renew(at, mesh_->count());  // what is left was
     int triangles = mesh_->count();                                          // of the next ones
@@ -116,41 +118,30 @@ class Branches {
               return axisym::target_of(input_on_way(input, mu).reduced_volume.front());
             }};
   }
-  void use(const Mesh& mesh) {
+  void use(const Mesh& mesh, const meshing::PointGroup& symmetry) {
     if (mesh == mesh_) return;
     path_ = path_on(*mesh);
     mesh_ = mesh;
+    symmetry_ = symmetry;
   }
 
   // New triangles for a state, about so many, or up to twice as many where Newton's method does not find it on these; false where there
   // are none that resolve it.
   bool renew(PathPoint& at, int triangles) {
+    const meshing::PointGroup symmetry =
+        kept_symmetry(*mesh_, at, symmetry_);  // the rest it has left
     for (const double more : {1., 1.25, 1.5, 2.}) {
-      const auto made = surface3d::remesh(*mesh_, at, path_.material(at.mu),
-                                          {.triangles = int(more * triangles),
-                                           .largest_energy_change = 1,
-                                           .symmetry = symmetry_of(at)});
+      const auto made = surface3d::remesh(
+          *mesh_, at, path_.material(at.mu),
+          {.triangles = int(more * triangles), .largest_energy_change = 1, .symmetry = symmetry});
       if (!made.mesh) continue;
       const auto there = on_other_triangles(path_on(*made.mesh), made.state, at, begins);
       if (!there || !resolved_by(*made.mesh, there->X)) continue;
       at = *there;
-      use(made.mesh);
+      use(made.mesh, symmetry);
       return true;
     }
     return false;
-  }
-
-  // That new triangles can have: what has left the symmetry of the old ones gives it up.
-  meshing::PointGroup symmetry_of(const surface3d::State& state) const {
-    constexpr double tolerance = 1e-6;
-    if (input_.symmetry.is_trivial()) return {};
-    const auto symmetry = surface3d::symmetry_of(*mesh_, state, input_.symmetry);
-    const bool has_it = symmetry && symmetry->misfit(state.X) < tolerance
-                     && misfit(*symmetry, state.beta) < tolerance;
-    return has_it ? input_.symmetry : meshing::PointGroup();
-  }
-  static double misfit(const meshing::MeshSymmetry& symmetry, const surface3d::Field& beta) {
-    return (symmetry.symmetric_part(beta) - beta).cwiseAbs().maxCoeff();
   }
 
   // What a step has gone past, in its range.
@@ -204,7 +195,7 @@ class Branches {
         const auto first = switched(path_, at, side * amplitude);
         if (!first) continue;
         if (other && std::abs(*other - first->mu) < alike) break;
-        waiting_.push_back({*first, mesh_, row, std::min(begins, growth * amplitude)});
+        waiting_.push_back({*first, mesh_, symmetry_, row, std::min(begins, growth * amplitude)});
         other = first->mu;
         break;
       }
@@ -219,7 +210,8 @@ class Branches {
   const std::function<int()>& number_;
   const TakeState& take_;
   Mesh mesh_;
-  int fewest_;  // triangles
+  meshing::PointGroup symmetry_;  // of its triangles
+  int fewest_;                    // triangles
   Path path_;
   std::deque<Begin> waiting_;
   int count_ = 0, from_ = 0;

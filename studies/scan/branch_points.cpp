@@ -56,7 +56,8 @@ PointOutcome order_up(const StationaryCase& of, BranchState from) {
                                                     .model = of.model,
                                                     .from = from.at,
                                                     .to = {of.reduced_volume, next},
-                                                    .first_scale = from.at.L / next},
+                                                    .first_scale = from.at.L / next,
+                                                    .symmetric = axisym::is_symmetric(from.X)},
                                        from, of.numerics);
     if (next == of.L() || result.arrival != axisym::Arrival::reached)
       return outcome_of(of, result, share);
@@ -170,8 +171,8 @@ PointOutcome branch_point(const StationaryCase& of) {
   classical.model = Model::SSH;
   axisym::SshBranch branch(of.branch, of.material, of.numerics);
   PointOutcome ssh = ssh_point(classical, branch);
-  if (of.model == Model::SSH || !has_state_here(ssh)) return ssh;
-  return order_from(of, *ssh.state);
+  if (of.model == Model::SSH) return ssh;
+  return has_state_here(ssh) ? order_from(of, *ssh.state) : without_ssh(of, ssh, of.L());
 }
 
 PointOutcome sphere_point(const StationaryCase& of) {

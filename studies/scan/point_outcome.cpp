@@ -6,11 +6,13 @@
 #include "axisym/stationary/stability.h"
 
 #include <fmt/format.h>
+#include <fmt/ranges.h>
 
 #include <algorithm>
 #include <cmath>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace sbeh::studies {
 
@@ -186,26 +188,25 @@ PointOutcome outcome_of(const StationaryCase& of, const axisym::FollowResult& re
                           || W2 != of.material.area_difference.W2 || coupling != 1;
   if (result.arrival == axisym::Arrival::reached) return resolved_point(of, result.state);
   if (result.arrival == axisym::Arrival::neck) return limit_point(of, result.state);
-  const std::string where = fmt::format(
-      "H0 = {:.6g}{}{}", H0,
-      of.material.area_difference.is_there() ? fmt::format(", area_difference's W2 = {:.6g}", W2)
-                                             : "",
-      of.material.has_given() ? fmt::format(", {:.4g} of what does not go along with L", coupling)
-                              : "");
+  std::vector<std::string> where;
+  if (H0 != 0 || of.material.spontaneous_curvature != 0)
+    where.push_back(fmt::format("H0 = {:.6g}", H0));
+  if (of.material.area_difference.is_there())
+    where.push_back(fmt::format("area_difference's W2 = {:.6g}", W2));
+  if (of.material.has_given() && coupling != 1)
+    where.push_back(fmt::format("{:.4g} of what does not go along with L", coupling));
   const std::string shape = name(axisym::classify(result.state.X));
+  where.push_back(fmt::format("V_r = {:.6g}", at.reduced_volume));
+  where.push_back(fmt::format("L = {:.6g}", at.L));
+  const std::string place = fmt::format("{}", fmt::join(where, ", "));
   if (result.arrival == axisym::Arrival::lost && shape != name(of.branch))
-    return none_here(
-        fmt::format("the states to which the {} branch leads are of class {} at V_r = {:.4g}, {}",
-                    name(of.branch), shape, at.reduced_volume, where));
+    return none_here(fmt::format("the states to which the {} branch leads are of class {} at {}",
+                                 name(of.branch), shape, place));
   if (result.arrival == axisym::Arrival::lost)
-    return failed_point(
-        fmt::format("Newton's method lost the branch near V_r = {:.4g}, L = {:.4g}, {}",
-                    at.reduced_volume, at.L, where));
+    return failed_point(fmt::format("Newton's method lost the branch near {}", place));
   if (!is_on_the_way) return fold_point(of, result);
-  return none_here(fmt::format(
-      "the smooth {} branch ends in a fold at {}, V_r = {:.6g}, L = {:.6g}, before this "
-      "material",
-      name(of.branch), where, at.reduced_volume, at.L));
+  return none_here(fmt::format("the smooth {} branch ends in a fold at {}, before this material",
+                               name(of.branch), place));
 }
 
 }  // namespace sbeh::studies

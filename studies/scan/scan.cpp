@@ -112,7 +112,9 @@ void scan_order_column(Scan& scan, Branch branch, const Neighbour& ssh) {
     const PointKey key{v, L, Model::SBEH, branch};
     const auto outcome = scan.point(key, [&](const StationaryCase& of) {
       if (fold) return *fold;
-      return last ? follow_to(of, *last) : order_from(of, ssh.state);
+      if (last) return follow_to(of, *last);
+      const bool is_its_own = L == ssh.at.L || !of.material.has_given();  // SSH's shape
+      return is_its_own ? order_from(of, ssh.state) : branch_point(of);
     });
     if (!outcome) return;
     if (has_state_here(*outcome)) {

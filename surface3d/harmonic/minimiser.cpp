@@ -62,7 +62,8 @@ bool relax(HarmonicSurface& surface, const Vector2d& target) {
 // The gradients of area and volume, and an orthonormal basis of the rigid motions.
 MatrixXd fixed_directions(const HarmonicEnergy::Expansion& at, const MatrixXd& rigid) {
   Eigen::ColPivHouseholderQR<MatrixXd> motions(rigid);
-  motions.setThreshold(1e-5);  // turned about its axis, a body of revolution does not move
+  // Turned about its axis, a body of revolution does not move; one that is nearly so hardly, and held there Newton's method is slow.
+  motions.setThreshold(1e-3);
   MatrixXd fixed(rigid.rows(), 2 + motions.rank());
   fixed << at.gradients.rightCols<2>(),
       motions.householderQ() * MatrixXd::Identity(rigid.rows(), motions.rank());

@@ -1,8 +1,6 @@
 #include "surface3d/harmonic/surface.h"
 
 #include "model/numerics/spheroid.h"
-#include "surface3d/harmonic/basis.h"
-#include "surface3d/moments.h"
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
@@ -31,6 +29,8 @@ namespace {
 // and at V_r = 0.65 the ellipsoid of equal moments does not lead to the prolate.
 constexpr double roundness = 0.75;
 
+}  // namespace
+
 SurfaceSamples samples_of(const HarmonicSurface& surface, const SphereRule& rule) {
   const HarmonicBasis basis = harmonic_basis(surface.degree, rule.omega);
   const VectorXd u = basis.Y[0] * surface.coefficients, u_s = basis.Y[1] * surface.coefficients,
@@ -47,8 +47,6 @@ SurfaceSamples samples_of(const HarmonicSurface& surface, const SphereRule& rule
   }
   return samples;
 }
-
-}  // namespace
 
 Matrix3d HarmonicSurface::direction() const {
   const Eigen::SelfAdjointEigenSolver<Matrix3d> eigen(ellipsoid);

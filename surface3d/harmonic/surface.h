@@ -1,6 +1,8 @@
 // A closed surface by spherical harmonics, without an axis: an ellipsoid and a displacement.
 #pragma once
 
+#include "surface3d/harmonic/basis.h"
+#include "surface3d/moments.h"
 #include "surface3d/surface.h"
 
 #include <Eigen/Core>
@@ -24,6 +26,9 @@ struct HarmonicSurface {
   /// The same surface with more harmonics, or without its highest.
   HarmonicSurface with_degree(int other) const;
 };
+
+/// Its points at those of a rule on the unit sphere, with the areas that they stand for.
+SurfaceSamples samples_of(const HarmonicSurface& surface, const SphereRule& rule);
 
 /// Where a point lies in the coordinates of a surface: x = centre + (D + u T) ω.
 struct EllipsoidCoordinates {

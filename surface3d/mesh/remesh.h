@@ -14,7 +14,7 @@ struct RemeshOptions {
   int triangles = 0;  ///< about so many, 20 … 200000; 0: as many as there are
   double grading = 1;  ///< 0 … 10: sides ∝ 1/(1 + grading R|B|/√2), R = √(A/4π); 0: all the same
   /// Largest change of the energy, relative to the elastic one, 0 … 1; see README.md for what is usual.
-  double largest_energy_change = 5e-3;
+  double largest_energy_change = 1e-2;
   /// That old triangles and state have about the origin, and new ones are to have.
   meshing::PointGroup symmetry = {};
 

@@ -1,11 +1,11 @@
 #include "surface3d/stationary/lagrangian.h"
 
+#include "surface3d/gaussian_energy.h"
 #include "surface3d/parallel.h"
 #include "surface3d/stationary/point_rows.h"
 
 #include <ceres/jet.h>
 
-#include <numbers>
 #include <utility>
 
 namespace sbeh::surface3d {
@@ -80,7 +80,7 @@ void add_constraints(const model::Material& material, const Raw& q, const Rows& 
 template <class Sums>
 void add_rim(const model::Material& material, const ElementState& state, Sums& sums) {
   using Number = typename Sums::template Number<rim_invariants.size()>;
-  const auto add_side = [&](const Points& points, auto density_of) {
+  const auto add_side = [&](const BentPoints& points, auto density_of) {
     for (const BentShapes& s : points) {
       const Raw q = raw_data_of(state, s);
       typename Sums::Density density;
@@ -118,17 +118,6 @@ Sums sums_on(const model::Material& material, bool free_order, const StationaryS
   }
   if (free_order) add_rim(material, local, sums);
   return sums;
-}
-
-// 2π − (π/3) valence: the curvature of a corner where all angles are π/3; 0 at all other nodes.
-Field corner_curvatures(const Triangulation& mesh) {
-  Field curvatures = Field::Zero(mesh.nodes);
-  std::vector<int> valence(std::size_t(mesh.nodes), 0);
-  for (const int corner : mesh.triangles.topRows<3>().reshaped()) ++valence[std::size_t(corner)];
-  for (int i = 0; i < mesh.nodes; ++i)
-    if (const int at = valence[std::size_t(i)]; at > 0)
-      curvatures[i] = (6 - at) * std::numbers::pi / 3;
-  return curvatures;
 }
 
 Eigen::MatrixXi unknowns_of(const Triangulation& mesh, int per_node) {
@@ -242,32 +231,6 @@ Eigen::VectorXd LagrangianGradient::miss(const model::Material& material, const 
   if (ad.is_there()) misses[2] = ad.W2 + moment * ad.compliance() * area - W2;
   if (material.conserves_order()) misses[misses.size() - 1] = order - *material.mean_order * area;
   return misses;
-}
-
-double gaussian_energy(const model::Material& material, const Triangulation& mesh,
-                       const State& state) {
-  Eigen::VectorXd parts = Eigen::VectorXd::Zero(mesh.count());
-  in_parallel(mesh.count(), [&](int e) {
-    const ElementState local{on_element(mesh, e, state.X),
-                             {},
-                             ElementNodes::Zero(),
-                             ElementField::Zero(),
-                             on_element(mesh, e, state.beta)};
-    double& sum = parts[e];
-    for (const BentShapes& s : inner_points())
-      sum += s.weight
-           * connection_density(material, values_of(gaussian_invariants, raw_data_of(local, s)));
-    for (const BentShapes& s : first_rim())
-      sum +=
-          s.weight * first_rim_density(material, values_of(rim_invariants, raw_data_of(local, s)));
-    for (const BentShapes& s : second_rim())
-      sum +=
-          s.weight * second_rim_density(material, values_of(rim_invariants, raw_data_of(local, s)));
-  });
-  double sum = parts.sum();
-  const Field curvatures = corner_curvatures(mesh);
-  for (int i = 0; i < mesh.nodes; ++i) sum += curvatures[i] * material.kappa_gauss(state.beta[i]);
-  return sum;
 }
 
 model::Energy energy(const model::Material& material, const Triangulation& mesh,

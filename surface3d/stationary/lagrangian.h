@@ -4,12 +4,12 @@
 //
 // with the energy of model/energy_density.h on the P3 surface and the mean curvature a P3 field H bound to it by the
 // scheme's curvature equation (H1). The surface moves along its node normals, X + Σ d_i φ_i n_i, and Λ = Σ Λ_i φ_i n_i.
-// The Gaussian energy: gaussian_density.h.
+// The Gaussian energy: surface3d/gaussian_density.h.
 #pragma once
 
 #include "model/energy.h"
 #include "model/energy_density.h"
-#include "surface3d/stationary/gaussian_density.h"
+#include "surface3d/gaussian_density.h"
 #include "surface3d/surface.h"
 
 #include <array>
@@ -138,10 +138,7 @@ void assemble(const model::Material& material, const StationaryLayout& layout,
 void assemble(const model::Material& material, const StationaryLayout& layout,
               const StationaryState& state, const Nodes& normals, LagrangianDerivatives& out);
 
-/// ∫ κ_G(β) K as the Lagrangian has it; 4π κ_G of a uniform order.
-double gaussian_energy(const model::Material& material, const Triangulation& mesh,
-                       const State& state);
-/// U with this Gaussian energy.
+/// U of the fields that the Lagrangian has.
 model::Energy energy(const model::Material& material, const Triangulation& mesh,
                      const StationaryState& state);
 

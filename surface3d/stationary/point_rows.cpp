@@ -1,50 +1,6 @@
 #include "surface3d/stationary/point_rows.h"
 
-#include "model/numerics/lagrange.h"
-#include "model/numerics/quadrature.h"
-
 namespace sbeh::surface3d::at_point {
-
-namespace {
-
-BentShapes bent_shapes(const Eigen::Vector2d& x, double weight) {
-  BentShapes s{shape_values(x, weight), {}};
-  const Eigen::Matrix3Xd bends = model::TriangleElement(3).second_derivatives(x);
-  for (int k = 0; k < 2; ++k)
-    Eigen::Map<Eigen::Matrix<double, 10, 1>>(s.ddphi[std::size_t(k)].data()) =
-        bends.row(k).transpose();
-  return s;
-}
-
-// On the straight line from one point to another, weights summing to 1.
-Points rim_points(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
-  const model::IntervalRule rule = model::gauss_rule(6);
-  Points table;
-  for (int k = 0; k < rule.size(); ++k)
-    table.push_back(bent_shapes(from + rule.points[k] * (to - from), rule.weights[k]));
-  return table;
-}
-
-}  // namespace
-
-const Points& inner_points() {
-  static const Points points = [] {
-    const model::TriangleRule rule = model::triangle_rule(8);
-    Points table;
-    for (int k = 0; k < rule.size(); ++k)
-      table.push_back(bent_shapes(rule.points.col(k), rule.weights[k]));
-    return table;
-  }();
-  return points;
-}
-const Points& first_rim() {
-  static const Points points = rim_points({0, 0}, {0, 1});
-  return points;
-}
-const Points& second_rim() {
-  static const Points points = rim_points({1, 0}, {0, 1});
-  return points;
-}
 
 Rows::Rows(const ElementNodes& normals, const BentShapes& s, bool bent) {
   for (std::size_t k = 0; k < 3; ++k) {

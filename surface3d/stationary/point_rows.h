@@ -2,23 +2,13 @@
 #pragma once
 
 #include "model/numerics/contraction.h"
+#include "surface3d/bent_shapes.h"
 #include "surface3d/stationary/point_density.h"
 
 #include <array>
 #include <vector>
 
 namespace sbeh::surface3d::at_point {
-
-/// Shape functions at a point, with second derivatives: ∂_1∂_1, ∂_1∂_2.
-struct BentShapes : ShapeValues {
-  std::array<std::array<double, 10>, 2> ddphi;
-};
-using Points = std::vector<BentShapes>;
-/// Of degree 8.
-const Points& inner_points();
-/// On two sides, (0, 0) to (0, 1) and (1, 0) to (0, 1), weights summing to 1.
-const Points& first_rim();
-const Points& second_rim();
 
 inline constexpr int unknown_d = 10 * node_d, unknown_Lambda = 10 * node_Lambda,
                      unknown_H = 10 * node_H, unknown_beta = 10 * node_beta,

@@ -50,6 +50,30 @@ TEST(PointGroup, contains_its_parts) {
   EXPECT_TRUE(PointGroup("mirror") == PointGroup("Cs"));
 }
 
+// Parts with other axes than those of their symbols too.
+TEST(PointGroup, has_parts_that_are_groups) {
+  const PointGroup whole("D4h");
+  const Vector3d d = Vector3d(0.3, -0.5, 0.7).normalized();
+  const auto part_of = [&](int l, int m) {
+    return whole.part([&](const Operation& operation) {
+      return std::abs(spherical_harmonic(l, m, operation * d) - spherical_harmonic(l, m, d))
+           < 1e-12;
+    });
+  };
+  EXPECT_TRUE(part_of(4, 0) == whole);
+  EXPECT_EQ(part_of(2, 2).operations().size(), 8u);
+  EXPECT_TRUE(part_of(2, 2).contains(PointGroup("D2h")));
+  EXPECT_EQ(part_of(2, -2).operations().size(), 8u);
+  EXPECT_FALSE(part_of(2, -2).contains(PointGroup("D2h")));
+  EXPECT_EQ(part_of(2, -2).symbol(), "part of D4h");
+  EXPECT_TRUE(part_of(1, 0).contains(PointGroup("C4v")));
+  const Operation once = whole.operations()[1];
+  EXPECT_TRUE(whole.part([&](const Operation& o) { return o == once; }).is_trivial());
+  EXPECT_TRUE(
+      whole.part([&](const Operation& o) { return o == once || o == Operation::Identity(); })
+          .is_trivial());  // a turn by a fourth, without its powers
+}
+
 TEST(PointGroup, leaves_harmonics_as_the_conventions_say) {
   const auto is_symmetric = [](const char* symbol, int l, int m) {
     const Vector3d d = Vector3d(0.3, -0.5, 0.7).normalized();

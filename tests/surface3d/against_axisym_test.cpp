@@ -26,14 +26,12 @@ void expect_same_rest(Model model) {
   Numerics numerics;
   numerics.tolerance = 1e-3;
   numerics.rest_speed = 1e-5;
-  double before = std::numeric_limits<double>::infinity();
   const FlowResult run = run_flow(material, model, {s.mesh, s.state, target}, numerics,
                                   {.end_time = 3, .output_times = {}},
                                   [&](const FlowRecord& r, const State& x, const StepView&, bool) {
                                     EXPECT_NEAR(area(*s.mesh, x.X) / target.area, 1, 1e-8);
                                     EXPECT_NEAR(volume(*s.mesh, x.X) / target.volume, 1, 1e-8);
-                                    EXPECT_LT(r.energy.total(), before) << "t = " << r.time;
-                                    before = r.energy.total();
+                                    EXPECT_EQ(r.rises.sum, 0) << "t = " << r.time;
                                     return true;
                                   });
   const Diagnostics d = diagnose(*s.mesh, material, run.state);
@@ -126,7 +124,7 @@ TEST(History, of_SBEH_is_the_axisymmetric_one_but_for_the_mesh) {
 
 TEST(Schemes, differ_by_first_order_in_tau_in_motion) {
   OrderTable table("split against monolithic: energy at the end", "tau");
-  for (const int steps : {8, 16})
+  for (const int steps : {16, 32})
     table.add(duration / steps, history(Model::SSH, Scheme::split, triangles, steps)[2]
                                     - history(Model::SSH, Scheme::monolithic, triangles, steps)[2]);
   EXPECT_NEAR(table.print(), 1, 0.25);

@@ -195,8 +195,6 @@ TEST(AreaDifference3d, evolves_as_the_axisymmetric_solver_has_it) {
     const Material of_profile = material_for(axisym::diagnose({}, profile).W2);
     const auto exact = axisym::run_flow(of_profile, Model::SBEH, profile, target, fine,
                                         {.end_time = end, .output_times = {}});
-    OrderTable table("energy at t = 0.1, from that of the axisymmetric solver", "h");
-    double error = 0;
     for (const int triangles : {80, 320}) {
       const Surface start = placed(profile, triangles);
       Numerics numerics;
@@ -211,11 +209,11 @@ TEST(AreaDifference3d, evolves_as_the_axisymmetric_solver_has_it) {
         EXPECT_NEAR(diagnose(*start.mesh, material, run.state).W2, material.area_difference.W2,
                     1e-4);
       }
-      error = run.last.energy.total() - exact.last.energy.total();
-      table.add(1 / std::sqrt(start.mesh->count()), error);
+      // That of the steps, on either mesh.
+      const double error = run.last.energy.total() - exact.last.energy.total();
+      std::printf("%d triangles: off in energy by %.1e\n", start.mesh->count(), error);
+      EXPECT_LT(std::abs(error), 5e-5) << stiffness;
     }
-    EXPECT_GT(table.print(), 2) << stiffness;
-    EXPECT_LT(std::abs(error), 1e-4) << stiffness;
   }
 }
 

@@ -72,6 +72,23 @@ TEST(FittedStart, has_the_energy_of_its_shape_at_the_order_of_the_elements) {
   EXPECT_LT(std::abs(error), 2e-6);
 }
 
+// U(0.01) of an independent spectral calculation with the symmetry exact, L = 0.05.
+TEST(SymmetricFlow, of_the_sharp_start_has_the_energy_of_a_calculation_without_triangles) {
+  OrderTable table("energy of 0.5 Y_53 at t = 0.01", "h");
+  double error = 0;
+  for (const int triangles : {320, 1280}) {
+    const Surface s = threefold_start(triangles);
+    Numerics numerics;
+    numerics.tolerance = 1e-5;
+    const FlowResult run =
+        run_flow(paper_material(0.05), Model::SSH, with(s, "D3h"), numerics, {.end_time = 0.01});
+    error = run.last.energy.total() / -4.4141382 - 1;
+    table.add(std::sqrt(20. / s.mesh->count()), error);
+  }
+  EXPECT_GT(table.print(), 3);
+  EXPECT_LT(std::abs(error), 3e-5);
+}
+
 TEST(SymmetricFlow, keeps_its_symmetry_to_rounding) {
   const Surface s = threefold_start(320);
   for (const Model model : {Model::SSH, Model::SBEH}) {
@@ -131,6 +148,29 @@ TEST(SymmetricFlow, has_new_triangles_with_its_symmetry) {
   EXPECT_LT(symmetry.misfit(made.state.X), 1e-12);
   EXPECT_LT((symmetry.symmetric_part(made.state.beta) - made.state.beta).cwiseAbs().maxCoeff(),
             1e-13);
+}
+
+TEST(SymmetricSurface, of_which_a_part_is_left_has_new_triangles_with_that) {
+  for (const auto& [mode, order] : {std::pair{Harmonic{2, 2, 0.1}, 8u},
+                                    {{2, -2, 0.1}, 8u},
+                                    {{4, 4, 0.1}, 16u},
+                                    {{3, 1, 0.1}, 4u}}) {
+    const PointGroup group("D4h");
+    const Surface s =
+        surface_of(meshing::sphere({.triangles = 240, .grading = 0, .symmetry = group}));
+    State state = s.state;
+    for (auto x : state.X.colwise()) x *= 1 + meshing::harmonic_sum({{mode}}, x);
+    const PointGroup kept = kept_symmetry(*s.mesh, state, group);
+    ASSERT_EQ(kept.operations().size(), order) << mode.l << mode.m;
+    const RemeshResult made =
+        remesh(*s.mesh, state, paper_material(0.05),
+               {.triangles = 400, .largest_energy_change = 1, .symmetry = kept});
+    ASSERT_TRUE(made.mesh) << made.refusal;
+    EXPECT_LT(required_symmetry(*made.mesh, made.state, kept).misfit(made.state.X), 1e-12);
+    EXPECT_TRUE(kept_symmetry(*made.mesh, made.state, kept) == kept);
+    for (int i = 0; i < s.mesh->nodes; ++i) state.beta[i] += 1e-3 * i;
+    EXPECT_TRUE(kept_symmetry(*s.mesh, state, group).is_trivial());
+  }
 }
 
 // What has grown beside the symmetry that is kept is not averaged away.

@@ -91,9 +91,96 @@ TEST_F(Compare, is_checked_without_being_run) {
   write("in.toml", small);
   const Ended ended = sbeh({"check", "in.toml"});
   EXPECT_EQ(ended.exit_code, 0) << ended.err;
-  EXPECT_TRUE(
-      ended.out.starts_with("in.toml: SSH oblate with reduced volume 0.8 and L = 0.05 by 2 "))
+  EXPECT_TRUE(ended.out.starts_with("in.toml: SSH oblate, reduced volume 0.8, L = 0.05 by 2 "))
       << ended.out;
+}
+
+// ---- evolutions ---------------------------------------------------------------------------------
+
+const std::string evolution =
+    "[compare]\nevolution = \"run.toml\"\nmethods = [\"surface3d\", \"harmonic_flow\"]\n";
+
+class CompareEvolution : public Compare {
+ protected:
+  void SetUp() override {
+    Compare::SetUp();
+    write_run("SSH", "");
+  }
+  void write_run(const std::string& model, const std::string& more) {
+    write("run.toml", "model = \"" + model
+                          + "\"\n[surface]\nshape = \"harmonics\"\nmodes = [[2, 2, 0.2], [3, 2, "
+                            "0.1]]\ntriangles = 180\n"
+                          + more + "[time]\nend = 0.01\noutput = [0, 0.005, 0.01]\n");
+  }
+};
+
+TEST_F(CompareEvolution, leaves_energies_over_time_of_two_methods_that_agree) {
+  write("in.toml",
+        evolution + "[harmonic_flow]\ndegree = 8\n[tolerance_3d]\nhistory = 1e-4\nenergy = 1e-4\n");
+  const Ended ended = sbeh(into("out", "compare"));
+  EXPECT_EQ(ended.exit_code, 0) << ended.err;
+  for (const char* word : {"the evolution of run.toml (SSH) to t = 0.01", "those of l <= 6"})
+    EXPECT_NE(ended.out.find(word), std::string::npos) << ended.out;
+  const Table histories = table("out/histories.csv");
+  ASSERT_EQ(histories.rows.size(), 6u);
+  EXPECT_EQ(histories.text(5, "method"), "harmonic_flow");
+  EXPECT_EQ(histories.number(5, "time"), 0.01);
+  const Table compare = table("out/compare.csv");
+  EXPECT_EQ(column(compare, "history", "agrees"), "yes");
+  EXPECT_EQ(column(compare, "energy", "second_value"), histories.text(5, "energy"));
+  EXPECT_FALSE(exists(path("out/profiles.csv")));
+  must({"picture", "compare", "out"});
+  EXPECT_TRUE(exists(path("out/histories.png")));
+  EXPECT_FALSE(exists(path("out/profiles.png")));
+  must({"report", "out"});
+
+  fs::copy_file(path("out/run.toml"), path("again.toml"));
+  must(into("again", "compare", "again.toml"));
+  EXPECT_EQ(read("again/histories.csv"), read("out/histories.csv"));
+}
+
+TEST_F(CompareEvolution, takes_the_rows_of_a_run_that_has_ended) {
+  must({"run", "run.toml", "-o", "done", "--no-pictures"});
+  write("in.toml",
+        "[compare]\nevolution = \"done\"\nmethods = [\"surface3d\", "
+        "\"harmonic_flow\"]\n[harmonic_flow]\ndegree = 6\n");
+  must(into("out", "compare"));
+  const Table histories = table("out/histories.csv"), series = table("done/series.csv");
+  ASSERT_EQ(histories.rows.size(), 6u);
+  EXPECT_EQ(histories.text(2, "energy"), series.text(2, "energy"));
+}
+
+TEST_F(CompareEvolution, refuses_what_has_no_place_beside_a_run) {
+  write("scan.toml", "[scan]\nreduced_volume = 0.8\nL = 0.05\n");
+  const std::vector<std::pair<std::string, std::string>> cases{
+      {evolution + "L = 1\n",
+       "in.toml:4: [compare] L = 1: has no place where evolution names a run"},
+      {evolution + "[material]\nL = 1\n", "in.toml:4: [material]: has no place where evolution"},
+      {evolution + "[harmonic_flow]\ndegree = 5\n",
+       "in.toml:5: [harmonic_flow] degree = 5: must be"},
+      {"[compare]\nevolution = \"run.toml\"\nmethods = [\"surface3d\", \"newton\"]\n",
+       "in.toml:3: [compare] methods = \"newton\": belongs to stationary states"},
+      {"[compare]\nevolution = \"run.toml\"\nmethods = [\"surface3d\"]\n",
+       "in.toml:3: [compare] methods = [\"surface3d\"]: must be two"},
+      {"[compare]\nevolution = \"scan.toml\"\nmethods = [\"surface3d\"]\n",
+       "in.toml:2: [compare] evolution = \"scan.toml\": must be an input of sbeh run"},
+      {"[compare]\nevolution = \"none.toml\"\n", "none.toml"},
+      {head + "methods = [\"newton\", \"harmonic_flow\"]\n",
+       "in.toml:5: [compare] methods = \"harmonic_flow\": belongs to the evolution of a run"},
+  };
+  for (const auto& [text, message] : cases) {
+    write("in.toml", text);
+    const Ended ended = sbeh(into("out", "compare"));
+    EXPECT_EQ(ended.exit_code, 2) << text;
+    EXPECT_NE(ended.err.find(message), std::string::npos) << ended.err;
+  }
+  write_run("Helfrich-global", "");
+  write("in.toml", evolution);
+  EXPECT_NE(sbeh(into("out", "compare")).err.find("keeps the area of every piece"),
+            std::string::npos);
+  write_run("SSH", "perturbation = [[4, 0, 0.01]]\n");
+  EXPECT_NE(sbeh(into("out", "compare")).err.find("its start has a perturbation"),
+            std::string::npos);
 }
 
 TEST_F(Compare, refuses_what_is_wrong_with_file_line_and_reason) {

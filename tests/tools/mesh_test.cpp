@@ -29,6 +29,24 @@ class MeshTest : public Workplace {
   }
 };
 
+// The shape's own numbers beside the mesh's: an independent spectral calculation has the same bending energy.
+TEST_F(MeshTest, reports_what_the_shape_has_without_triangles) {
+  const auto y53 = report(
+      {"harmonic", "--mode", "5,3,0.5", "--grading", "1", "--symmetry", "D3h", "--area", "4pi"});
+  EXPECT_NEAR(y53.at("shape_bending"), 100.2740912, 1e-6);
+  EXPECT_NEAR(y53.at("bending") / y53.at("shape_bending"), 1, 1e-4);
+  EXPECT_NEAR(y53.at("shape_area"), 4 * M_PI, 1e-12);
+  EXPECT_NEAR(y53.at("volume"), y53.at("shape_volume"), 1e-5);
+  EXPECT_EQ(int(y53.at("triangles")) % 12, 0);
+  const auto oblate = report({"ellipsoid", "--axes", "1,1,0.5", "--triangles", "320"});
+  EXPECT_NEAR(oblate.at("shape_volume"), 2 * M_PI / 3, 1e-12);
+  EXPECT_NEAR(oblate.at("bending") / oblate.at("shape_bending"), 1, 1e-4);
+  const auto given = report({"harmonic", "--mode", "2,0,0.3", "--reduced-volume", "0.9"});
+  EXPECT_NEAR(given.at("area"), given.at("shape_area"), 1e-4);
+  EXPECT_NEAR(given.at("volume"), given.at("shape_volume"), 1e-4);
+  EXPECT_EQ(report({"sphere", "--order", "1"}).count("bending"), 0u);
+}
+
 TEST_F(MeshTest, makes_the_start_of_the_papers_dynamics) {
   const auto r = report(
       {"harmonic", "--mode", "5,3,0.5", "--triangles", "1280", "--area", "4pi", "-o", "y.vtu"});
@@ -127,6 +145,9 @@ TEST_F(MeshTest, refuses_wrong_shapes_with_a_sentence_and_writes_nothing) {
       {{"sphere", "--report", "--triangles", "3"}, "triangles = 3: must be in 20 ... 200000"},
       {{"sphere", "--report", "--triangles", "1000000"}, "triangles = 1000000: must be in"},
       {{"sphere", "--report", "--order", "4"}, "order = 4: must be 1, 2 or 3"},
+      {{"sphere", "--report", "--symmetry", "D3x"}, "--symmetry D3x: must be C1, Cs"},
+      {{"harmonic", "--mode", "3,1,0.2", "--report", "--symmetry", "D3h"},
+       "symmetry = \"D3h\": the shape has not this symmetry"},
       {{"sphere", "--report", "--area", "-1"}, "area -1: must be > 0"},
       {{"sphere", "--report", "--area", "nan"}, "area nan: must be > 0"},
       {{"sphere", "--report", "--area", "big"}, "--area big: must be a number > 0, or 4pi"},

@@ -25,8 +25,9 @@ bool complain_of_end(FlowStop stop, model::FlowFault fault, const model::FlowRec
   const bool rises = model::rises_too_far(last);
   if (rises)
     complain(fmt::format(
-        "the energy, which can only fall, rises by {:.2g} in sum between t = {:.6g} and "
-        "{:.6g}: the mesh does not resolve what happens there, and what comes later is "
+        "the energy by which steps are judged, which can only fall, rises by {:.2g} in sum between "
+        "t = {:.6g} and {:.6g}: the mesh does not resolve what happens there, and what comes later "
+        "is "
         "not to be trusted",
         last.rises.sum, last.rises.from, last.rises.to));
   return rises || stop == FlowStop::step_too_small || stop == FlowStop::unresolved

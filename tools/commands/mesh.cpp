@@ -23,7 +23,7 @@ namespace {
 struct MeshWords {
   CLI::App *sphere = nullptr, *ellipsoid = nullptr, *harmonic = nullptr, *revolve = nullptr,
            *file = nullptr;
-  std::string axes, input, area;
+  std::string axes, input, area, symmetry;
   MeshOutput output;
   std::vector<std::string> modes;
   std::optional<double> reduced_volume;
@@ -61,6 +61,14 @@ double area_of(const std::string& text) {
   return area;
 }
 
+meshing::PointGroup symmetry_of(const std::string& symbol) {
+  try {
+    return meshing::PointGroup(symbol);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(fmt::format("--symmetry {}: {}", symbol, error.what()));
+  }
+}
+
 studies::MeshRequest request_of(const MeshWords& w) {
   studies::MeshRequest request{.shape = studies::SphereShape{},
                                .triangles = w.triangles,
@@ -68,6 +76,7 @@ studies::MeshRequest request_of(const MeshWords& w) {
                                .grading = w.grading,
                                .reduced_volume = w.reduced_volume};
   if (!w.area.empty()) request.area = area_of(w.area);
+  if (!w.symmetry.empty()) request.symmetry = symmetry_of(w.symmetry);
   if (*w.ellipsoid) {
     studies::EllipsoidShape ellipsoid{.semi_axes = {}, .prolate = w.prolate};
     if (!w.axes.empty()) {
@@ -86,9 +95,9 @@ studies::MeshRequest request_of(const MeshWords& w) {
   return request;
 }
 
-studies::MadeMesh make(const MeshWords& w) {
+studies::MadeMesh make(const MeshWords& w, const studies::MeshRequest& request) {
   try {
-    return studies::make_mesh(request_of(w));
+    return studies::make_mesh(request);
   } catch (const std::runtime_error&) {  // of a mesh or of a table
     if (*w.revolve) studies::refuse_other_kind(w.input, "mesh revolve");
     if (*w.file) studies::refuse_other_kind(w.input, "mesh file");
@@ -98,10 +107,11 @@ studies::MadeMesh make(const MeshWords& w) {
 
 int make_and_write(const MeshWords& w) {
   require_place(w.output, "mesh");
-  const studies::MadeMesh made = make(w);
+  const studies::MeshRequest request = request_of(w);
+  const studies::MadeMesh made = make(w, request);
   if (*w.revolve)
     if (const auto remark = studies::remark_on_profile(w.input)) complain(*remark);
-  put(made, w.output);
+  put(made, request, w.output);
   return 0;
 }
 
@@ -135,6 +145,10 @@ Command add_mesh(CLI::App& program) {
       ->allow_extra_args(false);
   w.revolve = add("revolve", "a profile from a scan, revolved, with its order");
   w.revolve->add_option("PROFILE", w.input, "table of nodes (points/*.csv)")->required();
+  for (CLI::App* shape : {w.sphere, w.ellipsoid, w.harmonic, w.revolve})
+    shape->add_option(
+        "--symmetry", w.symmetry,
+        "triangles with this point group about z, which the shape must have: D3h, say");
   w.file = add("file", "triangles of a file, curved; without --triangles they stay as they are");
   w.file->add_option("FILE", w.input, ".obj, .off, .ply, .stl, .msh, .tsi, .vtk, .vtp or .vtu")
       ->required();

@@ -36,7 +36,8 @@ void require_place(const MeshOutput& output, const char* command) {
   refuse_to_overwrite(output);
 }
 
-void put(const studies::MadeMesh& made, const MeshOutput& output) {
+void put(const studies::MadeMesh& made, const studies::MeshRequest& request,
+         const MeshOutput& output) {
   for (const std::string& note : made.notes) complain(note);
   if (!output.file.empty()) {
     refuse_to_overwrite(output);
@@ -48,7 +49,7 @@ void put(const studies::MadeMesh& made, const MeshOutput& output) {
                       output.file));
   }
   if (output.report)
-    fmt::print("{}", studies::report(made.quality));
+    fmt::print("{}", studies::report(made, request));
   else
     fmt::print("{}: {} triangles of order {}, area {:.8g}, volume {:.8g}, reduced volume {:.8g}\n",
                output.file, made.quality.triangles, made.mesh.order, made.quality.area,

@@ -21,6 +21,7 @@ void add_mesh_output(CLI::App& app, MeshOutput& output);
 void require_place(const MeshOutput& output, const char* command);
 
 /// Writes and prints what was asked for; complains of what the user should know of the mesh.
-void put(const studies::MadeMesh& made, const MeshOutput& output);
+void put(const studies::MadeMesh& made, const studies::MeshRequest& request,
+         const MeshOutput& output);
 
 }  // namespace sbeh::tools

@@ -39,12 +39,12 @@ axisym::StationaryState state_of(const ShapeWords& w) {
 int shape(const ShapeWords& w) {
   require_place(w.output, "shape");
   const double area = 4 * std::numbers::pi * w.radius * w.radius;
-  put(studies::make_mesh({.shape = studies::StateShape{state_of(w)},
-                          .triangles = w.triangles,
-                          .order = w.order,
-                          .area = area,
-                          .reduced_volume = w.reduced_volume}),
-      w.output);
+  const studies::MeshRequest request{.shape = studies::StateShape{state_of(w)},
+                                     .triangles = w.triangles,
+                                     .order = w.order,
+                                     .area = area,
+                                     .reduced_volume = w.reduced_volume};
+  put(studies::make_mesh(request), request, w.output);
   return 0;
 }
 

@@ -66,7 +66,10 @@ std::vector<std::string> inputs() {
     if (entry.path().extension() != ".toml") continue;
     std::ifstream file(entry.path());
     const std::string text{std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>()};
-    texts.push_back(std::regex_replace(text, std::regex("#.*"), ""));
+    const std::string bare = std::regex_replace(text, std::regex("#.*"), "");
+    // What one names lies beside it.
+    texts.push_back(
+        std::regex_replace(bare, std::regex("\"(\\w+\\.toml)\""), "\"studies/inputs/$1\""));
   }
   return texts;
 }

@@ -1,4 +1,5 @@
 // Branches with a flexoelectric coupling f(β)H against what is exact of them.
+#include "axisym/stationary/symmetry.h"
 #include "studies/scan/branch_points.h"
 
 #include <gtest/gtest.h>
@@ -128,6 +129,18 @@ TEST(UnequalModuli, are_the_same_from_the_side_and_from_the_beginning) {
   const PointOutcome first = at_rest(at(0.02)), direct = at_rest(at(0.04));
   const PointOutcome along = follow_to(at(0.04), {at(0.02).at(), *first.state});
   EXPECT_NEAR(energy_with(at(0.04).material, along), energy_with(at(0.04).material, direct), 1e-9);
+}
+
+// On the way from SSH's shapes nothing of the symmetry is lost, by which lines of stability are told apart.
+TEST(UnequalModuli, leave_oblates_symmetric) {
+  for (const double L2 : {-0.02, 0.02}) {
+    StationaryCase of = case_of(Model::SBEH, Branch::oblate, 0.7, {0});
+    of.material.L2 = L2;
+    EXPECT_TRUE(axisym::is_symmetric(at_rest(of).state->X)) << L2;
+    of.material.L2 = 0;
+    of.material.flexoelectric = model::Polynomial({0, L2});
+    EXPECT_TRUE(axisym::is_symmetric(at_rest(of).state->X)) << L2;
+  }
 }
 
 // ∂U/∂W₂⁰ = −c of SSH and SBEH; a couple has c from another shape of the same W₂.

@@ -74,7 +74,7 @@ TEST(Resolution, has_a_gap_between_the_two_curvatures_of_second_order_on_smooth_
   }
 }
 
-TEST(Resolution, within_its_limits_means_a_bending_energy_within_half_a_percent) {
+TEST(Resolution, within_its_limits_means_a_bending_energy_within_one_percent) {
   const std::vector<NamedShape> shapes{{"oblate 0.8", spheroid(0.8, false)},
                                        {"prolate 0.8", spheroid(0.8, true)},
                                        {"oblate 0.65", spheroid(0.65, false)},
@@ -94,7 +94,7 @@ TEST(Resolution, within_its_limits_means_a_bending_energy_within_half_a_percent)
                   resolved(r) ? "" : "unresolved");
       ++(resolved(r) ? within : beyond);
       if (resolved(r)) {
-        EXPECT_LT(std::abs(error), 5e-3) << name << ", " << triangles;
+        EXPECT_LT(std::abs(error), 1e-2) << name << ", " << triangles;
       }
     }
     EXPECT_TRUE(resolved(measured(shape(5120)).indicators)) << name;
@@ -114,7 +114,7 @@ TEST(Resolution, of_a_sharp_edge_is_never_enough) {
 
 TEST(Resolution, of_a_ridge_between_the_nodes_shows_in_the_gap_alone) {
   const auto [r, bending] = measured(lens(0.05)(180));
-  EXPECT_GT(std::abs(bending / measured(lens(0.05)(5120)).bending - 1), 0.1);
+  EXPECT_GT(std::abs(bending / measured(lens(0.05)(5120)).bending - 1), 0.05);
   EXPECT_LT(r.resolution, largest_resolution);
   EXPECT_GT(r.curvature_gap, 2 * largest_curvature_gap);
   EXPECT_FALSE(resolved(r));

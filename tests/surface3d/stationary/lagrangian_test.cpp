@@ -3,6 +3,7 @@
 #include "surface3d/stationary/lagrangian.h"
 
 #include "model/numerics/quadrature.h"
+#include "surface3d/gaussian_energy.h"
 #include "tests/model/finite_difference.h"
 #include "tests/model/general_material.h"
 #include "tests/surface3d/cases.h"

@@ -1,6 +1,7 @@
 #include "studies/compare/compare.h"
 
 #include "tools/picture/chart/legend.h"
+#include "tools/picture/studies/method_style.h"
 #include "tools/picture/studies/studies.h"
 
 #include <algorithm>
@@ -10,27 +11,6 @@ namespace sbeh::picture {
 namespace {
 
 using studies::Witness;
-
-// Wide below, narrow on top, so that all are seen where they agree.
-LineStyle style_of(Witness method) {
-  switch (method) {
-    case Witness::newton:
-      return {.colour = {158, 202, 240}, .width = 9.0};
-    case Witness::shooting:
-      return {.colour = {230, 110, 20}, .width = 4.0};
-    case Witness::minimiser:
-      return {.colour = {0, 60, 45}, .width = 2.0, .pattern = Pattern::dashed};
-    case Witness::flow:
-      return {.colour = {138, 60, 220}, .width = 1.6, .pattern = Pattern::dotted};
-    case Witness::surface3d:
-      return {.colour = {0, 0, 0}, .width = 1.0};
-    case Witness::states:
-      return {.colour = {0, 130, 130}, .width = 1.0};
-    case Witness::harmonics:
-      return {.colour = {200, 30, 60}, .width = 1.0};
-  }
-  return {};
-}
 
 // One method's points, in the order of the file.
 struct Curve {
@@ -135,6 +115,10 @@ void draw_distances(Canvas& canvas, const Rect& inside, double text, const Axis&
 }  // namespace
 
 void draw_compared_profiles(Canvas& canvas, const Options& options) {
+  if (!std::filesystem::exists(options.directory / "profiles.csv")) {
+    if (!options.only.empty()) fmt::print("no profiles: the comparison is one of an evolution\n");
+    return;
+  }
   const std::vector<Curve> curves =
       read_curves(options.directory / "profiles.csv", options.factor(studies::dimension::length));
   const double text = options.text_size();

@@ -18,6 +18,10 @@ void draw_phase_diagram(Canvas& canvas, const Options& options);
 /// solver's nodes as marks, and below them the distance from the first method over the arc length.
 void draw_compared_profiles(Canvas& canvas, const Options& options);
 
+/// histories: from histories.csv of `sbeh compare`. The energies of all methods over time, and below them how far they
+/// are from the first.
+void draw_compared_histories(Canvas& canvas, const Options& options);
+
 /// stability: which axisymmetric states are stable in 3D, from stability.csv. Markers over (V_r, L), or rates
 /// over V_r where there is one L.
 void draw_stability(Canvas& canvas, const Options& options);
