@@ -64,9 +64,11 @@ class Solver {
     curvature_ = curvature_of(*mesh_, state.X);
     return curvature_ ? stepper_->energy(state, *curvature_) : unknown;
   }
-  Energy own_energy(const State& state) const {  // with the curvature that energy() has found
-    return curvature_ ? stepper_->own_energy(state, *curvature_) : unknown;
+  // With the curvature that energy() has found.
+  Energy own_energy(const State& state) const requires requires(Stepper s, const Curvature& c) {
+    s.own_energy(state, c);
   }
+  { return curvature_ ? stepper_->own_energy(state, *curvature_) : unknown; }
   bool renew(State& state);
   std::optional<FlowStop> obstacle(const State& state) const {
     if (!(mesh_quality(*mesh_, state.X) > degenerate_quality)) return FlowStop::unresolved;

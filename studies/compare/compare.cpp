@@ -56,7 +56,7 @@ WitnessState state_of(Witness witness, const CompareInput& input,
 WitnessState evolution_of(Witness witness, const CompareInput& input) {
   const EvolutionCase& of = *input.evolution;
   if (witness == Witness::harmonic_flow) return evolution_by_harmonics(of.run, input.harmonic_flow);
-  return of.has_ended() ? evolution_of_folder(of.file) : evolution_on_triangles(of.run);
+  return of.has_ended() ? evolution_of_folder(of.run, of.file) : evolution_on_triangles(of.run);
 }
 
 std::vector<WitnessState> states_of(const CompareInput& input, const fs::path& frame) {

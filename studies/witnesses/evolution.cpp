@@ -161,11 +161,18 @@ WitnessState evolution_on_triangles(const RunInput& run) {
   return found;
 }
 
-WitnessState evolution_of_folder(const std::string& folder) {
+WitnessState evolution_of_folder(const RunInput& run, const std::string& folder) {
   WitnessState found{.witness = Witness::surface3d, .remark = fmt::format("from {}", folder)};
   const auto rows = read_rows(series_columns(), std::filesystem::path(folder) / "series.csv");
   if (rows.empty()) {
     found.failure = fmt::format("{} has no rows yet", folder);
+    return found;
+  }
+  const double last = rows.back().record.time;
+  if (std::abs(last - run.times.end) > model::same_time * run.times.end) {
+    found.failure = fmt::format(
+        "{} ends at t = {:.6g}, not at {:.6g}: lengthen it by sbeh run --resume, or give its input",
+        folder, last, run.times.end);
     return found;
   }
   for (const SeriesRow& row : rows)

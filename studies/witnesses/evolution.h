@@ -16,8 +16,8 @@ std::string no_harmonic_flow(const RunInput& run);
 /// Interrupted.
 WitnessState evolution_on_triangles(const RunInput& run);
 
-/// The same, read from the folder of a run that has ended. Throws InputError and OutputError.
-WitnessState evolution_of_folder(const std::string& folder);
+/// The same, read from the folder of this run; a failure where it has not come to its end. Throws OutputError.
+WitnessState evolution_of_folder(const RunInput& run, const std::string& folder);
 
 /// Harmonics at the times of the run's rows, and once more with the degree less two, from which the remark says how far the
 /// energies are. Only where no_harmonic_flow is empty. Throws std::invalid_argument (a start that does not exist) and Interrupted.

@@ -26,9 +26,6 @@ class VariationalStepper {
   /// Advances by tau > 0, to the area and volume of the target; without one, keeping them.
   FlowStep step(const State& old, const std::optional<Target>& target, double tau);
   /// U, as its steps have it: see stationary/lagrangian.h.
-  Energy own_energy(const State& state, const Curvature& curvature) const {
-    return energy(state, curvature);
-  }
   Energy energy(const State& state, const Curvature& curvature) const {
     return surface3d::energy(material_, *mesh_, StationaryState{state, curvature.H});
   }

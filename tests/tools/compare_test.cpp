@@ -148,6 +148,13 @@ TEST_F(CompareEvolution, takes_the_rows_of_a_run_that_has_ended) {
   const Table histories = table("out/histories.csv"), series = table("done/series.csv");
   ASSERT_EQ(histories.rows.size(), 6u);
   EXPECT_EQ(histories.text(2, "energy"), series.text(2, "energy"));
+
+  // Energies of other times are not compared.
+  const std::string rows = read("done/series.csv");
+  write("done/series.csv", rows.substr(0, rows.rfind('\n', rows.size() - 2) + 1));
+  const Ended cut = sbeh(into("cut", "compare"));
+  EXPECT_EQ(cut.exit_code, 1);
+  EXPECT_NE(cut.err.find("ends at t = 0.005, not at 0.01"), std::string::npos) << cut.err;
 }
 
 TEST_F(CompareEvolution, refuses_what_has_no_place_beside_a_run) {
