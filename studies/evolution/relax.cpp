@@ -5,6 +5,7 @@
 #include "model/order_step.h"
 #include "studies/evolution/evolution_files.h"
 #include "studies/evolution/flow_progress.h"
+#include "studies/io/description.h"
 #include "studies/io/interrupt.h"
 #include "studies/states/profile_file.h"
 
@@ -116,6 +117,14 @@ axisym::State made(const RelaxInput& input) {
   return state;
 }
 
+// A run.toml alone is no run yet, where it is that of this one.
+void refuse_other_results(const OutputFolder& folder, const std::string& description) {
+  refuse_results(folder, {"series.csv", "scan.csv"});
+  const auto there = folder / "run.toml";
+  if (exists(there) && !studies::mismatch(read_file(there), description, "").empty())
+    refuse_results(folder, {"run.toml"});
+}
+
 }  // namespace
 
 RelaxStart start_of(const RelaxInput& input) {
@@ -132,12 +141,18 @@ RelaxStart start_of(const RelaxInput& input) {
   return start;
 }
 
+double seconds_per_step(const RelaxInput& input) {
+  constexpr double of_an_element = 3.8e-5;
+  return of_an_element * input.numerics.elements;
+}
+
 RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& path,
                        std::string_view version) {
   const auto [start, remarks] = start_of(input);
   const OutputFolder folder(path);
-  refuse_results(folder, {"run.toml", "series.csv", "scan.csv"});
-  write_file(folder / "run.toml", with_remarks(describe(input, version), remarks));
+  const std::string description = describe(input, version);
+  refuse_other_results(folder, description);
+  write_file(folder / "run.toml", with_remarks(description, remarks));
   for (const std::string& remark : remarks) tell(fmt::format("sbeh: {}\n", remark));
 
   SeriesWriter series(folder, input.times);

@@ -15,13 +15,17 @@ struct RelaxStart {
 /// be made.
 RelaxStart start_of(const RelaxInput& input);
 
+/// Of one core of 2026, as measured.
+double seconds_per_step(const RelaxInput& input);
+
 struct RelaxSummary {
   axisym::FlowResult run;
   int profiles = 0;
 };
 
 /// Runs into a folder: run.toml, series.csv (a line per output time as it is reached), profiles/ and
-/// profiles.csv. A folder that already holds a run is refused. Throws OutputError.
+/// profiles.csv. A folder that already holds a run is refused, but not one with nothing but the run.toml of this
+/// very run. Throws OutputError.
 RelaxSummary run_relax(const RelaxInput& input, const std::filesystem::path& folder,
                        std::string_view version);
 

@@ -73,8 +73,9 @@ void write_start(TomlText& toml, const RelaxInput& input) {
 
 }  // namespace
 
-RelaxInput read_relax(const std::filesystem::path& path) {
-  const TomlTable file = TomlFile::parse(path);
+RelaxInput read_relax(const std::filesystem::path& path) { return relax_in(TomlFile::parse(path)); }
+
+RelaxInput relax_in(const TomlTable& file) {
   file.has("model");  // a known key, wherever it may be left out
   const TomlTable start = file.table("start");
   const TomlTable time = file.table("time");

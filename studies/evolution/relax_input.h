@@ -45,6 +45,8 @@ struct RelaxInput : Physics {
 
 /// Throws InputError.
 RelaxInput read_relax(const std::filesystem::path& path);
+/// The same of a file that was read already.
+RelaxInput relax_in(const TomlTable& file);
 
 /// The whole input, defaults included, as TOML under a comment with the program's version: reading the text
 /// gives the same input, bit for bit.

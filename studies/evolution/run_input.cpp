@@ -144,8 +144,7 @@ bool is_gone(const RunInput& input) {
 
 using FindOrigin = std::function<std::optional<Origin>(const RunInput&)>;
 
-RunInput read_with(const fs::path& path, const FindOrigin& find_origin) {
-  const TomlTable file = TomlFile::parse(path);
+RunInput read_with(const TomlTable& file, const FindOrigin& find_origin) {
   file.has("model");  // a known key, wherever it may be left out
   const TomlTable surface = file.table("surface"), time = file.table("time"),
                   material = file.table("material"), numerics = file.table("numerics");
@@ -178,12 +177,14 @@ Origin origin_of(const FrameStart& frame) {
   return {frame.file, physics_of_frame(frame.file)};
 }
 
-RunInput read_run(const fs::path& path) {
-  return read_with(path, [](const RunInput& input) { return origin_of_any(input.start); });
+RunInput read_run(const fs::path& path) { return run_in(TomlFile::parse(path)); }
+
+RunInput run_in(const TomlTable& file) {
+  return read_with(file, [](const RunInput& input) { return origin_of_any(input.start); });
 }
 
 RunInput read_resumed_run(const fs::path& path, const fs::path& folder) {
-  return read_with(path, [&](const RunInput& input) -> std::optional<Origin> {
+  return read_with(TomlFile::parse(path), [&](const RunInput& input) -> std::optional<Origin> {
     const fs::path description = folder / "run.toml";
     if (is_gone(input) && fs::exists(description))
       return Origin{description.string(), read_physics(description)};

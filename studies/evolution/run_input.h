@@ -84,6 +84,8 @@ struct RunInput : Physics {
 
 /// Throws InputError.
 RunInput read_run(const std::filesystem::path& path);
+/// The same of a file that was read already.
+RunInput run_in(const TomlTable& file);
 /// The same for a run in a folder that is gone on with: it stands in for a start that is no longer there.
 RunInput read_resumed_run(const std::filesystem::path& path, const std::filesystem::path& folder);
 

@@ -161,7 +161,11 @@ const std::vector<std::pair<Dimension, Names>>& all_columns() {
         "paper",
         "agreement",
         "run",
-        "at_rest"}},
+        "at_rest",
+        "exit_code",
+        "megabytes",
+        "cores",
+        "checksum"}},
   };
   return all;
 }

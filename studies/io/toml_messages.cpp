@@ -20,11 +20,6 @@ std::string shown_key(std::string_view key) {
   return bare ? std::string(key) : in_quotes(key);
 }
 
-namespace {
-
-constexpr std::size_t longest_value = 60;  // letters of a value in a message
-
-/// A value as it would be written in the file, on one line.
 std::string shown(const toml::node& node) {
   if (const auto* text = node.as_string()) return in_quotes(text->get());
   if (const auto* integer = node.as_integer()) return fmt::format("{}", integer->get());
@@ -49,8 +44,6 @@ std::string shown(const toml::node& node) {
   return other.str();
 }
 
-}  // namespace
-
 int line_of(const toml::node& node) { return int(node.source().begin.line); }
 
 std::string place(const TableState& table, int line) {
@@ -71,6 +64,7 @@ void fail_at(const TableState& table, std::string_view key, const toml::node& va
   if (value.is_table() && !value.as_table()->is_inline())
     throw InputError(
         fmt::format("{}: [{}]: {}", place(table, line_of(value)), section_name(table, key), what));
+  constexpr std::size_t longest_value = 60;  // letters of a value in a message
   std::string text = shown(value);
   if (text.size() > longest_value) {
     std::size_t end = longest_value - 3;

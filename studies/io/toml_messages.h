@@ -31,6 +31,9 @@ struct TableState {
 int line_of(const toml::node& node);
 std::string place(const TableState& table, int line);
 
+/// A value as it would be written in the file, on one line.
+std::string shown(const toml::node& node);
+
 /// "key" as TOML wants it, "[section] key", and "outer.key" of the table [outer.key].
 std::string shown_key(std::string_view key);
 std::string full_name(const TableState& table, std::string_view key);

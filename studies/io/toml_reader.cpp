@@ -9,18 +9,14 @@
 #include <fmt/ranges.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
 #include <cstdlib>
-#include <cstring>
-#include <fstream>
 
 namespace sbeh::studies {
 
 namespace {
 
-constexpr std::size_t largest_file = 1 << 20;  // bytes
-constexpr int largest_count = 100000;          // values of a range
+constexpr int largest_count = 100000;  // values of a range
 
 // ---- looking up ---------------------------------------------------------------------------------
 
@@ -349,30 +345,6 @@ void TomlTable::fail_from(const std::invalid_argument& error) const {
   throw InputError(fmt::format("{}: [{}] {}",
                                place(*state_, value ? line_of(*value) : state_->line),
                                state_->section, text));
-}
-
-TomlTable TomlFile::parse(const std::filesystem::path& path) {
-  const std::string file = path.string();
-  std::error_code unreadable;
-  if (std::filesystem::is_directory(path, unreadable))
-    throw InputError(fmt::format("{}: is a directory, not a file", file));
-  std::ifstream stream(path, std::ios::binary);
-  if (!stream) throw InputError(fmt::format("{}: cannot be read: {}", file, std::strerror(errno)));
-  std::string text(largest_file + 1, '\0');
-  stream.read(text.data(), std::streamsize(text.size()));
-  if (stream.bad()) throw InputError(fmt::format("{}: cannot be read", file));
-  text.resize(std::size_t(stream.gcount()));
-  if (text.size() > largest_file)
-    throw InputError(
-        fmt::format("{}: is too long for an input, more than {} bytes", file, largest_file));
-  try {
-    auto document = std::make_shared<const toml::table>(toml::parse(text, file));
-    TableState root{.file = file, .document = document, .table = document.get()};
-    return TomlTable(std::make_shared<TableState>(std::move(root)));
-  } catch (const toml::parse_error& error) {
-    throw InputError(fmt::format("{}:{}: is not TOML: {}", file, error.source().begin.line,
-                                 error.description()));
-  }
 }
 
 }  // namespace sbeh::studies

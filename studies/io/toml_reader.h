@@ -86,6 +86,15 @@ class TomlTable {
   /// ends exactly; the values between are rounded to 12 digits.
   std::vector<double> grid(std::string_view key, const Interval& allowed = {},
                            std::optional<std::vector<double>> absent = {}) const;
+  /// The keys that are there, in the order of the file; of a table that is not inline "table.key" of each of its own.
+  std::vector<std::string> keys() const;
+  /// One of them, in the table in which it stands.
+  struct Place;
+  Place place_of(const std::string& key) const;
+  /// A list of values of any kind, each as it stands in files; not empty.
+  std::vector<std::string> list(std::string_view key) const;
+  /// The same with none twice, or a range as in `grid`.
+  std::vector<std::string> values(std::string_view key) const;
   /// Amplitudes by degree, `[[2, 0.04], [3, 0.02]]`: not empty, no degree twice.
   std::vector<axisym::Mode> modes(std::string_view key, int lowest, int highest) const;
   /// Amplitudes of spherical harmonics, `[[5, 3, 0.5], [2, -1, 0.01]]`: degree l, order m in −l … l,
@@ -123,9 +132,23 @@ class TomlTable {
   std::shared_ptr<TableState> state_;
 };
 
+struct TomlTable::Place {
+  TomlTable table;
+  std::string key;
+};
+
+/// A value of a file: where it stands, as in "material.L", and as what.
+struct TomlValue {
+  std::string key, value;
+};
+
 struct TomlFile {
   /// The table of the whole file. Throws InputError if it cannot be read or is not TOML.
   static TomlTable parse(const std::filesystem::path& path);
+  /// The same with these values in place of its own, or added, and without the table `left_out`. Throws InputError where a
+  /// key leads through what is no table.
+  static TomlTable parse_with(const std::filesystem::path& path,
+                              const std::vector<TomlValue>& values, std::string_view left_out);
 };
 
 }  // namespace sbeh::studies

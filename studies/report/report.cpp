@@ -282,19 +282,26 @@ std::vector<std::string> missing_pictures(const fs::path& folder, ResultsKind ki
   return missing;
 }
 
+std::string generator_of(std::string_view version) {
+  return fmt::format("{} {}", generator, version);
+}
+
+bool replaces_report(const fs::path& file) {
+  if (!fs::exists(file)) return false;
+  const std::string begin = read_file(file).substr(0, 1000);
+  if (begin.find(fmt::format("<meta name=\"generator\" content=\"{}", generator))
+      == std::string::npos)
+    throw OutputError(
+        fmt::format("{}: is there and is no report of sbeh, so it is not overwritten; move it away",
+                    file.string()));
+  return true;
+}
+
 ReportSummary write_report(const fs::path& folder, std::string_view version,
                            std::string_view script, const std::optional<ResultUnits>& units) {
   const Contents& contents = contents_of(kind_of_results(folder));
   ReportSummary summary{.file = folder / "report.html"};
-  if (fs::exists(summary.file)) {
-    const std::string begin = read_file(summary.file).substr(0, 1000);
-    if (begin.find(fmt::format("<meta name=\"generator\" content=\"{}", generator))
-        == std::string::npos)
-      throw OutputError(fmt::format(
-          "{}: is there and is no report of sbeh, so it is not overwritten; move it away",
-          summary.file.string()));
-    summary.replaced = true;
-  }
+  summary.replaced = replaces_report(summary.file);
   const KeyNumbers numbers = key_numbers(folder, contents.kind, units);
   const std::string too_many = too_many_for_a_page(folder, contents.kind);
   summary.live = has_live_page(contents.kind) && !script.empty() && too_many.empty();
@@ -323,8 +330,7 @@ ReportSummary write_report(const fs::path& folder, std::string_view version,
   if (summary.live)
     body += fmt::format("{}<script>{}</script>\n",
                         live_data(folder, contents.kind, units).element(), script);
-  write_file(summary.file,
-             html::page(numbers.title, fmt::format("{} {}", generator, version), body));
+  write_file(summary.file, html::page(numbers.title, generator_of(version), body));
   return summary;
 }
 

@@ -38,6 +38,11 @@ struct KeyNumbers {
 KeyNumbers key_numbers(const std::filesystem::path& folder, ResultsKind kind,
                        const std::optional<ResultUnits>& units = {});
 
+/// What tells a page as a report of this program.
+std::string generator_of(std::string_view version);
+/// Whether the page would replace an earlier one. Throws OutputError where the file is something else.
+bool replaces_report(const std::filesystem::path& file);
+
 struct ReportSummary {
   std::filesystem::path file;
   bool replaced = false;               ///< an earlier report

@@ -136,6 +136,7 @@ DescribedUnits described_units(const fs::path& input) {
     case InputKind::compare:
       return one_case(read_compare(input));
     case InputKind::diagram:
+    case InputKind::sweep:
       return {};
     case InputKind::states: {
       const StatesInput states = read_states(input);

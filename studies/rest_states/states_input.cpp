@@ -184,7 +184,10 @@ ScanRow row_of(const StatesInput& input, const axisym::PlanePoint& at) {
 }
 
 StatesInput read_states(const std::filesystem::path& path) {
-  const TomlTable file = TomlFile::parse(path);
+  return states_in(TomlFile::parse(path));
+}
+
+StatesInput states_in(const TomlTable& file) {
   const TomlTable states = file.table("states"), material = file.table("material"),
                   follow = file.table("follow"), search = file.table("search"),
                   numerics = file.table("numerics");

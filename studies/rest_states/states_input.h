@@ -99,6 +99,8 @@ ScanRow row_of(const StatesInput& input, const axisym::PlanePoint& at);
 
 /// Throws InputError.
 StatesInput read_states(const std::filesystem::path& path);
+/// The same of a file that was read already.
+StatesInput states_in(const TomlTable& file);
 
 /// Of one core, about what was measured, within a factor of two; `triangles` as the start has them.
 double seconds_of(const StatesInput& input, int triangles);

@@ -187,8 +187,9 @@ void refuse_given(const TomlTable& material, const ScanInput& input) {
 
 }  // namespace
 
-ScanInput read_scan(const std::filesystem::path& path) {
-  const TomlTable file = TomlFile::parse(path);
+ScanInput read_scan(const std::filesystem::path& path) { return scan_in(TomlFile::parse(path)); }
+
+ScanInput scan_in(const TomlTable& file) {
   const TomlTable scan = file.table("scan"), material = file.table("material"),
                   numerics = file.table("numerics");
   file.has("units");

@@ -88,6 +88,8 @@ std::size_t point_count(const ScanInput& input);
 
 /// Throws InputError.
 ScanInput read_scan(const std::filesystem::path& path);
+/// The same of a file that was read already.
+ScanInput scan_in(const TomlTable& file);
 
 /// The whole input, defaults included, as TOML under a comment with the program's version: reading the text
 /// gives the same input, bit for bit.

@@ -175,7 +175,8 @@ TEST_F(WrongInput, is_refused_by_the_check_with_the_same_words) {
               "in.toml: must have a table [scan] (a scan), [start] (one axisymmetric evolution), "
               "[surface] (one 3D run), [compare] (one case by several methods), [stability] "
               "(axisymmetric states, perturbed in 3D), [modes] (the modes of one state), [states] "
-              "(rest states in 3D) or [diagram] (a classical phase diagram); it has none of them");
+              "(rest states in 3D), [diagram] (a classical phase diagram) or [sweep] (many runs of "
+              "one of these); it has none of them");
 }
 
 TEST_F(WrongInput, that_is_no_readable_file_is_refused_with_the_reason) {

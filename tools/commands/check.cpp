@@ -28,6 +28,8 @@ void check(const std::string& file) {
       return check_states(file);
     case studies::InputKind::diagram:
       return check_diagram(file);
+    case studies::InputKind::sweep:
+      return check_sweep(file);
   }
 }
 

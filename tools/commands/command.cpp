@@ -7,6 +7,7 @@
 
 #include <tbb/global_control.h>
 
+#include <charconv>
 #include <optional>
 #include <stdexcept>
 
@@ -42,6 +43,21 @@ Command add_study(CLI::App& program, studies::InputKind kind, const char* text,
               throw studies::InputError(fmt::format("{}: {}", study->input, error.what()));
             }
           }};
+}
+
+studies::Part part_of(const std::string& text) {
+  studies::Part part;
+  const std::size_t slash = text.find('/');
+  const auto number = [](std::string_view digits, int& into) {
+    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), into);
+    return error == std::errc() && end == digits.data() + digits.size();
+  };
+  const std::string_view all = text;
+  if (slash == std::string::npos || !number(all.substr(0, slash), part.part)
+      || !number(all.substr(slash + 1), part.parts) || part.part < 1 || part.part > part.parts)
+    throw studies::InputError(
+        fmt::format("--part {}: must be such as 3/16, the third of sixteen", text));
+  return part;
 }
 
 void draw_results(studies::ResultsKind kind, const fs::path& folder) {

@@ -1,6 +1,7 @@
 // A command of sbeh, and what the commands share.
 #pragma once
 
+#include "studies/io/part.h"
 #include "studies/parameters/input_kind.h"
 #include "studies/report/report.h"
 #include "tools/refusals.h"
@@ -37,6 +38,9 @@ struct Study {
 /// another kind is refused with the command that it is for.
 Command add_study(CLI::App& program, studies::InputKind kind, const char* text,
                   std::function<int(const Study&)> run);
+
+/// From "3/16", the third of sixteen, as it stands after --part. Throws InputError for another text.
+studies::Part part_of(const std::string& text);
 
 /// Runs sbeh-picture with these arguments; its exit code, 127 when it cannot be started.
 int draw(const std::vector<std::string>& arguments);

@@ -21,12 +21,13 @@ Command add_mesh(CLI::App& program);
 Command add_shape(CLI::App& program);
 Command add_picture(CLI::App& program);
 Command add_units(CLI::App& program);
+Command add_sweep(CLI::App& program);
 
 /// In the order of the help.
 inline constexpr Command (*all_commands[])(CLI::App& program) = {
-    add_scan,  add_relax,  add_run,     add_check,   add_compare, add_stability,
-    add_modes, add_states, add_diagram, add_seifert, add_report,  add_figures,
-    add_shape, add_mesh,   add_picture, add_units};
+    add_scan,      add_relax, add_run,    add_sweep,   add_check,   add_compare,
+    add_stability, add_modes, add_states, add_diagram, add_seifert, add_report,
+    add_figures,   add_shape, add_mesh,   add_picture, add_units};
 
 // What an input asks for, printed; each throws studies::InputError if it is wrong.
 void check_scan(const std::string& file);
@@ -37,5 +38,6 @@ void check_stability(const std::string& file);
 void check_modes(const std::string& file);
 void check_states(const std::string& file);
 void check_diagram(const std::string& file);
+void check_sweep(const std::string& file);
 
 }  // namespace sbeh::tools

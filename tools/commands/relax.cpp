@@ -49,12 +49,11 @@ void check_relax(const std::string& file) {
   const studies::RelaxInput input = studies::read_relax(file);
   const studies::RelaxStart start = studies::start_of(input);
   const axisym::Diagnostics d = axisym::diagnose(input.material, start.state);
-  constexpr double milliseconds_of_an_element = 0.038;  // measured on one core of 2026
   fmt::print(
       "{}: an evolution of {} to t = {}, from reduced volume {:.6g}, energy {:.6g}; "
       "about {:.2g} ms a step; {} lines of history{}, {} profiles\n\n{}",
       file, sbeh::name(input.model), input.times.end, d.reduced_volume, d.energy.total(),
-      milliseconds_of_an_element * input.numerics.elements, input.times.rows.size(),
+      1e3 * studies::seconds_per_step(input), input.times.rows.size(),
       beside_times(input.times.every_step), input.times.states.size(),
       studies::with_remarks(studies::describe(input, SBEH_VERSION), start.remarks));
 }

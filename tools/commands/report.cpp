@@ -3,6 +3,8 @@
 
 #include "studies/io/output.h"
 #include "studies/report/path_kind.h"
+#include "studies/report/sweep_report.h"
+#include "studies/sweep/sweep_folder.h"
 #include "tools/commands/commands.h"
 
 namespace sbeh::tools {
@@ -45,8 +47,22 @@ void draw_pictures(const Words& words, studies::ResultsKind kind, bool in_units)
       complain(fmt::format("{}: cannot be drawn; the report is without it", picture));
 }
 
+int tell(const studies::ReportSummary& s) {
+  fmt::print("{} {}{}\n", s.replaced ? "replaced the earlier report" : "wrote", s.file.string(),
+             s.live ? fmt::format(" ({:.1f} MB, to explore in a browser)",
+                                  1e-6 * double(fs::file_size(s.file)))
+                    : "");
+  return 0;
+}
+
 int report(const Words& words) {
   const fs::path folder = words.folder;
+  if (studies::holds_sweep(folder)) {
+    if (words.units || !words.units_from.empty())
+      throw studies::InputError(fmt::format(
+          "{}: is a sweep, whose report has no units; those of its cases may", folder.string()));
+    return tell(studies::write_sweep_report(folder, SBEH_VERSION));
+  }
   const studies::ResultsKind kind = kind_of(folder);
   std::optional<studies::ResultUnits> units;
   if (words.units || !words.units_from.empty())
@@ -55,13 +71,7 @@ int report(const Words& words) {
   const bool have_units =
       units && kind != studies::ResultsKind::seifert && kind != studies::ResultsKind::diagram;
   if (!words.no_pictures) draw_pictures(words, kind, have_units);
-  const studies::ReportSummary s =
-      studies::write_report(folder, SBEH_VERSION, page_script(), units);
-  fmt::print("{} {}{}\n", s.replaced ? "replaced the earlier report" : "wrote", s.file.string(),
-             s.live ? fmt::format(" ({:.1f} MB, to explore in a browser)",
-                                  1e-6 * double(fs::file_size(s.file)))
-                    : "");
-  return 0;
+  return tell(studies::write_report(folder, SBEH_VERSION, page_script(), units));
 }
 
 }  // namespace
@@ -69,9 +79,9 @@ int report(const Words& words) {
 Command add_report(CLI::App& program) {
   const auto words = std::make_shared<Words>();
   CLI::App* app = program.add_subcommand("report", "a folder of results as one page of HTML");
-  app->add_option(
-         "DIR", words->folder,
-         "folder of a scan, run, relax, seifert, compare, stability, modes, states or diagram")
+  app->add_option("DIR", words->folder,
+                  "folder of a scan, run, relax, seifert, compare, stability, modes, states, "
+                  "diagram or sweep")
       ->required();
   app->add_flag("--no-pictures", words->no_pictures, "do not draw those that are missing");
   app->add_flag("--units", words->units,

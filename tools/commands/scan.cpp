@@ -1,5 +1,7 @@
 // `sbeh scan`: stationary shapes over a grid.
-#include "studies/scan/scan_stack.h"
+#include "studies/scan/scan.h"
+
+#include "studies/scan/scan_cost.h"
 #include "tools/commands/commands.h"
 
 #include <algorithm>
@@ -37,33 +39,6 @@ Command add_scan(CLI::App& program) {
   return add_study(program, studies::InputKind::scan, "stationary shapes over a (V_r, L) grid",
                    scan);
 }
-
-namespace {
-
-// Measured on one core of 2026: a branch is entered at every reduced volume and followed from there in L, which SSH's
-// states do not know. Lines between stable and unstable states are looked for along both.
-double seconds_of(const studies::ScanInput& input) {
-  if (!input.axes.empty()) {
-    double seconds = 0;
-    for (const studies::ScanLayer& layer : studies::layers_of(input))
-      seconds += seconds_of(layer.input);
-    return seconds;
-  }
-  if (input.method != studies::Method::newton) return 0.5 * double(studies::point_count(input));
-  const auto volumes = double(input.reduced_volume.size());
-  const auto branches = double(input.branches.size());
-  double seconds = input.beyond_fold ? 0.75 * volumes : 0;
-  for (const model::Model model : input.models) {
-    const double lengths = model == model::Model::SSH ? 1 : double(input.L.size());
-    seconds += branches * volumes * (0.035 + 0.004 * lengths);
-    if (input.modes > 0)
-      seconds +=
-          branches * (0.0022 * (input.modes + 1) * volumes * lengths + 0.018 * (volumes + lengths));
-  }
-  return seconds;
-}
-
-}  // namespace
 
 void check_scan(const std::string& file) {
   const studies::ScanInput input = studies::read_scan(file);

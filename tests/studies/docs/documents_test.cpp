@@ -10,6 +10,7 @@
 #include "studies/scan/scan_input.h"
 #include "studies/stability/stability_input.h"
 #include "studies/states/series_file.h"
+#include "studies/sweep/sweep_input.h"
 #include "tests/studies/docs/document.h"
 #include "tests/studies/parameters/input_file.h"
 
@@ -113,6 +114,9 @@ void check_input(const fs::path& path, std::vector<ScanInput>& scans) {
       break;
     case InputKind::diagram:
       read_diagram(path);
+      break;
+    case InputKind::sweep:
+      cases_of(read_sweep(path), "0");
       break;
   }
 }

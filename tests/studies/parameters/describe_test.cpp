@@ -26,13 +26,14 @@ TEST(InputKind, is_told_by_the_tables) {
        ": must have a table [scan] (a scan), [start] (one axisymmetric evolution), [surface] "
        "(one 3D run), [compare] (one case by several methods), [stability] (axisymmetric "
        "states, perturbed in 3D), [modes] (the modes of one state), [states] (rest states in "
-       "3D) or [diagram] (a classical phase diagram); it has none of them"},
+       "3D), [diagram] (a classical phase diagram) or [sweep] (many runs of one of these); it has "
+       "none of them"},
       {"[scna]", ":1: [scna]: unknown table; did you mean \"scan\"?"},
       {"[scan]\n[start]",
        ": must have only one of [scan] (a scan), [start] (one axisymmetric evolution), [surface] "
        "(one 3D run), [compare] (one case by several methods), [stability] (axisymmetric "
        "states, perturbed in 3D), [modes] (the modes of one state), [states] (rest states in "
-       "3D) or [diagram] (a classical phase diagram)"},
+       "3D), [diagram] (a classical phase diagram) or [sweep] (many runs of one of these)"},
   };
   expect_messages(kind_of, "", neither_or_both);
 }

@@ -8,6 +8,7 @@
 #include "studies/rest_states/states_input.h"
 #include "studies/scan/scan_input.h"
 #include "studies/stability/stability_input.h"
+#include "studies/sweep/sweep_input.h"
 #include "tests/studies/parameters/input_file.h"
 
 #include <iterator>
@@ -44,6 +45,9 @@ void read(const fs::path& path) {
       break;
     case InputKind::diagram:
       read_diagram(path);
+      break;
+    case InputKind::sweep:
+      cases_of(read_sweep(path), "0");
       break;
   }
 }
