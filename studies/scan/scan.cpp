@@ -1,5 +1,6 @@
 #include "studies/scan/scan.h"
 
+#include "studies/io/description.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/output.h"
 #include "studies/io/progress.h"
@@ -13,6 +14,7 @@
 #include "studies/states/profile_file.h"
 #include "studies/states/series_file.h"
 
+#include <fmt/format.h>
 #include <tbb/parallel_for.h>
 #include <tbb/task_group.h>
 
@@ -34,9 +36,18 @@ bool has_profile(const PointResult& row) {
 
 // A scan in its folder: what is there, and how a point is kept.
 struct Scan {
-  Scan(const ScanInput& of, const fs::path& path, std::string_view version)
-      : input(of), folder(path), table(scan_table(prepare(version))), progress(begun()) {}
+  Scan(const ScanInput& of, const fs::path& path, std::string_view version, const Part& some = {})
+      : input(of),
+        part(some),
+        folder(path),
+        table(scan_table(prepare(version))),
+        progress(begun(version)) {}
 
+  /// Whether the points of a reduced volume belong to its part.
+  bool takes(double reduced_volume) const {
+    const auto& all = input.reduced_volume;
+    return part.has(1 + int(std::ranges::find(all, reduced_volume) - all.begin()));
+  }
   bool has(const PointKey& key) { return row_of(key) != nullptr; }
 
   /// The row and state of a point that was finished before.
@@ -76,6 +87,7 @@ struct Scan {
   }
 
   const ScanInput& input;
+  const Part part;
   const OutputFolder folder;
   ScanTable table;
   std::mutex mutex;  ///< of the table; before progress, whose start asks for rows
@@ -89,10 +101,31 @@ struct Scan {
     if (input.beyond_fold) make_folder(folder / "beyond_fold");
     return folder;
   }
-  Progress begun() {
-    const std::vector<PointKey> keys = points_of(input);
+  Progress begun(std::string_view version) {
+    take_parts(version);
+    std::vector<PointKey> keys = points_of(input);
+    std::erase_if(keys, [&](const PointKey& key) { return !takes(key.reduced_volume); });
     const auto there = std::ranges::count_if(keys, [&](const auto& key) { return has(key); });
     return Progress("points", int(keys.size()), int(there));
+  }
+  // Takes the points over that parts have computed: the files of each first.
+  void take_parts(std::string_view version) {
+    if (!fs::exists(folder / "parts")) return;
+    for (const auto& entry : fs::directory_iterator(folder / "parts")) {
+      const fs::path rows = entry.path() / "scan.csv";
+      if (!fs::exists(rows)) continue;
+      if (const std::string other = studies::mismatch(read_file(entry.path() / "run.toml"),
+                                                      describe(input, version), "a part of a scan");
+          !other.empty())
+        throw OutputError(fmt::format("{}: {}; move it away", entry.path().string(), other));
+      for (const PointResult& row : read_rows(scan_columns(), rows)) {
+        if (has(row.key)) continue;
+        for (const char* ending : {".csv", ".series.csv"})
+          if (const fs::path file = point_file(entry.path(), row.key, ending); fs::exists(file))
+            write_file(point_file(folder.path(), row.key, ending), read_file(file));
+        table.append(row);
+      }
+    }
   }
   // None when its profile has gone: then the point counts as not computed.
   const PointResult* row_of(const PointKey& key) {
@@ -153,7 +186,7 @@ void walk_volumes(Scan& scan, Branch branch, BranchOff&& branch_off) {
                                        scan.input.reduced_volume.rend());
   for (const double v : from_above) {
     if (interrupt_signal()) return;
-    if (v == 1) continue;
+    if (v == 1 || !scan.takes(v)) continue;
     const PointKey key{v, L, Model::SSH, branch};
     const std::optional<PointOutcome> ssh =
         scan.input.has(Model::SSH) ? scan.point(key, compute) : compute(case_of(scan.input, key));
@@ -178,7 +211,8 @@ void scan_by_newton(Scan& scan) {
       walk_volumes(scan, branch, [&](const Neighbour& ssh) {
         columns.run([&scan, branch, ssh] { scan_column(scan, branch, ssh); });
       });
-      if (scan.input.reduced_volume.back() == 1) scan_all_of(scan, 1, branch, sphere_point);
+      if (scan.input.reduced_volume.back() == 1 && scan.takes(1))
+        scan_all_of(scan, 1, branch, sphere_point);
     });
   columns.wait();
 }
@@ -186,7 +220,7 @@ void scan_by_newton(Scan& scan) {
 void scan_by_flow(Scan& scan) {
   const std::vector<PointKey> keys = points_of(scan.input);
   tbb::parallel_for(std::size_t(0), keys.size(), [&](std::size_t k) {
-    if (interrupt_signal() || scan.has(keys[k])) return;
+    if (interrupt_signal() || !scan.takes(keys[k].reduced_volume) || scan.has(keys[k])) return;
     std::vector<SeriesRow> history;
     const StationaryCase of = case_of(scan.input, keys[k]);
     auto outcome = of.reduced_volume == 1 ? std::optional(sphere_point(of))
@@ -245,21 +279,8 @@ int write_lines(Scan& scan) {
   return int(std::ranges::count(lowest, not_found, &LowestRow::branch));
 }
 
-}  // namespace
-
-ScanSummary run_scan(const ScanInput& input, const fs::path& path, std::string_view version) {
-  if (!input.axes.empty()) return run_stack(input, path, version);
-  const Stopwatch watch;
-  Scan scan(input, path, version);
+ScanSummary summary_of(const Scan& scan) {
   ScanSummary summary;
-  if (input.method == Method::flow)
-    scan_by_flow(scan);
-  else
-    scan_by_newton(scan);
-  scan.progress.finish();
-  if (input.method == Method::newton) summary.lowest_not_found = write_lines(scan);
-  scan.table.sort();
-
   for (const auto& [key, row] : scan.table.rows()) {
     ++summary.points;
     summary.stationary += row.status == PointStatus::stationary;
@@ -270,8 +291,46 @@ ScanSummary run_scan(const ScanInput& input, const fs::path& path, std::string_v
   }
   summary.computed = scan.computed;
   summary.interrupted = interrupt_signal() != 0;
+  return summary;
+}
+
+void compute_points(Scan& scan) {
+  if (scan.input.method == Method::flow)
+    scan_by_flow(scan);
+  else
+    scan_by_newton(scan);
+  scan.progress.finish();
+}
+
+}  // namespace
+
+ScanSummary run_scan(const ScanInput& input, const fs::path& path, std::string_view version) {
+  if (!input.axes.empty()) return run_stack(input, path, version);
+  const Stopwatch watch;
+  Scan scan(input, path, version);
+  compute_points(scan);
+  const int lowest_not_found = input.method == Method::newton ? write_lines(scan) : 0;
+  scan.table.sort();
+  ScanSummary summary = summary_of(scan);
+  summary.lowest_not_found = lowest_not_found;
   summary.seconds = watch.seconds();
   return summary;
+}
+
+ScanSummary run_scan_part(const ScanInput& input, const fs::path& path, const Part& part,
+                          std::string_view version) {
+  if (!input.axes.empty()) return run_stack_part(input, path, part, version);
+  const Stopwatch watch;
+  Scan scan(input, part_folder(path, part), version, part);
+  compute_points(scan);
+  scan.table.sort();
+  ScanSummary summary = summary_of(scan);
+  summary.seconds = watch.seconds();
+  return summary;
+}
+
+fs::path part_folder(const fs::path& folder, const Part& part) {
+  return folder / "parts" / fmt::format("{}_of_{}", part.part, part.parts);
 }
 
 }  // namespace sbeh::studies

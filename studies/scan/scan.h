@@ -1,6 +1,7 @@
 // A scan: every point of a (V_r, L) grid, in parallel, row by row, resumable.
 #pragma once
 
+#include "studies/io/part.h"
 #include "studies/scan/scan_input.h"
 
 #include <filesystem>
@@ -24,5 +25,14 @@ struct ScanSummary {
 /// scan is refused. Progress goes to standard error. Throws OutputError.
 ScanSummary run_scan(const ScanInput& input, const std::filesystem::path& folder,
                      std::string_view version);
+
+/// The same for some of the reduced volumes alone, by their place in the input, into a folder of its own within that of the
+/// scan, such as parts/3_of_16, where the lines between points are not looked for. run_scan takes the points of all parts
+/// over, computes what is missing, and leaves what it leaves without parts.
+ScanSummary run_scan_part(const ScanInput& input, const std::filesystem::path& folder,
+                          const Part& part, std::string_view version);
+
+/// Where a part has its results.
+std::filesystem::path part_folder(const std::filesystem::path& folder, const Part& part);
 
 }  // namespace sbeh::studies

@@ -101,4 +101,16 @@ ScanSummary run_stack(const ScanInput& input, const fs::path& path, std::string_
   return sum;
 }
 
+ScanSummary run_stack_part(const ScanInput& input, const fs::path& path, const Part& part,
+                           std::string_view version) {
+  const Stopwatch watch;
+  ScanSummary sum;
+  for (const ScanLayer& layer : layers_of(input))
+    if (!interrupt_signal())
+      add(run_scan_part(layer.input, path / layer.folder, part, version), sum);
+  sum.interrupted = interrupt_signal() != 0;
+  sum.seconds = watch.seconds();
+  return sum;
+}
+
 }  // namespace sbeh::studies

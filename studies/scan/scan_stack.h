@@ -21,4 +21,8 @@ std::vector<ScanLayer> layers_of(const ScanInput& input);
 ScanSummary run_stack(const ScanInput& input, const std::filesystem::path& folder,
                       std::string_view version);
 
+/// A part of each layer, in the folder of that. As run_scan_part.
+ScanSummary run_stack_part(const ScanInput& input, const std::filesystem::path& folder,
+                           const Part& part, std::string_view version);
+
 }  // namespace sbeh::studies

@@ -9,6 +9,7 @@
 namespace sbeh::tools::test {
 namespace {
 
+namespace fs = std::filesystem;
 using std::numbers::pi;
 using Scan = Workplace;
 
@@ -51,6 +52,46 @@ TEST_F(Scan, of_shapes_that_are_symmetric_has_profiles_with_their_middle_at_0) {
     }
     EXPECT_GE(profiles, 8) << method;
   }
+}
+
+// But for the time that each point took.
+TEST_F(Scan, in_parts_is_the_same_to_the_bit) {
+  write("newton.toml",
+        "[scan]\nreduced_volume = [0.6, 0.65, 0.7, 0.8, 1]\nL = [0.03, 0.06, 0.08]\n"
+        "branches = [\"oblate\", \"prolate\"]\n[numerics]\nelements = 16\n");
+  write("flow.toml",
+        "[scan]\nreduced_volume = [0.8, 0.9]\nL = [0.05]\nmethod = \"flow\"\n"
+        "[numerics]\nelements = 16\n");
+  for (const std::string method : {"newton", "flow"}) {
+    const std::string file = method + ".toml", whole = method + "_whole", parts = method + "_parts";
+    must(into(whole, "scan", file));
+    for (const char* part : {"2/3", "3/3", "1/3"}) {
+      std::vector<std::string> arguments = into(parts, "scan", file);
+      arguments.insert(arguments.end(), {"--part", part});
+      must(arguments);
+    }
+    EXPECT_FALSE(exists(path(parts + "/scan.csv")));
+    const Ended together = sbeh(into(parts, "scan", file));
+    EXPECT_EQ(together.exit_code, 0) << together.err;
+    EXPECT_NE(together.out.find("; 0 computed in "), std::string::npos) << together.out;
+    EXPECT_EQ(table(parts + "/scan.csv").without("wall_seconds"),
+              table(whole + "/scan.csv").without("wall_seconds"));
+    Contents a = contents(whole), b = contents(parts);
+    std::erase_if(b, [](const auto& one) { return one.first.starts_with("parts/"); });
+    a.erase("scan.csv");
+    b.erase("scan.csv");
+    EXPECT_TRUE(a == b) << method;
+  }
+  write("flow.toml", "[scan]\nreduced_volume = 0.8\nL = 0.05\n");
+  fs::remove_all(path("flow_parts/points"));
+  for (const char* file : {"run.toml", "scan.csv"}) fs::remove(path("flow_parts") / file);
+  const Ended other = sbeh(into("flow_parts", "scan", "flow.toml"));
+  EXPECT_EQ(other.exit_code, 2);
+  EXPECT_NE(other.err.find("holds a part of a scan with other parameters: "), std::string::npos)
+      << other.err;
+  std::vector<std::string> arguments = into("out", "scan", "newton.toml");
+  arguments.insert(arguments.end(), {"--part", "4/3"});
+  must_refuse(arguments, "--part 4/3: must be such as 3/16, the third of sixteen");
 }
 
 TEST_F(Scan, leaves_a_row_with_every_column_for_every_point_in_the_order_of_the_grid) {
