@@ -289,7 +289,7 @@ TEST_F(Sweep, of_scans_of_states_and_of_runs_has_the_lowest_energies) {
     if (kind == "run") continue;
     EXPECT_EQ(sweep.text(0, "states"), "2");
     EXPECT_EQ(sweep.text(0, "stationary"), "2");
-    const Table of_case = table(kind + "/cases/0001/" + kind + ".csv");
+    const Table of_case = table(fmt::format("{0}/cases/0001/{0}.csv", kind));
     const std::vector<double> energies = of_case.numbers("energy");
     EXPECT_EQ(sweep.number(0, "lowest_energy"), *std::ranges::min_element(energies));
     EXPECT_EQ(sweep.text(0, "lowest_model"), "SSH");

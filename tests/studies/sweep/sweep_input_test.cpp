@@ -57,13 +57,12 @@ TEST(SweepCases, have_a_base_beside_the_file_or_in_it) {
 
 TEST(SweepCases, may_be_random_the_same_for_the_same_seed) {
   const auto random = [](const std::string& seed) {
+    std::string text = base + "[sweep.random]\nsamples = 20\n";
+    text += "\"material.L\" = {from = 1e-3, to = 0.1, spacing = \"log\"}\n";
+    text += "\"start.reduced_volume\" = {from = 0.6, to = 0.9}\nseed = ";
+    text += seed;
     std::vector<std::string> values;
-    for (const SweepCase& of :
-         cases_in(base + "[sweep.random]\nsamples = 20\nseed = " + seed
-                  + "\n\"material.L\" = {from = 1e-3, to = 0.1, spacing = \"log\"}\n"
-                    "\"start.reduced_volume\" = {from = 0.6, to = 0.9}\n")
-             .cases)
-      values.push_back(joined(of));
+    for (const SweepCase& of : cases_in(text).cases) values.push_back(joined(of));
     return values;
   };
   const std::vector<std::string> first = random("1");
