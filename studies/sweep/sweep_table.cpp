@@ -66,7 +66,7 @@ Fields results_of_states(const CsvTable& table) {
 }
 
 Fields results_in(const fs::path& file, InputKind kind) {
-  const Fields none(result_columns(kind).size());
+  Fields none(result_columns(kind).size());
   if (!fs::exists(file)) return none;
   const CsvTable table = read_csv(file);
   if (table.rows.empty()) return none;
@@ -76,7 +76,7 @@ Fields results_in(const fs::path& file, InputKind kind) {
 
 // Empty fields where there is nothing to trust: of cases that have not ended, and of tables that a failure has cut off.
 Fields results_of(const SweepPlan& plan, const CaseState& state) {
-  const Fields none(result_columns(plan.kind).size());
+  Fields none(result_columns(plan.kind).size());
   if (state.status == CaseStatus::done) return results_in(plan.results_of(state.number), plan.kind);
   if (state.status != CaseStatus::failed) return none;
   try {
