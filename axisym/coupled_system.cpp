@@ -1,6 +1,7 @@
 #include "axisym/coupled_system.h"
 
 #include "axisym/curvature.h"
+#include "axisym/lipids.h"
 #include "model/numerics/contraction.h"
 
 #include <ceres/jet.h>
@@ -221,20 +222,19 @@ void CoupledSystem::pin_what_is_not_free() {
   }
 }
 
-bool CoupledSystem::solve_with(const std::vector<const Multiplier*>& multipliers,
-                               StepFields& out) const {
-  const auto count = Eigen::Index(multipliers.size());
+bool CoupledSystem::solve_with(const Eigen::VectorXd& rhs, StepFields& out) const {
+  const auto count = Eigen::Index(multipliers_.size());
   Eigen::MatrixXd columns(rhs_.size(), count), rows(rhs_.size(), count);
   Eigen::VectorXd values(count);
   Eigen::MatrixXd diagonal = Eigen::MatrixXd::Zero(count, count);
   for (Eigen::Index k = 0; k < count; ++k) {
-    const Multiplier& multiplier = *multipliers[std::size_t(k)];
+    const Multiplier& multiplier = *multipliers_[std::size_t(k)];
     columns.col(k) = multiplier.column;
     rows.col(k) = multiplier.row;
     values[k] = multiplier.rhs;
     diagonal(k, k) = multiplier.diagonal;
   }
-  const auto solution = model::solve_bordered(matrix_, columns, rows, diagonal, rhs_, values);
+  const auto solution = model::solve_bordered(matrix_, columns, rows, diagonal, rhs, values);
   const Eigen::VectorXd& x = solution.x;
   if (x.size() == 0 || !x.allFinite()) return false;
 
@@ -248,36 +248,42 @@ bool CoupledSystem::solve_with(const std::vector<const Multiplier*>& multipliers
   }
   for (int k = 0; k <= 2 * elements_; ++k) out.p[k] = x[pressure_unknown(k)];
   for (Eigen::Index k = 0; k < count; ++k) {
-    if (multipliers[std::size_t(k)] == &p_) out.p.setConstant(solution.y[k]);
-    if (multipliers[std::size_t(k)] == &lambda_) out.lambda = solution.y[k];
-    if (multipliers[std::size_t(k)] == &moment_) out.moment = solution.y[k];
+    if (multipliers_[std::size_t(k)] == &p_) out.p.setConstant(solution.y[k]);
+    if (multipliers_[std::size_t(k)] == &lambda_) out.lambda = solution.y[k];
+    if (multipliers_[std::size_t(k)] == &moment_) out.moment = solution.y[k];
   }
   return true;
 }
 
-bool CoupledSystem::solve(const State& old, const Field& H, const std::optional<Target>& target,
-                          double tau, StepFields& out) {
-  const double A = area(old.X), V = volume(old.X);
-  const Target wanted = target.value_or(Target{A, V});
+bool CoupledSystem::prepare(const State& old, const Field& H, const std::optional<Target>& target,
+                            double tau) {
+  const double A = area(old.X), V = volume(old.X), lipids = lipid_area(material_, old);
+  const Target wanted = target.value_or(Target{lipids, V});
+  X_ = old.X;
+  tau_ = tau;
   assemble(old, H,
-           {.tau = tau, .area_rate = (wanted.area - A) / (tau * A), .area_constraint = area_});
+           {.tau = tau, .area_rate = (wanted.area - lipids) / (tau * A), .area_constraint = area_});
   lambda_.rhs = (wanted.volume - V) / tau;
   if (material_.area_difference.is_there()) set_moment(old.X, H, tau, A);
   pin_what_is_not_free();
   // Without friction nothing resists a motion along the axis: hold the north pole, and let the whole
   // surface rest in the mean, the limit of small friction.
   if (material_.frictionless()) pin(unknown(0, V_z));
-  if (!matrix_.factor()) return false;
-
-  std::vector<const Multiplier*> multipliers;
-  if (area_ == AreaConstraint::global) multipliers.push_back(&p_);
+  multipliers_.clear();
+  if (area_ == AreaConstraint::global) multipliers_.push_back(&p_);
   // On a sphere a constant p, λ and c are the same unknown: area alone is kept there.
   if (!is_sphere(A, V)) {
-    multipliers.push_back(&lambda_);
-    if (material_.area_difference.is_there()) multipliers.push_back(&moment_);
+    multipliers_.push_back(&lambda_);
+    if (material_.area_difference.is_there()) multipliers_.push_back(&moment_);
   }
-  if (!solve_with(multipliers, out)) return false;
-  if (material_.frictionless()) rest_in_the_mean(old.X, tau, out);
+  return matrix_.factor();
+}
+
+bool CoupledSystem::solve(const Field& lipids, StepFields& out) {
+  Eigen::VectorXd rhs = rhs_;
+  for (int k = 0; k <= 2 * elements_; ++k) rhs[pressure_unknown(k)] -= lipids[k];  // (P1)
+  if (!solve_with(rhs, out)) return false;
+  if (material_.frictionless()) rest_in_the_mean(X_, tau_, out);
   return true;
 }
 

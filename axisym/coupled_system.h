@@ -21,7 +21,7 @@ struct StepFields {
   Nodes V;        // 2 x nodes, velocity on the old surface
   Nodes Y;        // 2 x nodes, displacement of the mesh
   Field H;        // nodes, curvature of the next surface as the scheme knows it
-  Field p;        // 2 elements + 1, surface pressure
+  Field p;        // 2 elements + 1, surface pressure; with lipid_density that of (V3) over n/n(2/3)
   double lambda;  ///< volume multiplier
   double moment;  ///< c of the area difference
 };
@@ -31,10 +31,12 @@ class CoupledSystem {
  public:
   CoupledSystem(const model::Material& material, model::AreaConstraint area, int elements);
 
-  /// H: mean curvature of the old surface. Without a target its area and volume are kept. False when the
-  /// matrix is singular.
-  [[nodiscard]] bool solve(const State& old, const Field& H, const std::optional<Target>& target,
-                           double tau, StepFields& out);
+  /// Assembles and factors. H: mean curvature of the old surface. Without a target its area (lipid_area) and volume are kept. False
+  /// when the matrix is singular.
+  [[nodiscard]] bool prepare(const State& old, const Field& H, const std::optional<Target>& target,
+                             double tau);
+  /// Solves what is prepared, less `lipids` (lipid_load) on the right of (P1).
+  [[nodiscard]] bool solve(const Field& lipids, StepFields& out);
 
  private:
   // A number that multiplies a constraint: its column, the row of the constraint and what that equals.
@@ -49,8 +51,7 @@ class CoupledSystem {
   void set_moment(const Nodes& X, const Field& H, double tau, double area);
   void pin(int i);
   void pin_what_is_not_free();
-  [[nodiscard]] bool solve_with(const std::vector<const Multiplier*>& multipliers,
-                                StepFields& out) const;
+  [[nodiscard]] bool solve_with(const Eigen::VectorXd& rhs, StepFields& out) const;
 
   model::Material material_;
   model::AreaConstraint area_;
@@ -58,7 +59,10 @@ class CoupledSystem {
   Nodes normals_;  // at the nodes of the old curve
   model::BandMatrix matrix_;
   Eigen::VectorXd rhs_;
-  Multiplier lambda_, p_, moment_;  // p only under a global area constraint
+  Multiplier lambda_, p_, moment_;              // p only under a global area constraint
+  std::vector<const Multiplier*> multipliers_;  // those that are there
+  Nodes X_;                                     // of the old curve
+  double tau_ = 0;
 };
 
 }  // namespace sbeh::axisym

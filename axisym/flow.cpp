@@ -1,12 +1,15 @@
 #include "axisym/flow.h"
 
 #include "axisym/curvature.h"
+#include "axisym/lipids.h"
 #include "axisym/shape_class.h"
 #include "axisym/weak_form.h"
 #include "model/order_step.h"
 #include "model/relaxation.h"
 #include "model/time/flow.h"
 #include "model/time/step_doubling.h"
+
+#include <stdexcept>
 
 namespace sbeh::axisym {
 
@@ -27,10 +30,11 @@ class Solver : public TimeStepper {
   using State = axisym::State;
 
   Solver(const model::Material& material, model::Model model, int elements)
-      : TimeStepper(material, model, elements), material_(material) {}
+      : TimeStepper(material, model, elements),
+        material_(has_free_order(model) ? material : material.with_uniform_order()) {}
 
   bool restore(State& state, const Target& target) const {
-    if (state.X.row(0).minCoeff() < 0 || !correct_area_volume(state.X, target.area, target.volume))
+    if (state.X.row(0).minCoeff() < 0 || !correct_lipids_volume(material_, target, state))
       return false;
     if (target.order) state.beta.array() += (*target.order - order_of(state)) / area(state.X);
     return true;
@@ -62,6 +66,11 @@ FlowResult run_flow(const model::Material& material, model::Model model, const S
                     const FlowObserver& observe) {
   material.area_difference.check_start(diagnose(material, start).W2);
   Target kept = target;
+  if (has_free_order(model) && material.has_lipid_density()) {
+    if (is_sphere(area(start.X), volume(start.X)))
+      throw std::invalid_argument(model::no_lipids_on_spheres);
+    kept.area = lipid_area(material, start);
+  }
   if (has_free_order(model) && material.conserves_order())
     kept.order = model::conserved_order(material, target.area, order_of(start));
   Solver solver(material, model, element_count(start.X));

@@ -12,12 +12,15 @@ model::OrderPoint order_point(const State& old, const OrderStepData& step, int e
                               const ShapeValues& s, const CurvePoint& p) {
   double slip_t = 0;
   for (int a = 0; a < 4; ++a) slip_t += s.phi[a] * step.slip.col(3 * e + a).dot(p.t);
+  double pressure = 0;
+  for (int k = 0; k < 3; ++k) pressure += s.phi2[std::size_t(k)] * step.p[2 * e + k];
   const double h = value_at(step.H, e, s), beta = value_at(old.beta, e, s);
   return {.beta = beta,
           .beta_from = beta,
           .H = h,
           .K = gauss_curvature(h, p.B_phi),
-          .slip = {slip_t, 0}};
+          .slip = {slip_t, 0},
+          .pressure = pressure};
 }
 
 // ∫φ_i dS

@@ -1,4 +1,4 @@
-// The order equation (B1)–(B8) of one step, with the velocity and the mesh motion known.
+// The order equation (B1)–(B9) of one step, with the velocity and the mesh motion known.
 #pragma once
 
 #include "axisym/curve.h"
@@ -14,6 +14,7 @@ struct OrderStepData {
   const Field& H;     ///< mean curvature of the old curve
   const Nodes& slip;  ///< velocity of the material relative to the mesh, V − Y/τ
   const Nodes& next;  ///< the new curve
+  const Field& p;     ///< of StepFields
   double tau;
   std::optional<double> total;  ///< ∫β dS there; of a conserved order, as it is without
 };

@@ -12,7 +12,7 @@ using model::Dissipation;
 using FlowStep = model::FlowStep<State>;
 
 /// First-order semi-implicit step (coupled step, then the order with its velocity, so that a step
-/// is a function of position and order alone). Keeps its matrices between steps.
+/// is a function of position and order alone; both together where lipids have another area when they are ordered). Keeps its matrices between steps.
 class TimeStepper {
  public:
   TimeStepper(const model::Material& material, model::Model model, int elements);
@@ -24,6 +24,10 @@ class TimeStepper {
   const StepFields& fields() const { return fields_; }
 
  private:
+  State once(const State& old, const Field& H, const Field& lipids, std::optional<double> total,
+             double tau);
+  Field lipids_of(const State& old, const Field& beta, double tau) const;
+
   model::Material material_;
   model::Model model_;
   CoupledSystem coupled_;

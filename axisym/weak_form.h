@@ -17,7 +17,7 @@ namespace sbeh::axisym {
 template <class T>
 struct Unknowns {
   Eigen::Matrix<T, 2, 1> V, dV;  // velocity
-  T p;                           // surface pressure
+  T p;                           // surface pressure, over n/n(2/3)
   T H, dH;                       // mean curvature of the next surface
   Eigen::Matrix<T, 2, 1> Y, dY;  // displacement of the mesh
 };
@@ -43,8 +43,9 @@ struct OldPoint {
 
 /// Choices of the step which every point sees.
 struct StepParameters {
-  double tau;        ///< time step
-  double area_rate;  ///< (A₀ − A)/(τA), the drift correction of (P1)
+  double tau;  ///< time step
+  double
+      area_rate;  ///< (A₀ − A)/(τA), the drift correction of (P1); A₀ and A in its numerator are lipid_area
   model::AreaConstraint area_constraint = model::AreaConstraint::local;  ///< global: with (V11)
 };
 
@@ -106,9 +107,12 @@ Tested<T> coupled_step_point(const model::Material& m, const OldPoint& old,
 
   model::Gradient<T> stress = -model::elastic_stress(m, elastic);  // (V5) … (V10)
   stress.template topRows<2>() += model::rate_of_strain(grad_V) * T(m.eta(old.beta));  // (V1)
-  T isotropic = -u.p;                                                                  // (V3)
+  const double packing = m.packing(old.beta);
+  T isotropic = -packing * u.p;  // (V3)
   if (step.area_constraint == model::AreaConstraint::global)
     isotropic += model::bending_tension(m, elastic);  // (V11)
+  else if (m.has_lipid_density())
+    isotropic += model::energy_tension(m, elastic);  // (V11)
   stress(0, 0) += isotropic;
   stress(1, 1) += isotropic;
 
@@ -123,8 +127,8 @@ Tested<T> coupled_step_point(const model::Material& m, const OldPoint& old,
   }
   test_with_gradient(x, stress, test.W, test.dW);
 
-  test.q = model::divergence(grad_V) - step.area_rate;  // (P1)
-  test.G = dot(u.Y, x.nu) - step.tau * V_n;             // (Y1)
+  test.q = packing * model::divergence(grad_V) - step.area_rate;  // (P1)
+  test.G = dot(u.Y, x.nu) - step.tau * V_n;                       // (Y1)
   const double theta = model::mesh_share(step.tau);
   for (int k = 0; k < 2; ++k) {  // (H1)
     test.Z[k] = (u.H - (1 - theta) * old.H) * x.nu[k];

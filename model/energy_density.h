@@ -29,4 +29,10 @@ EnergyDensity<T> energy_density(const Material& material, const T& beta, const T
   };
 }
 
+/// Σ n(β)/n(2/3), what a tension adds per area: Σ where all orders have the same area.
+template <class T>
+T tension_at(const Material& material, double tension, const T& beta) {
+  return material.has_lipid_density() ? T(tension * material.packing(beta)) : T(tension);
+}
+
 }  // namespace sbeh::model

@@ -55,6 +55,7 @@ Material Material::with_uniform_order() const {
   copy.order = OrderDynamics::relaxing;
   copy.mean_order.reset();
   copy.order_mobility.reset();
+  copy.lipid_density = Polynomial();  // full order has the area that it has
   return copy;
 }
 
@@ -87,6 +88,17 @@ void require(bool holds, const char* name, double value, const char* constraint)
   if (!holds)
     throw std::invalid_argument(fmt::format("{} = {}: must be {}", name, value, constraint));
 }
+// Given ones are told by the order at which they fail.
+void require_at_all_orders(const Polynomial& function, const auto& holds, const char* name,
+                           const char* constraint) {
+  constexpr int samples = 1000;
+  for (int k = 0; k <= samples && !function.empty(); ++k) {
+    const double beta = double(k) / samples, value = function.value(beta);
+    if (!holds(value))
+      throw std::invalid_argument(fmt::format("{} = {:.4g} at β = {}: must be {} for 0 <= β <= 1",
+                                              name, value, beta, constraint));
+  }
+}
 }  // namespace
 
 void Material::validate() const {
@@ -99,12 +111,14 @@ void Material::validate() const {
   require(2 * L1 + L3 >= 0, "2 L1 + L3", 2 * L1 + L3, ">= 0 (Gaussian energy)");
   require(2 * L1 + 2 * L2 + L3 >= 0, "2 L1 + 2 L2 + L3", 2 * L1 + 2 * L2 + L3,
           ">= 0 (Gaussian energy)");
-  // Given ones are told by the order at which they fail.
-  constexpr int samples = 1000;
-  for (int k = 0; k <= samples && !kappa_powers.empty(); ++k)
-    if (const double beta = double(k) / samples; kappa(beta) < 0)
-      throw std::invalid_argument(
-          fmt::format("kappa = {:.4g} at β = {}: must be >= 0 for 0 <= β <= 1", kappa(beta), beta));
+  require_at_all_orders(
+      kappa_powers, [](double kappa) { return kappa >= 0; }, "kappa", ">= 0");
+  require_at_all_orders(
+      lipid_density, [](double n) { return n > 0; }, "lipid_density", "> 0");
+  if (has_lipid_density() && (area_difference.is_there() || conserves_order()))
+    throw std::invalid_argument(
+        fmt::format("lipid_density with {}: not together, there is no area that both keep",
+                    conserves_order() ? "a conserved order" : "area_difference"));
   if (conserves_order() && !mean_order)
     throw std::invalid_argument(
         fmt::format("order = \"{}\": needs mean_order, the (1/A)∫β dS that stays", name(order)));

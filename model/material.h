@@ -84,6 +84,8 @@ struct Material {
   std::optional<double> mean_order{};      ///< (1/A)∫β dS where the order is conserved
   std::optional<double> order_mobility{};  ///< M_β where it diffuses, 1 where it is not given
   Polynomial kappa_powers{}, kappa_gauss_powers{};  ///< empty: by the elastic constants and k₀
+  Polynomial
+      lipid_density{};  ///< n(β), lipids per area, up to a factor; empty: the same for all orders
 
   /// l₁ of the distortion energy (l₁/2)|∇β|².
   double l1() const { return (6 * L1 + L2 + L3) / 4; }
@@ -128,6 +130,22 @@ struct Material {
   bool conserves_order() const { return order != OrderDynamics::relaxing; }
   /// With u − μ_β(β − β̄) for u: what the chemical potential μ_β of a conserved order of mean β̄ makes of a membrane.
   Material at_chemical_potential(double mu) const;
+  /// Whether lipids have another area when they are ordered: then their number is kept, not the area.
+  bool has_lipid_density() const { return !lipid_density.empty(); }
+  /// n(β)/n(2/3): what area the lipids of a unit area have at full order.
+  template <class T>
+  T packing(const T& beta) const {
+    if (!has_lipid_density()) return T(1);
+    return lipid_density.value(beta) * (1 / lipid_density.value(full_order));
+  }
+  /// ∂/∂β of it
+  template <class T>
+  T packing_slope(const T& beta) const {
+    if (!has_lipid_density()) return T(0);
+    return lipid_density.slope(beta) * (1 / lipid_density.value(full_order));
+  }
+  /// a'/a = −n'/n of the area per lipid a = 1/n: Div_C V of a membrane whose order changes with the rate 1.
+  double expansion(double beta) const { return -packing_slope(beta) / packing(beta); }
   /// κ(β)(H − H₀) + f(β), the moment that bends: ∂(energy density)/∂H.
   template <class T, class S>
   T moment(const S& beta, const T& H) const {
@@ -151,6 +169,16 @@ struct Material {
   /// m_β = (3/2)(M + μξ²/2), what multiplies β̇ in the order equation.
   double order_drag() const {
     return 1.5 * (immobility + viscosity * order_viscosity * order_viscosity / 2);
+  }
+
+  /// (μξ/2)(1 + ξβ/2), what β̇ makes of an isotropic stress and Div_C V of a force on the order.
+  double order_dilation_drag(double beta) const {
+    return viscosity * order_viscosity / 2 * (1 + order_viscosity * beta / 2);
+  }
+  /// m_β and what the area that goes along with the order adds, of ∫ order_drag(β) β̇² dS.
+  double order_drag(double beta) const {
+    return has_lipid_density() ? order_drag() + 2 * order_dilation_drag(beta) * expansion(beta)
+                               : order_drag();
   }
 
   /// Whether nothing resists a rigid motion.
@@ -211,6 +239,8 @@ void for_each_parameter(M& m, auto&& visit) {
   visit(P{"kappa_gauss", {}, "κ_G(β), likewise"}, m.kappa_gauss_powers);
   visit(P{"flexoelectric", {}, "f(β) of f(β)H, coefficients of its powers: two sides that differ"},
         m.flexoelectric);
+  visit(P{"lipid_density", {}, "n(β), lipids per area up to a factor, coefficients of its powers"},
+        m.lipid_density);
   visit(
       P{"area_difference",
         {},

@@ -11,7 +11,7 @@
 namespace sbeh::model {
 
 OrderData order_step_point(const Material& m, const OrderPoint& x, double tau) {
-  const double drag = m.order_drag();
+  const double drag = m.order_drag(x.beta);
   const double excess = x.H - m.spontaneous_curvature, splay = excess * excess / 2;
   return {
       .reaction = drag / tau                             // (B1)
@@ -25,7 +25,8 @@ OrderData order_step_point(const Material& m, const OrderPoint& x, double tau) {
            - m.kappa_slope_at_zero() * splay             // (B3)
            - m.kappa_gauss_slope_at_zero() * x.K         // (B4)
            - m.potential.slope_at_zero()                 // (B5)
-           - m.flexoelectric.slope_at_zero() * x.H,      // (B6)
+           - m.flexoelectric.slope_at_zero() * x.H       // (B6)
+           + m.packing_slope(x.beta) * x.pressure,       // (B9)
   };
 }
 

@@ -13,9 +13,10 @@ namespace sbeh::model {
 struct OrderPoint {
   double beta, beta_from, H, K;
   Tangent<double> slip;
+  double pressure = 0;  ///< p of (P1) over n/n(2/3), of a membrane with lipid_density
 };
 
-/// (B1)–(B6), linear in β. The potential enters as u'(0) + [(u'(β*) − u'(0))/β*] βⁿ, linearised at β* = `beta`, and κ, κ_G, f likewise.
+/// (B1)–(B6) and (B9), linear in β. The potential enters as u'(0) + [(u'(β*) − u'(0))/β*] βⁿ, linearised at β* = `beta`, and κ, κ_G, f likewise.
 struct OrderData {
   double reaction;            ///< of (β, ψ)
   Tangent<double> advection;  ///< of (∇β, ψ)
@@ -25,6 +26,10 @@ struct OrderData {
 OrderData order_step_point(const Material& m, const OrderPoint& x, double tau);
 /// (B2)–(B6) of it, without what resists, and linearised at β* as a whole: without it, the step above is no contraction.
 OrderData order_force_point(const Material& m, const OrderPoint& x);
+
+/// What is said of a flow that begins there with a lipid_density.
+inline constexpr const char* no_lipids_on_spheres =
+    "lipid_density: the start is a sphere, whose area cannot grow with that of its lipids";
 
 /// The ∫β dS that a flow with this area keeps: by its mean order, or where that is not given the start's. Throws std::invalid_argument
 /// where the start has another mean than the one given.

@@ -75,6 +75,7 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
                              const Curvature& curvature, const Field& order_force,
                              const Origin& from, double tau, const Constraints& constraints) {
   layout_.pattern.set_zero(flow_);
+  lipids_ = Field();
   node_normals_ = curvature.node_normals;
   total_area_rate_.setZero(along_normals() ? mesh.count() : 0);
   std::visit([&](auto& scheme) { scheme.begin(mesh, node_normals_, tau); }, scheme_);
@@ -132,6 +133,13 @@ void CoupledSystem::set_moment(double W2, const Constraints& constraints, const 
   }
   flow_.matrix.coeffRef(moment, moment) = -constraints.area * ad.compliance() / tau;
   flow_.rhs[moment] = (ad.W2 - W2 - on_way) / tau;  // (P3)
+}
+
+void CoupledSystem::set_lipids(const Field& load) {
+  auto rhs = flow_.rhs.segment(layout_.p, quadratic_nodes_);
+  if (lipids_.size() > 0) rhs += lipids_;
+  rhs -= load;  // (P1)
+  lipids_ = load;
 }
 
 const LinearSystem& CoupledSystem::motion() const {

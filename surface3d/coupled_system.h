@@ -30,7 +30,8 @@ struct Origin {
 
 /// What a step keeps besides the equations at points.
 struct Constraints {
-  double area_rate;    ///< (A₀ − A)/(τA) of (P1)
+  double
+      area_rate;  ///< (A₀ − A)/(τA) of (P1); A₀ and A in its numerator are those of lipids_and_volume
   double volume_rate;  ///< (vol₀ − vol)/τ of (P2)
   bool keep_volume;  ///< false on a sphere, where a constant p and λ are one unknown: then λ = 0
   double area;       ///< A of (P3)
@@ -47,6 +48,8 @@ class CoupledSystem {
                 const Field& order_force, const Origin& from, double tau,
                 const Constraints& constraints);
 
+  /// From now on: less this load (lipid_load) on the right of (P1).
+  void set_lipids(const Field& load);
   /// From the next assembly on: with another potential.
   void set_material(const model::Material& material) { material_ = material; }
 
@@ -83,6 +86,7 @@ class CoupledSystem {
   std::variant<Monolithic, Split> scheme_;
   FlowLayout layout_;
   LinearSystem flow_;
+  Field lipids_;                     // what is subtracted of it, empty: nothing
   bool has_moment_;                  // of an area difference
   Eigen::VectorXd total_area_rate_;  // by element, under a global area constraint
   Nodes node_normals_;               // 3 x nodes, of the old surface

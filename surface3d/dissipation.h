@@ -16,6 +16,23 @@ struct Motion {
   const Field& order;       // nodes, whose gradient the slip meets
 };
 
+/// β̇ = order_rate + slip·∇order of a triangle's material.
+class OrderRate {
+ public:
+  OrderRate(const Triangulation& mesh, const Motion& motion, int e)
+      : slips_(on_element(mesh, e, motion.slip)),
+        rates_(on_element(mesh, e, motion.order_rate)),
+        order_(on_element(mesh, e, motion.order)) {}
+  double at(const ShapeValues& s, const SurfacePoint& p) const {
+    const Eigen::Vector2d slip_t = p.frame.leftCols<2>().transpose() * value_at(slips_, s);
+    return value_at(rates_, s) + slip_t.dot(gradient_at(order_, p));
+  }
+
+ private:
+  ElementNodes slips_;
+  ElementField rates_, order_;
+};
+
 /// Rates on the surface of `at`: friction (V2), of the order with β̇ = order_rate + slip·∇order, viscous (V1).
 Dissipation dissipation_of(const Triangulation& mesh, const model::Material& material,
                            const State& at, const Motion& motion);

@@ -157,19 +157,24 @@ const Eigen::Matrix<double, 10, 6>& quadratic_by_cubic() {
   return table;
 }
 
-// (p, Div_C W) and (∇p, W) by the components of W.
+// (p, Div_C W) and (∇p, W) by the components of W; p is n/n(2/3) times its unknown.
 struct Pressure {
   using Block = Eigen::Matrix<double, 30, 6>;
   model::BlockMatrix<10, 3, 2> sum;
 
-  void add(const SurfacePoint& x, const ShapeValues& s) {
+  void add(const model::Material& m, const OldPoint& point, const ShapeValues& s) {
+    const SurfacePoint& x = point.geometry;
     Eigen::Matrix<double, 10, 2> cubic;
     for (int i = 0; i < 2; ++i) cubic.col(i) = Shapes(x.grad[std::size_t(i)].data());
     const auto tangents = x.frame.leftCols<2>().transpose();
-    const Eigen::Matrix<double, 6, 3> grad_p =
-        (quadratic_by_cubic().transpose() * cubic) * tangents;
+    Eigen::Matrix<double, 6, 3> grad_p = (quadratic_by_cubic().transpose() * cubic) * tangents;
     const Eigen::Matrix<double, 10, 3> div = cubic * tangents;
-    const Eigen::Matrix<double, 6, 1> p = Shapes(s.quadratic.data()).head<6>();
+    Eigen::Matrix<double, 6, 1> p = Shapes(s.quadratic.data()).head<6>();
+    if (m.has_lipid_density()) {
+      grad_p = m.packing(point.beta) * grad_p
+             + m.packing_slope(point.beta) * p * point.grad_beta.transpose() * tangents;
+      p *= m.packing(point.beta);
+    }
     const auto W = decltype(sum)::column(s.phi.data(), x.dS);
     for (int k = 0; k < 3; ++k) {
       sum.add_outer(10 * k, 0, decltype(sum)::column(div.col(k).data(), x.dS), p);
@@ -221,7 +226,7 @@ void assemble_element(const model::Material& material, const ElementState& old, 
                          .B = shape_operator(x, old.projected_normals, value_at(old.H, s))};
     resistance.add(material, point, s);
     force.add(material, point, s);
-    pressure.add(x, s);
+    pressure.add(material, point, s);
     constraints.add(material, x, s);
     if (has_moment) moment.add(point);
 

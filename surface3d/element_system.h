@@ -25,7 +25,8 @@ struct ElementState {
   ElementField beta, H, order_force;
 };
 
-/// Sums over the quadrature points; `area_rate` is (A₀ − A)/(τA), the drift correction of (P1).
+/// Sums over the quadrature points; `area_rate` is (A₀ − A)/(τA), the drift correction of (P1), which has not what the order does to the
+/// area of lipids.
 void assemble_element(const model::Material& material, const ElementState& old, double area_rate,
                       ElementSystem& out);
 

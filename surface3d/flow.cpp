@@ -4,6 +4,7 @@
 #include "model/relaxation.h"
 #include "model/time/flow.h"
 #include "model/time/implicit_euler.h"
+#include "surface3d/lipids.h"
 #include "surface3d/mesh/self_contact.h"
 #include "surface3d/order_step.h"
 #include "surface3d/symmetry.h"
@@ -34,7 +35,7 @@ class Solver {
          model::Model model, const Numerics& numerics, const FlowSymmetry& symmetry,
          const State& state)
       : mesh_(std::move(mesh)),
-        material_(material),
+        material_(has_free_order(model) ? material : material.with_uniform_order()),
         model_(model),
         numerics_(numerics),
         symmetry_(symmetry),
@@ -48,7 +49,7 @@ class Solver {
       if (kept_) state = symmetric_part(*kept_, state);
     };
     project();
-    if (!correct_area_volume(*mesh_, state.X, stepper_->fields().H, target.area, target.volume))
+    if (!correct_lipids_volume(*mesh_, material_, stepper_->fields().H, target, state))
       return false;
     project();  // what the quadrature's lack of symmetry has made of H: of second order in area and volume
     if (target.order)
@@ -176,6 +177,14 @@ FlowResult run_with(Solver<Stepper>& solver, Memory& memory, Integrator& integra
       .run(start.state, start.record, schedule, observer);
 }
 
+// Throws std::invalid_argument where they have no place to go to.
+Target lipids_of(const FlowMoment& start, const model::Material& material) {
+  const Triangulation& mesh = *start.mesh;
+  if (is_sphere(mesh, area(mesh, start.state.X), volume(mesh, start.state.X)))
+    throw std::invalid_argument(model::no_lipids_on_spheres);
+  return lipids_and_volume(mesh, material, start.state);
+}
+
 }  // namespace
 
 FlowResult run_flow(const model::Material& given, model::Model model, const FlowMoment& start,
@@ -185,6 +194,8 @@ FlowResult run_flow(const model::Material& given, model::Model model, const Flow
     given.area_difference.check_start(diagnose(*start.mesh, given, start.state).W2);
   Target target = start.target;
   model::Material material = given;
+  if (has_free_order(model) && material.has_lipid_density() && start.record.time == 0)
+    target = lipids_of(start, material);
   if (has_free_order(model) && material.conserves_order()) {
     target.order =
         model::conserved_order(material, start.target.area, total_order(*start.mesh, start.state));

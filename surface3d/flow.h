@@ -63,7 +63,8 @@ inline constexpr const char* no_variational_steps =
 /// resolve the surface (see resolution.h) goes on, on a new mesh with half as many triangles
 /// more where Numerics::remesh allows it. It ends where the mesh degenerates or the surface touches
 /// itself (see self_contact.h). Spheres, which do not move, have no variational steps, but those of TwoStep. Throws
-/// std::invalid_argument where the model has none, and where the mesh has not the symmetry.
+/// std::invalid_argument where the model has none, where the mesh has not the symmetry, and where lipids whose area depends on their order
+/// begin on a sphere. With lipid_density their number is kept, that of the start, and not the area.
 FlowResult run_flow(const model::Material& material, model::Model model, const FlowMoment& start,
                     const Numerics& numerics, const FlowSchedule& schedule,
                     const FlowObserver& observe = {});

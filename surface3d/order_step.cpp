@@ -29,10 +29,13 @@ Field solve(const SparseMatrix& matrix, const Field& rhs, const Field& guess) {
   return x.allFinite() ? x : Field();
 }
 
+using PressureElement = Eigen::Matrix<double, 6, 1>;
+
 // What a triangle has of the equation.
 struct OrderElement {
   const ElementNodes X, normals, slip;
   const ElementField beta, from, H;
+  const PressureElement p;
 
   model::OrderPoint at(const ShapeValues& s, const SurfacePoint& x) const {
     const double h = value_at(H, s);
@@ -40,17 +43,20 @@ struct OrderElement {
             .beta_from = value_at(from, s),
             .H = h,
             .K = model::gauss_curvature(shape_operator(x, normals, h)),
-            .slip = x.frame.leftCols<2>().transpose() * value_at(slip, s)};
+            .slip = x.frame.leftCols<2>().transpose() * value_at(slip, s),
+            .pressure = p.dot(Shapes(s.quadratic.data()).head<6>())};
   }
 };
 OrderElement order_element(const Triangulation& mesh, const State& at, const OrderStepData& step,
                            int e) {
-  return {.X = on_element(mesh, e, at.X),
-          .normals = on_element(mesh, e, step.curvature.normals),
-          .slip = on_element(mesh, e, step.slip),
-          .beta = on_element(mesh, e, at.beta),
-          .from = on_element(mesh, e, step.from),
-          .H = on_element(mesh, e, step.curvature.H)};
+  return {
+      .X = on_element(mesh, e, at.X),
+      .normals = on_element(mesh, e, step.curvature.normals),
+      .slip = on_element(mesh, e, step.slip),
+      .beta = on_element(mesh, e, at.beta),
+      .from = on_element(mesh, e, step.from),
+      .H = on_element(mesh, e, step.curvature.H),
+      .p = step.p ? PressureElement((*step.p)(mesh.quadratic.col(e))) : PressureElement::Zero()};
 }
 
 using ScalarMatrix = Eigen::Matrix<double, 10, 10>;

@@ -1,4 +1,4 @@
-// The order equation (B1)–(B8) of one step, with the velocity and the mesh motion known.
+// The order equation (B1)–(B9) of one step, with the velocity and the mesh motion known.
 #pragma once
 
 #include "model/material.h"
@@ -16,6 +16,7 @@ struct OrderStepData {
   const Nodes& next;  ///< 3 x nodes of the surface then
   double tau;
   std::optional<double> total{};  ///< ∫β dS there; of a conserved order, as it is without
+  const Field* p = nullptr;       ///< P2 nodes: of StepFields, for a material with lipid_density
 };
 
 /// β of the next time, and where the order diffuses ∫ M_β |∇μ_β|² dS. Empty when the linear solve fails.

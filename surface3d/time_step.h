@@ -14,18 +14,19 @@
 namespace sbeh::surface3d {
 
 using FlowStep = model::FlowStep<State>;
+struct OrderStepResult;
 
 /// What a step computes besides the next state.
 struct StepFields {
   Nodes V;        // 3 x nodes, velocity on the old surface
   Nodes Y;        // 3 x nodes, displacement of the mesh, from where the step begins
   Field H;        // nodes, curvature of the next surface as the scheme knows it
-  Field p;        // P2 nodes, surface pressure
+  Field p;        // P2 nodes, surface pressure; with lipid_density over n/n(2/3)
   double lambda;  ///< volume multiplier
 };
 
 /// First-order semi-implicit step (coupled step, then the order with its velocity, so that a step
-/// is a function of position and order alone). Keeps its matrices between steps. Of the numerics scheme,
+/// is a function of position and order alone; both together where lipids have another area when they are ordered). Keeps its matrices between steps. Of the numerics scheme,
 /// factorisation and solver_tolerance count. Where κ is below a tenth of its
 /// largest value the step is solved up to three times more, each time at the state that it led to, until that
 /// changes by no more than 2 solver_tolerance: a sharp rim would waver otherwise.
@@ -63,6 +64,10 @@ class TimeStepper {
   StepFields fields_of(const Solution& x) const;
   FlowStep solve(const State& at, const State& from, const Constraints& constraints, double tau,
                  Pass pass);
+  OrderStepResult order_after(const State& at, const State& from, const Curvature& curvature,
+                              double tau) const;
+  FlowStep result_of(const State& at, const State& from, const OrderStepResult& order,
+                     const Motion& motion) const;
 
   std::shared_ptr<const Triangulation> mesh_;
   model::Material material_;

@@ -51,6 +51,13 @@ struct Velocity {
 Form square(const Linear& a) { return a * a.transpose(); }
 Form twice(const Linear& a, const Linear& b) { return a * b.transpose() + b * a.transpose(); }
 
+// β̇ = ḃ + v_t ∂_sβ
+Linear rate_of_order(double beta_s) {
+  Linear rate = Linear::Unit(of_beta);
+  rate[of_v_t] = beta_s;
+  return rate;
+}
+
 // Those of the powers of m.
 std::array<Form, 3> forms_at(const model::Material& material, const CurvePoint& p, double beta,
                              double beta_s, bool has_order) {
@@ -58,7 +65,9 @@ std::array<Form, 3> forms_at(const model::Material& material, const CurvePoint& 
   const double eta = material.eta(beta);
   // Times (Div V)², 0 for the solution; without viscosity it is what keeps the discrete one near it.
   const double spread = material.friction_tangential + material.friction_normal;
-  const Linear divergence = V.e_tt + V.e_phi_phi, &m_divergence = V.m_e_phi_phi;
+  const Linear order_rate = has_order ? rate_of_order(beta_s) : Linear(Linear::Zero());
+  const Linear &m_divergence = V.m_e_phi_phi,
+               divergence = V.e_tt + V.e_phi_phi - material.expansion(beta) * order_rate;  // (P1)
   std::array<Form, 3> form{
       material.friction_tangential * (square(V.t) + square(V.phi))
           + material.friction_normal * square(V.normal) + spread * square(divergence)
@@ -66,13 +75,8 @@ std::array<Form, 3> forms_at(const model::Material& material, const CurvePoint& 
       spread * twice(divergence, m_divergence)
           + eta * (2 * twice(V.e_phi_phi, V.m_e_phi_phi) + twice(V.shear, V.m_shear)),
       spread * square(m_divergence) + eta * (2 * square(V.m_e_phi_phi) + square(V.m_shear))};
-  if (has_order) {
-    Linear order_rate = Linear::Zero();
-    order_rate[of_beta] = 1;
-    order_rate[of_v_t] = beta_s;
-    form[0] += material.order_drag() * square(order_rate);
-  }
-  const Linear pressure = Linear::Unit(of_p);
+  form[0] += material.order_drag(beta) * square(order_rate);
+  const Linear pressure = material.packing(beta) * Linear::Unit(of_p);
   form[0] += twice(pressure, divergence);
   form[1] += twice(pressure, m_divergence);
   return form;

@@ -32,7 +32,8 @@ Eigen::VectorXd among_flow_unknowns(const Eigen::VectorXd& x);
 ///
 ///   ∫ [ γ_∥ (V_t² + V_φ²) + γ_⊥ V_n² + (η/2)|σ(V)|² + m_β (ḃ + v_t ∂_sβ)² + 2 p Div_C V ] r ds
 ///
-/// and (γ_∥ + γ_⊥)(Div_C V)², see model/equations.md: powers_0 + m powers_1 + m² powers_2.
+/// and (γ_∥ + γ_⊥)(Div_C V)², see model/equations.md: powers_0 + m powers_1 + m² powers_2. Of a material with lipid_density Div_C V less
+/// (a'/a)β̇ stands for Div_C V where it is 0, p is n/n(2/3) times its unknown, and m_β is Material::order_drag(β).
 struct FlowDissipation {
   std::array<FlowChain, 3> powers;
 

@@ -41,7 +41,8 @@ ModeProblem<flow_unknowns> problem_of(const LinearFlow& flow, int m, Parity pari
   const SecondVariation& second = flow.second;
   const model::Material& material = flow.material;
   const Nodes& X = second.state.X;
-  const bool round = is_sphere(area(X), volume(X));
+  // Where area is volume; not so where the order changes the area.
+  const bool round = is_sphere(area(X), volume(X)) && !material.has_lipid_density();
   ModeProblem<flow_unknowns> problem{
       .m = m,
       .A = among_flow_unknowns(second.form(m, parity)),
@@ -57,7 +58,8 @@ ModeProblem<flow_unknowns> problem_of(const LinearFlow& flow, int m, Parity pari
   hold_flow(second.sector, m, parity, 1, problem.A);
   problem.free = free_motions(flow, m, parity, problem.square);
   // Nothing resists what turns a sphere without tangential friction.
-  if (m == 1 && parity != Parity::even && round && material.friction_tangential == 0)
+  if (m == 1 && parity != Parity::even && is_sphere(area(X), volume(X))
+      && material.friction_tangential == 0)
     problem.free.held.push_back(flow_index(0, flow_v_t));
   const Eigen::MatrixXd kept = second.constraints_of(m, parity);
   if (kept.cols() > 0) {

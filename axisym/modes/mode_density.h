@@ -1,7 +1,7 @@
 // The Lagrangian of a stationary state at a point of any surface that is given over the element's coordinate ξ
 // and the angle φ: what the second variation by u(s) cos mφ needs and the axisymmetric one cannot say.
 //
-//   𝓛 = ∫ [ U(X, β, H) + Σ ] dS − P V + (H ν, Λ) + (1, Div_C Λ)
+//   𝓛 = ∫ [ U(X, β, H) + Σ n/n(2/3) ] dS − P V + (H ν, Λ) + (1, Div_C Λ)
 //
 // as in stationary/stationary.h. The Gaussian curvature is that of B_φφ and B_ξφ, which need one derivative by ξ
 // only, and of the B_ξξ that H leaves: on a surface of revolution B_φφ (H − B_φφ), as there.
@@ -78,7 +78,7 @@ ModeDensity<T> mode_density(const model::Material& material, double tension, dou
 
   const T volume = -0.5 * r * r * z_xi;  // ½ (r e_r, X_ξ × X_φ)
   return {
-      .energy = dS * (e.total() + tension) - pressure * volume,
+      .energy = dS * (e.total() + model::tension_at(material, tension, beta)) - pressure * volume,
       .curvature = {E * r / dS + q[in_H] * N_r,    // (H ν + Div_C, Λ_r)
                     q[in_H] * N_z,                 // (H ν, Λ_z)
                     (G * r_xi - F * r_phi) / dS,   // ∂_ξ Λ_r

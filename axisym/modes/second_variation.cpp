@@ -167,7 +167,8 @@ void put(const ElementMatrix& element, double copies, NodeChain::Element& to) {
 
 // First variations of area, volume, W₂ and ∫β dS, by the data of the perturbation.
 using FormVector = Eigen::Matrix<double, perturbations, 1>;
-std::array<FormVector, 4> first_variations(const CurvePoint& p, double H, double beta) {
+std::array<FormVector, 4> first_variations(const model::Material& m, const CurvePoint& p, double H,
+                                           double beta) {
   FormVector of_area = FormVector::Zero(), of_volume = FormVector::Zero();
   of_area[of_r] = p.stretch;
   of_area[of_r_xi] = p.x[0] * p.t[0];
@@ -178,6 +179,10 @@ std::array<FormVector, 4> first_variations(const CurvePoint& p, double H, double
   of_W2[of_H] = p.x[0] * p.stretch;
   FormVector of_order = beta * of_area;
   of_order[of_beta] = p.x[0] * p.stretch;
+  if (m.has_lipid_density()) {  // of the area at full order
+    of_area *= m.packing(beta);
+    of_area[of_beta] = p.x[0] * p.stretch * m.packing_slope(beta);
+  }
   return {of_area, of_volume, of_W2, of_order};
 }
 
@@ -206,7 +211,7 @@ void assemble(const model::Material& material, const Nodes& normals, int e, Seco
     model::add_matrix(rows, rows, squares(p.nu, out.has_order), s.weight * p.x[0] * p.stretch,
                       mass);
     const auto variations =
-        first_variations(p, value_at(out.state.H, e, s), value_at(out.state.beta, e, s));
+        first_variations(material, p, value_at(out.state.H, e, s), value_at(out.state.beta, e, s));
     for (std::size_t k = 0; k < 4; ++k) model::add_vector(rows, variations[k], s.weight, kept[k]);
   }
   const double copies = out.sector.copies(e);

@@ -18,7 +18,7 @@ struct SecondVariation {
   Sector sector;
   std::array<NodeChain, 3> powers;
   NodeChain mass;  ///< ∫(u² + b²) r ds, for SSH ∫u² r ds
-  /// In columns, for m = 0, the first variations of area and volume, and of ∫β dS where that is conserved.
+  /// In columns, for m = 0, the first variations of area (that of the lipids at full order) and volume, and of ∫β dS where that is conserved.
   Eigen::MatrixXd constraints;
   /// With an area difference, for m = 0: the first variation of W₂ and A/(2π² k_ad).
   SoftConstraint moment;

@@ -117,7 +117,23 @@ Chord chord(const PathState& from, const PathState& next, double ds) {
 
 }  // namespace
 
-bool continues(const Line& /*line*/, const PathState& from, const PathState& next, double ds) {
+namespace {
+
+// The determinant changes its sign where the parameter turns back. Where only one of both happens, there is another branch near, or one
+// crosses: then nothing is wrong at short steps either. Branches that break a symmetry which is not asked for cross without harm.
+bool has_only_folds(const Line& line, const PathState& from, const PathState& next, double ds) {
+  constexpr double crossing = 1e-3, fold = 1e-4;  // of ds; of slopes whose sign is not sure
+  if (std::abs(ds) < crossing || std::min(std::abs(from.slope()), std::abs(next.slope())) < fold)
+    return true;
+  const bool turns = from.slope() * next.slope() < 0,
+             flips = from.determinant_sign * next.determinant_sign < 0;
+  return turns == flips || (!line.symmetric && is_symmetric(from.X));
+}
+
+}  // namespace
+
+bool continues(const Line& line, const PathState& from, const PathState& next, double ds) {
+  if (!has_only_folds(line, from, next, ds)) return false;
   // A neck or a rim that jumps is a small part of the cosine, but not of the chord.
   constexpr double share = 1. / 3, always = 1e-3;
   const Chord c = chord(from, next, ds);

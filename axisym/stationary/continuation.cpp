@@ -99,6 +99,11 @@ FollowResult follow(const Line& line, const BranchState& from, const Numerics& n
     }
     if (next->slope() <= 0) {
       const PathState fold = locate_fold(line, *here, *next, ds);
+      if (fold.mu >= 1) {  // the end of the line is before it
+        ds /= 2;
+        growth = 1;
+        continue;
+      }
       return {Arrival::fold,
               {fold, line.at(fold.mu), sign},
               line,

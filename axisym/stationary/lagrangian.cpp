@@ -142,7 +142,7 @@ void assemble(const model::Material& whole, const StationaryState& state, const 
       const auto q = point_data(state, shapes, e, s);
       const PointDerivatives density = differentiate(material, tension, state.pressure, q);
       const auto x = independent<First>(q);
-      const First A = area_density(x), V = volume_density(x), W2 = A * x[at_H],
+      const First A = area_density(material, x), V = volume_density(x), W2 = A * x[at_H],
                   order = A * x[at_beta];
       const double weight = out.sector.copies(e) * s.weight;
       model::add_matrix(rows, rows, density.hessian, weight, matrix);
@@ -195,7 +195,7 @@ LagrangianGradient gradient_at(const model::Material& whole, const StationarySta
         gradient += padded(q[nonlinear_data + k] * c);
         gradient[nonlinear_data + k] = c.a;
       }
-      const First A = area_density(x), V = volume_density(x), W2 = A * x[at_H],
+      const First A = area_density(material, x), V = volume_density(x), W2 = A * x[at_H],
                   order = A * x[at_beta];
       const double weight = sector.copies(e) * s.weight;
       model::add_vector(rows, gradient, weight, vector);

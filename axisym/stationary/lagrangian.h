@@ -31,11 +31,12 @@ inline constexpr int nonlinear_data = at_Lambda_r;
 template <class T>
 using PointFields = std::array<T, nonlinear_data>;
 
-/// The densities of area and volume per element coordinate, 2π included.
+/// The densities of area and volume per element coordinate, 2π included; of the area that the lipids have at full order.
 template <class T>
-T area_density(const PointFields<T>& q) {
+T area_density(const model::Material& material, const PointFields<T>& q) {
   using std::sqrt;
-  return 2 * std::numbers::pi * q[at_r] * sqrt(q[at_dr] * q[at_dr] + q[at_dz] * q[at_dz]);
+  const T dS = 2 * std::numbers::pi * q[at_r] * sqrt(q[at_dr] * q[at_dr] + q[at_dz] * q[at_dz]);
+  return material.has_lipid_density() ? T(dS * material.packing(q[at_beta])) : dS;
 }
 template <class T>
 T volume_density(const PointFields<T>& q) {
@@ -45,7 +46,7 @@ T volume_density(const PointFields<T>& q) {
 /// 𝓛 = energy + Λ_r c_0 + Λ_z c_1 + Λ_r' c_2 + Λ_z' c_3 per element coordinate.
 template <class T>
 struct LagrangianDensity {
-  T energy;                    ///< U + ΣA − PV
+  T energy;                    ///< U + Σ∫n/n(2/3) dS − PV
   std::array<T, 4> curvature;  ///< c: the curvature equation (H1) tested with Λ
 };
 template <class T>
@@ -63,7 +64,8 @@ LagrangianDensity<T> lagrangian_density(const model::Material& material, double 
                             q[at_H], T(B_phi * (q[at_H] - B_phi)));
   const T Hr = two_pi * r * q[at_H], weight = two_pi * r / stretch;
   return {
-      .energy = dS * (energy.total() + tension) - pressure * volume_density(q),
+      .energy = dS * (energy.total() + model::tension_at(material, tension, q[at_beta]))
+              - pressure * volume_density(q),
       .curvature = {two_pi * stretch - Hr * q[at_dz],  // (H ν_r + 1/r, Λ_r)
                     Hr * q[at_dr],                     // (H ν_z, Λ_z)
                     weight * q[at_dr],                 // (t_r, ∂_s Λ_r)
@@ -83,7 +85,8 @@ struct LagrangianDerivatives {
   Eigen::MatrixXd constraints;  // 4 nodes x 2: ∂A, −∂V
   Eigen::VectorXd of_W2;     // 4 nodes: ∂(W₂ − c A/(π k_ad)); 0 without an area difference
   Eigen::VectorXd of_order;  // 4 nodes: −∂∫(β − β̄)dS; 0 where the order is not conserved
-  double area = 0, volume = 0, W2 = 0;
+  double area = 0;           ///< ∫n/n(2/3) dS of a material with lipid_density
+  double volume = 0, W2 = 0;
   double order = 0;  ///< ∫β dS
   explicit LagrangianDerivatives(const Sector& sector);
 };

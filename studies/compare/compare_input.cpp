@@ -243,6 +243,7 @@ CompareInput read_compare(const fs::path& path) {
   material.measured_by(lengths_of(input.units));
   material.refuse("area_difference",
                   "must not be given in a comparison: most methods do not know it");
+  material.refuse("lipid_density", "must not be given in a comparison: most methods keep the area");
   input.state.material = read_material_without_L(material, {input.state.L()},
                                                  "a comparison, where L comes from [compare]")
                              .with_L1(input.state.L());

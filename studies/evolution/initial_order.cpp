@@ -1,7 +1,9 @@
 #include "studies/evolution/initial_order.h"
 
+#include "studies/evolution/order_formula.h"
 #include "studies/evolution/start_shape.h"
 
+#include <Eigen/Geometry>
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -86,10 +88,30 @@ void add(const std::vector<meshing::Harmonic>& modes, const Matrix3Xd& nodes,
     beta[i] += meshing::harmonic_sum(modes, (nodes.col(i) - centre).normalized());
 }
 
+// Tried at one place; of the range something is known on the surface alone.
+std::string read_formula(const TomlTable& start, bool of_revolution) {
+  if (!start.has("order_formula")) return {};
+  start.refuse("order", "must not be given together with order_formula, which says it everywhere");
+  if (of_revolution)
+    start.refuse("order_modes",
+                 "must not be given together with order_formula, which may have them");
+  std::string formula = start.text("order_formula");
+  try {
+    values_of_formula(formula, of_revolution, Vector3d(0.6, 0, 0.8));
+  } catch (const std::invalid_argument& error) {
+    start.fail("order_formula", error.what());
+  }
+  return formula;
+}
+
 }  // namespace
 
 OrderPattern read_order_pattern(const TomlTable& start, bool of_revolution) {
-  OrderPattern pattern;
+  OrderPattern pattern{.formula = read_formula(start, of_revolution),
+                       .of_revolution = of_revolution,
+                       .caps = {},
+                       .modes = {},
+                       .noise = {}};
   if (start.has("domains"))
     for (const TomlTable& domain : start.tables("domains"))
       pattern.caps.push_back(read_cap(domain, of_revolution));
@@ -109,6 +131,7 @@ OrderPattern read_order_pattern(const TomlTable& start, bool of_revolution) {
 }
 
 void write_order_pattern(TomlText& toml, const OrderPattern& pattern) {
+  if (!pattern.formula.empty()) toml.value("order_formula", pattern.formula);
   std::vector<std::string> caps;
   for (const OrderCap& cap : pattern.caps)
     caps.push_back(fmt::format("{{ axis = [{}, {}, {}], fraction = {}, order = {} }}", cap.axis[0],
@@ -127,6 +150,8 @@ VectorXd with_pattern(VectorXd beta, const OrderPattern& pattern, const Matrix3X
                       const AreaSamples& surface) {
   if (!pattern.is_there()) return beta;
   const Vector3d centre = surface.points * surface.areas / surface.areas.sum();
+  if (!pattern.formula.empty())
+    beta = values_of_formula(pattern.formula, pattern.of_revolution, nodes.colwise() - centre);
   for (const OrderCap& cap : pattern.caps) {
     const double rim =
         angle_around(surface, angles(surface.points, centre, cap.axis), cap.fraction);

@@ -9,6 +9,7 @@
 #include <Eigen/Core>
 
 #include <optional>
+#include <string>
 #include <vector>
 
 namespace sbeh::studies {
@@ -32,17 +33,19 @@ struct OrderNoise {
 
 /// What is added to a uniform order.
 struct OrderPattern {
+  std::string formula;                   ///< in its place, see order_formula.h; empty: none
+  bool of_revolution = false;            ///< its variables are those of a surface of revolution
   std::vector<OrderCap> caps;            ///< later ones over earlier ones
   double width = 0.1;                    ///< tanh(angle/width) at their rims
   std::vector<meshing::Harmonic> modes;  ///< of the direction from the centre
   std::optional<OrderNoise> noise;
 
-  bool is_there() const { return !caps.empty() || !modes.empty() || noise; }
+  bool is_there() const { return !formula.empty() || !caps.empty() || !modes.empty() || noise; }
   bool operator==(const OrderPattern&) const = default;
 };
 
-/// Keys `domains`, `domain_width`, `order_modes`, `order_noise`. Of a surface of revolution the domains lie around the poles, and nothing
-/// else is read. Throws InputError.
+/// Keys `order_formula`, `domains`, `domain_width`, `order_modes`, `order_noise`. Of a surface of revolution the domains lie around the poles, and
+/// `order_modes` and `order_noise` are not read. Throws InputError.
 OrderPattern read_order_pattern(const TomlTable& start, bool of_revolution);
 void write_order_pattern(TomlText& toml, const OrderPattern& pattern);
 

@@ -41,10 +41,11 @@ void read_scan(const TomlTable& start, RelaxInput& input) {
 const std::vector<StartShape<RelaxInput>>& relax_shapes() {
   static const std::vector<StartShape<RelaxInput>> all{
       {"ellipsoid",
-       {"reduced_volume", "axes", "kind", "order", "domains", "domain_width"},
+       {"reduced_volume", "axes", "kind", "order", "order_formula", "domains", "domain_width"},
        read_ellipsoid},
       {"harmonics",
-       {"modes", "reduced_volume", "order", "order_modes", "domains", "domain_width"},
+       {"modes", "reduced_volume", "order", "order_formula", "order_modes", "domains",
+        "domain_width"},
        read_harmonics},
       {"scan", scan_row_keys(), read_scan, true},
   };
@@ -53,7 +54,8 @@ const std::vector<StartShape<RelaxInput>>& relax_shapes() {
 
 void read_start(const TomlTable& start, RelaxInput& input) {
   const auto& shape = chosen_shape(start, relax_shapes());
-  refuse_order(start, input.model, {"order", "order_modes", "domains", "domain_width"});
+  refuse_order(start, input.model,
+               {"order", "order_formula", "order_modes", "domains", "domain_width"});
   shape.read(start, input);
   input.order_pattern = read_order_pattern(start, true);
   if (start.has("perturbation"))
@@ -65,7 +67,8 @@ void write_start(TomlText& toml, const RelaxInput& input) {
   toml.table("start");
   toml.value("shape", relax_shapes()[input.start.index()].name);
   std::visit([&](const auto& start) { write_shape(toml, start); }, input.start);
-  if (std::holds_alternative<Ellipsoid>(input.start) && has_free_order(input.model))
+  if (std::holds_alternative<Ellipsoid>(input.start) && has_free_order(input.model)
+      && input.order_pattern.formula.empty())
     toml.value("order", input.initial_order);
   write_order_pattern(toml, input.order_pattern);
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
@@ -91,7 +94,8 @@ RelaxInput relax_in(const TomlTable& file) {
   read_start(start, input);
   static_cast<Physics&>(input) =
       read_physics(file, model, material, [&] { return origin_of_any(input.start); });
-  if (input.material.conserves_order() && has_free_order(input.model) && !start.has("order")) {
+  if (input.material.conserves_order() && has_free_order(input.model) && !start.has("order")
+      && !start.has("order_formula")) {
     input.initial_order = outside_of(start, input.material, input.order_pattern);
     if (auto* harmonics = std::get_if<Harmonics>(&input.start))
       harmonics->order = input.initial_order;

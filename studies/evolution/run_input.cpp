@@ -58,7 +58,8 @@ std::vector<std::string> and_triangles(std::vector<std::string> keys) {
   return keys;
 }
 
-const ParameterNames order_keys{"order", "domains", "domain_width", "order_modes", "order_noise"};
+const ParameterNames order_keys{"order",        "order_formula", "domains",
+                                "domain_width", "order_modes",   "order_noise"};
 std::vector<std::string> and_order(std::vector<std::string> keys) {
   keys.insert(keys.end(), order_keys.begin(), order_keys.end());
   return keys;
@@ -88,6 +89,7 @@ void read_surface(const TomlTable& surface, RunInput& input) {
     input.perturbation = surface.harmonics("perturbation", largest_degree);
   input.symmetry.mesh = input.symmetry.kept = read_symmetry(surface, "symmetry");
   if (surface.has("keep_symmetry")) {
+    surface.refuse_misspelt({"symmetry"});
     input.symmetry.kept = read_symmetry(surface, "keep_symmetry");
     if (!input.symmetry.mesh.contains(input.symmetry.kept))
       surface.fail("keep_symmetry",
@@ -122,7 +124,7 @@ void write_surface(TomlText& toml, const RunInput& input) {
   std::visit([&](const auto& start) { write_shape(toml, start); }, input.start);
   if (shape.has("triangles")) toml.value("triangles", input.triangles);
   if (shape.has("order") && has_free_order(input.model)) {
-    toml.value("order", input.initial_order);
+    if (input.order_pattern.formula.empty()) toml.value("order", input.initial_order);
     write_order_pattern(toml, input.order_pattern);
   }
   if (!input.perturbation.empty()) toml.value("perturbation", input.perturbation);
@@ -158,7 +160,8 @@ RunInput read_with(const TomlTable& file, const FindOrigin& find_origin) {
   read_surface(surface, input);
   static_cast<Physics&>(input) =
       read_physics(file, model, material, [&] { return find_origin(input); });
-  if (input.material.conserves_order() && has_free_order(input.model) && !surface.has("order"))
+  if (input.material.conserves_order() && has_free_order(input.model) && !surface.has("order")
+      && !surface.has("order_formula"))
     input.initial_order = outside_of(surface, input.material, input.order_pattern);
   input.numerics = read_numerics<surface3d::Numerics>(numerics);
   if (input.numerics.integrator == surface3d::Integrator::variational

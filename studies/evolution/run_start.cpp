@@ -11,6 +11,7 @@
 #include "studies/mesh_files/mesh_file.h"
 #include "studies/scan/scan_table.h"
 #include "studies/states/profile_file.h"
+#include "surface3d/lipids.h"
 #include "surface3d/moments.h"
 #include "surface3d/order_step.h"
 #include "surface3d/stationary/symmetry_class.h"
@@ -254,6 +255,19 @@ std::optional<std::string> remark_on_lack(const surface3d::Triangulation& mesh,
       symbol);
 }
 
+// A frame goes on as it is; what has the area already, its own or that of its lipids at full order, keeps its bits.
+void scale_to_unit(const model::Material& material, Start& start) {
+  const double area = meshing::area(start.mesh);
+  double unit = area, rounding = 1e-14;
+  if (material.has_lipid_density() && start.beta.size() > 0) {
+    const surface3d::Triangulation mesh(start.mesh);
+    unit = surface3d::lipids_and_volume(mesh, material, {start.mesh.nodes, start.beta}).area;
+    rounding = 1e-10;  // of a quadrature
+  }
+  if (std::abs(unit / unit_area - 1) > rounding)
+    meshing::scale_to_area(start.mesh, area / unit * unit_area);
+}
+
 }  // namespace
 
 RunStart start_of(const RunInput& input) {
@@ -268,10 +282,10 @@ RunStart start_of(const RunInput& input) {
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("[surface] perturbation: {}", error.what()));
   }
-  // A frame goes on as it is; what has the area already keeps its bits.
-  if (std::abs(meshing::area(start.mesh) / unit_area - 1) > 1e-14)
-    meshing::scale_to_area(start.mesh, unit_area);
   const bool free_order = model::has_free_order(input.model);
+  const model::Material material =
+      free_order ? input.material : input.material.with_uniform_order();
+  scale_to_unit(material, start);
   const auto mesh = std::make_shared<const surface3d::Triangulation>(start.mesh);
   if (start.beta.size() == 0) start.beta = first_order(input, *mesh, start.mesh.nodes);
   const surface3d::State brought{start.mesh.nodes, start.beta};
@@ -290,7 +304,7 @@ RunStart start_of(const RunInput& input) {
     if (const auto remark = remark_on_lack(*mesh, state)) start.remarks.push_back(*remark);
   return {{.mesh = mesh,
            .state = state,
-           .target = surface3d::area_and_volume(*mesh, start.mesh.nodes),
+           .target = surface3d::lipids_and_volume(*mesh, material, state),
            .symmetry = input.symmetry},
           start.remarks};
 }

@@ -52,6 +52,8 @@ std::string difference(const RunInput& run, const RunInput& plan, std::optional<
   if (start_text(run) != start_text(plan))
     return differ("start", start_text(run), start_text(plan));
   if (run.perturbation != plan.perturbation) return "its perturbation is not that of the figure";
+  if (run.symmetry != plan.symmetry)
+    return "the symmetry of its triangles is not that of the figure";
   if (run.initial_order != plan.initial_order)
     return differ("order", run.initial_order, plan.initial_order);
   for (const Difference& of : differences(run.material, plan.material))

@@ -58,6 +58,7 @@ const std::vector<std::pair<Dimension, Names>>& all_columns() {
         "L2",
         "L3",
         "flexoelectric",
+        "lipid_density",
         "mean_order",
         "reduced_volume",
         "branch",

@@ -111,7 +111,7 @@ bool is_complete(const TomlTable& table, model::Model model) {
     const std::string_view key = parameter.name;
     if (contains(elastic_constants, key)) return;
     if (key == "kappa" || key == "kappa_gauss") return;  // as the elastic constants say
-    if (key == "area_difference" || key == "order" || key == "mean_order"
+    if (key == "area_difference" || key == "lipid_density" || key == "order" || key == "mean_order"
         || key == "order_mobility")
       return;  // none, relaxing
     bool said = table.has(key);

@@ -49,6 +49,7 @@ const std::vector<MaterialNumber>& MaterialNumber::all() {
     add("flexoelectric", "f", &Material::flexoelectric, 0);
     add("kappa", "κ", &Material::kappa_powers, 0);
     add("kappa_gauss", "κ_G", &Material::kappa_gauss_powers, 0);
+    add("lipid_density", "n", &Material::lipid_density, 0);
     return made;
   }();
   return numbers;
@@ -102,6 +103,7 @@ Material MaterialNumber::with(Material material, double value) const {
 bool is_there(const MaterialNumber& number, const Material& material) {
   if (number.key() == "kappa") return !material.kappa_powers.empty();
   if (number.key() == "kappa_gauss") return !material.kappa_gauss_powers.empty();
+  if (number.key() == "lipid_density") return material.has_lipid_density();
   if (number.key() == "mean_order") return material.conserves_order();
   return number.key() != "area_difference" || material.area_difference.is_there();
 }

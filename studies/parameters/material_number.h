@@ -52,7 +52,7 @@ class MaterialNumber {
 /// Whether the number says how something depends on the order, which matters only where that is free.
 bool is_of_order(const MaterialNumber& number);
 
-/// Whether the material has it: κ and κ_G that are not given are no polynomials of the order, an area difference may not be there, and
+/// Whether the material has it: κ, κ_G and n that are not given are no polynomials of the order, an area difference may not be there, and
 /// the order may not be conserved.
 bool is_there(const MaterialNumber& number, const model::Material& material);
 

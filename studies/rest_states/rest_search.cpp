@@ -4,6 +4,7 @@
 #include "studies/io/progress.h"
 #include "surface3d/curvature.h"
 #include "surface3d/flow.h"
+#include "surface3d/lipids.h"
 #include "surface3d/stationary/rest_ahead.h"
 
 #include <fmt/format.h>
@@ -109,7 +110,8 @@ class Search {
     State start = from.state;
     start.X += from.state.normals * (scale * mode.u).asDiagonal();
     start.beta += scale * mode.b;
-    surface3d::correct_area_volume(*from.mesh, start.X, target_.area, target_.volume);
+    surface3d::correct_lipids_volume(*from.mesh, effective(material_, input_.model), from.state.H,
+                                     target_, start);
     return start;
   }
 

@@ -5,6 +5,7 @@
 #include "studies/io/interrupt.h"
 #include "studies/mesh_files/mesh_file.h"
 #include "studies/parameters/physics_numbers.h"
+#include "surface3d/lipids.h"
 #include "surface3d/mesh/resolution.h"
 #include "surface3d/mesh/self_contact.h"
 #include "surface3d/moments.h"
@@ -56,7 +57,8 @@ void write_files(const fs::path& folder, int number, const SeenState& seen,
   write_frame(frame_of(folder, number),
               {.mesh = seen.mesh,
                .state = seen.state,
-               .target = surface3d::area_and_volume(*seen.mesh, seen.state.X)},
+               .target = surface3d::lipids_and_volume(
+                   *seen.mesh, effective(physics.material, physics.model), seen.state)},
               physics);
   if (!modes.empty()) make_folder(folder / "modes");
   int k = 0;

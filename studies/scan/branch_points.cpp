@@ -177,10 +177,11 @@ PointOutcome branch_point(const StationaryCase& of) {
 
 PointOutcome sphere_point(const StationaryCase& of) {
   const Stopwatch watch;
-  const std::optional<double> order = !has_free_order(of.model) ? model::full_order
-                                    : of.material.conserves_order()
-                                        ? of.material.mean_order
-                                        : model::sphere_rest_order(of.material);
+  // Of full order where that keeps the number of lipids, too.
+  const std::optional<double> order =
+      !has_free_order(of.model) || of.material.has_lipid_density() ? model::full_order
+      : of.material.conserves_order()                              ? of.material.mean_order
+                                      : model::sphere_rest_order(of.material);
   if (!order) return failed_point("no ordered state at rest on the sphere at this L");
   const int elements = of.numerics.elements;
   const State state{axisym::spheroid(1., 1., elements, 0),

@@ -178,6 +178,10 @@ void refuse_given(const TomlTable& material, const ScanInput& input) {
     if (input.has(model::Model::SSH)) material.fail(key, ssh_has_all_by_H0);
   }
   if (!input.beyond_fold) return;
+  if (input.material.has_lipid_density())
+    material.fail(
+        "lipid_density",
+        "must not be given with beyond_fold: sharp rims are known where the area is kept");
   if (input.material.area_difference.is_there())
     material.fail("area_difference",
                   "must not be given with beyond_fold: sharp rims are known without it");

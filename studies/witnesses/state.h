@@ -92,7 +92,8 @@ Measures measures_of(const model::Energy& energy, const Diagnostics& d, double p
 template <class Diagnostics>
 Measures measures_of_flow(const model::Material& material, const Diagnostics& d, double lambda) {
   Measures of = measures_of(d.energy, d, -lambda);
-  if (material.spontaneous_curvature == 0 && material.flexoelectric.vanishes())
+  if (material.spontaneous_curvature == 0 && material.flexoelectric.vanishes()
+      && !material.has_lipid_density())
     of.tension = (3 * of.pressure * d.volume - 2 * d.energy.thermotropic) / (2 * d.area);
   return of;
 }

@@ -232,6 +232,8 @@ HarmonicMechanics::HarmonicMechanics(const model::Material& material, model::Mod
         "model {}: the flow of harmonics keeps the area of every piece", sbeh::name(model)));
   if (material.area_difference.is_there())
     throw std::invalid_argument("area_difference: the flow of harmonics has none");
+  if (material.has_lipid_density())
+    throw std::invalid_argument("lipid_density: the flow of harmonics keeps the area");
   if (material.conserves_order())
     throw std::invalid_argument("order: the flow of harmonics has only one that relaxes");
   const SphereRule rule = sphere_rule(2 * (degree + 1));

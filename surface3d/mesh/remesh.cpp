@@ -8,6 +8,7 @@
 #include "meshing/resolution.h"
 #include "meshing/triangle_search.h"
 #include "surface3d/diagnostics.h"
+#include "surface3d/lipids.h"
 #include "surface3d/order_step.h"
 
 #include <fmt/format.h>
@@ -256,10 +257,12 @@ RemeshResult remesh(const Triangulation& mesh, const State& state, const model::
   for (int i = 0; i < fresh.node_count(); ++i) result.state.beta[i] = old.order_at(X.col(i));
   const meshing::MeshSymmetry symmetry = required_symmetry(fresh, options.symmetry);
   result.state.beta = symmetry.symmetric_part(result.state.beta);
-  const Target wanted = area_and_volume(mesh, state.X), found = area_and_volume(*result.mesh, X);
+  const Target wanted = lipids_and_volume(mesh, material, state),
+               found = lipids_and_volume(*result.mesh, material, result.state);
   report.area_change = found.area / wanted.area - 1;
   report.volume_change = found.volume / wanted.volume - 1;
-  if (!correct_area_volume(*result.mesh, X, wanted.area, wanted.volume))
+  const auto rough = curvature_of(*result.mesh, X);
+  if (!(rough && correct_lipids_volume(*result.mesh, material, rough->H, wanted, result.state)))
     return refused(report, "area and volume cannot be restored");
   X = symmetry.symmetric_part(X);  // but for rounding it is
   if (material.conserves_order())

@@ -21,7 +21,7 @@ struct GradientSums {
   using Number = ceres::Jet<double, int(N)>;
 
   Eigen::Matrix<double, element_unknowns, 1> gradient = decltype(gradient)::Zero();
-  Eigen::Matrix<double, 10, 2> constraints = decltype(constraints)::Zero();
+  Eigen::Matrix<double, element_unknowns, 2> constraints = decltype(constraints)::Zero();
   Eigen::Matrix<double, element_unknowns, 1> of_W2 = decltype(of_W2)::Zero(),
                                              of_order = decltype(of_order)::Zero();
   double area = 0, volume = 0, W2 = 0, order = 0, value = 0;
@@ -58,14 +58,19 @@ void add_constraints(const model::Material& material, const Raw& q, const Rows& 
   RawGradient area, volume;
   add(area_density(variables<Number>(metric_invariants, q)), metric_invariants, q, area);
   add_box_product(1. / 3, raw_x, q, volume);
-  sums.area += weight * area.value;
   sums.volume += weight * volume.value;
-  Eigen::Matrix<double, element_unknowns, 1> gradient = decltype(gradient)::Zero();
-  model::add_vector(rows.rows, area.gradient, weight, gradient);
-  sums.constraints.col(0) += gradient.head<10>();
-  gradient.setZero();
-  model::add_vector(rows.rows, volume.gradient, weight, gradient);
-  sums.constraints.col(1) -= gradient.head<10>();
+  auto by_area = sums.constraints.col(0), by_volume = sums.constraints.col(1);
+  model::add_vector(rows.rows, volume.gradient, -weight, by_volume);
+  if (material.has_lipid_density()) {
+    RawGradient lipids;
+    add(lipid_density(material, variables<GradientSums::Number<lipid_data>>(lipid_invariants, q)),
+        lipid_invariants, q, lipids);
+    sums.area += weight * lipids.value;
+    model::add_vector(rows.rows, lipids.gradient, weight, by_area);
+    return;  // nothing else is kept then
+  }
+  sums.area += weight * area.value;
+  model::add_vector(rows.rows, area.gradient, weight, by_area);
   // ∫ q dS of a number q of the data.
   const auto add_integral = [&](int at, double& sum, auto& by_unknowns) {
     Raw by_data = q[at] * area.gradient;
@@ -153,7 +158,9 @@ void assemble_triangles(const model::Material& whole, const StationaryLayout& la
       const int node = mesh.triangles(a, e);
       for (int c = 0; c < layout.per_node; ++c)
         out.gradient[layout.per_node * node + c] += sums.gradient[10 * c + a];
-      out.constraints.row(layout.index(node, node_d)).head<2>() += sums.constraints.row(a);
+      for (int c = 0; c < layout.per_node; ++c)
+        out.constraints.row(layout.per_node * node + c).head<2>() +=
+            sums.constraints.row(10 * c + a);
       for (int c = 0; ad.is_there() && c < layout.per_node; ++c)
         out.constraints(layout.per_node * node + c, 2) += sums.of_W2[10 * c + a];
       for (int c = 0; has_order && c < layout.per_node; ++c)

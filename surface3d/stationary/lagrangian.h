@@ -40,8 +40,15 @@ T area_density(const Metric<T>& g) {
   using std::sqrt;
   return sqrt(g[0] * g[2] - g[1] * g[1]);
 }
+/// What the area of the lipids at full order, ∫n/n(2/3) dS, reads at a point, and that area per dξ₁dξ₂.
+enum LipidData { lipids_g11, lipids_g12, lipids_g22, lipids_beta, lipid_data };
+template <class T>
+T lipid_density(const model::Material& material, const std::array<T, lipid_data>& q) {
+  return area_density(Metric<T>{q[lipids_g11], q[lipids_g12], q[lipids_g22]})
+       * material.packing(q[lipids_beta]);
+}
 
-/// U + ΣA per dξ₁dξ₂, but for the Gaussian energy.
+/// U + Σ∫n/n(2/3) dS per dξ₁dξ₂, but for the Gaussian energy.
 template <class T>
 T tension_density(const model::Material& material, double tension, const EnergyFields<T>& q) {
   const Metric<T> g{q[at_g11], q[at_g12], q[at_g22]};
@@ -50,7 +57,9 @@ T tension_density(const model::Material& material, double tension, const EnergyF
   const T slope_squared =
       (g[2] * beta_1 * beta_1 - 2. * g[1] * beta_1 * beta_2 + g[0] * beta_2 * beta_2) / (dS * dS);
   const auto e = model::energy_density(material, q[at_beta], slope_squared, q[at_H], T(0.));
-  return dS * (e.distortion + e.bending + e.thermotropic + tension);
+  return dS
+       * (e.distortion + e.bending + e.thermotropic
+          + model::tension_at(material, tension, q[at_beta]));
 }
 
 /// What (1, Div_C Λ) reads at a point.
@@ -119,7 +128,9 @@ struct LagrangianGradient {
   Eigen::MatrixXd constraints;
   /// With an area difference what the multipliers have among themselves: 0, 0, −A/(π k_ad), 0; else empty.
   Eigen::VectorXd corner;
-  double area = 0, volume = 0, W2 = 0;
+  double area =
+      0;  ///< ∫n/n(2/3) dS of a material with lipid_density, then ∂A above is that of it, too
+  double volume = 0, W2 = 0;
   double order = 0;  ///< ∫β dS
   double value = 0;  ///< of 𝓛 without its constants ΣA₀, PV₀ and cW₂⁰
 

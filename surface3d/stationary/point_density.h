@@ -64,6 +64,7 @@ inline constexpr Invariants<gaussian_data> gaussian_invariants{g11,
                                                                {raw_a12, raw_a2}};
 inline constexpr Invariants<rim_data> rim_invariants{g11, g12, g22, beta, beta_1, beta_2};
 inline constexpr Invariants<3> metric_invariants{g11, g12, g22};
+inline constexpr Invariants<lipid_data> lipid_invariants{g11, g12, g22, beta};
 
 inline auto vector(const Raw& q, int first) { return q.segment<3>(first); }
 

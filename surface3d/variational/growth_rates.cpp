@@ -153,7 +153,7 @@ std::optional<std::vector<GrowthMode>> growth_rates(const model::Material& mater
   if (effective(material, model).order == model::OrderDynamics::diffusive) return {};
   const auto curvature = curvature_of(mesh, state.X);
   if (!curvature) return {};
-  const StepLayout layout(mesh, model);
+  const StepLayout layout(mesh, effective(material, model), model);
   ShiftedFlow flow(effective(material, model), layout, state, *curvature);
   if (!flow.factor()) return {};
   constexpr int most = 200;

@@ -24,7 +24,7 @@ Eigen::MatrixXi unknowns_of(const Triangulation& mesh, int per_node) {
 }
 
 // Of which kinds the entries of a triangle's matrix are.
-SparsePattern::Mask couplings(const StationaryLayout& state) {
+SparsePattern::Mask couplings(const StationaryLayout& state, bool order_meets_pressure) {
   const int tangential = 10 * state.per_node, p = tangential + 20, size = p + pressures;
   SparsePattern::Mask couples = SparsePattern::Mask::Constant(size, size, false);
   couples.topLeftCorner(tangential, tangential).setConstant(true);
@@ -36,7 +36,9 @@ SparsePattern::Mask couplings(const StationaryLayout& state) {
       couples.block(i, j, 10, 10).setConstant(true);
       couples.block(j, i, 10, 10).setConstant(true);
     }
-  for (const int i : motion) {
+  std::vector<int> meet_pressure = motion;
+  if (order_meets_pressure) meet_pressure.push_back(10 * node_beta);
+  for (const int i : meet_pressure) {
     couples.block(i, p, 10, pressures).setConstant(true);
     couples.block(p, i, pressures, 10).setConstant(true);
   }
@@ -71,13 +73,16 @@ Square displacements(const Directions& directions) {
   return T;
 }
 
-// M/(2τ) ∫ (β⁺ − β + (u − Y)_t·∇β)² dS, by β, s, s'.
+// M/(2τ) ∫ (β⁺ − β + (u − Y)_t·∇β)² dS, by β, s, s'; and n'/n(2/3) times what is squared there against p.
 struct OrderSums {
   Square matrix = Square::Zero();
   Eigen::Matrix<double, 30, 1> linear = decltype(linear)::Zero();
+  Eigen::Matrix<double, pressures, 30> lipids = decltype(lipids)::Zero();
+  Eigen::Matrix<double, pressures, 1> known_lipids = decltype(known_lipids)::Zero();
 };
-OrderSums order_sums(double drag, const ElementNodes& X, const ElementField& beta,
-                     const Directions& directions, const ElementNodes& Y) {
+OrderSums order_sums(const model::Material& material, double tau, const ElementNodes& X,
+                     const ElementField& beta, const Directions& directions,
+                     const ElementNodes& Y) {
   OrderSums sums;
   for (const ShapeValues& s : assembly_points()) {
     const SurfacePoint p = surface_point(X, s);
@@ -86,9 +91,15 @@ OrderSums order_sums(double drag, const ElementNodes& X, const ElementField& bet
     Eigen::Matrix<double, 30, 1> row;
     row << phi, phi.cwiseProduct(directions[1].transpose() * slope),
         phi.cwiseProduct(directions[2].transpose() * slope);
-    const double known = value_at(beta, s) + value_at(Y, s).dot(slope);
+    const double order = value_at(beta, s), known = order + value_at(Y, s).dot(slope);
+    const double drag = material.order_drag(order) / tau;
     sums.matrix += (p.dS * drag) * row * row.transpose();
     sums.linear -= (p.dS * drag * known) * row;
+    if (!material.has_lipid_density()) continue;
+    const Eigen::Matrix<double, pressures, 1> q =
+        p.dS * material.packing_slope(order) * Shapes(s.quadratic.data()).head<pressures>();
+    sums.lipids += q * row.transpose();
+    sums.known_lipids -= known * q;
   }
   return sums;
 }
@@ -119,11 +130,12 @@ struct StepPiece {
     const std::array at = kinds(first);
     for (std::size_t i = 0; i < 3; ++i) linear.segment<10>(at[i]) += sums.segment<10>(10 * int(i));
   }
-  void set_divergence(const Eigen::Matrix<double, pressures, 30>& of) {
-    const std::array at = kinds(node_d);
+  // Against p.
+  void add_constraint(NodeUnknown first, const Eigen::Matrix<double, pressures, 30>& sums) {
+    const std::array at = kinds(first);
     for (std::size_t i = 0; i < 3; ++i) {
-      matrix.block<pressures, 10>(p, at[i]) = of.middleCols<10>(10 * int(i));
-      matrix.block<10, pressures>(at[i], p) = of.middleCols<10>(10 * int(i)).transpose();
+      matrix.block<pressures, 10>(p, at[i]) += sums.middleCols<10>(10 * int(i));
+      matrix.block<10, pressures>(at[i], p) += sums.middleCols<10>(10 * int(i)).transpose();
     }
   }
   std::array<int, 3> kinds(NodeUnknown first) const {
@@ -137,11 +149,12 @@ struct StepPiece {
 
 }  // namespace
 
-StepLayout::StepLayout(const Triangulation& mesh, model::Model model)
+StepLayout::StepLayout(const Triangulation& mesh, const model::Material& material,
+                       model::Model model)
     : state(mesh, model),
       per_node(state.per_node + 2),
       pattern(per_node * mesh.nodes + mesh.quadratic_nodes, unknowns_of(mesh, per_node),
-              couplings(state)) {
+              couplings(state, state.free_order && material.has_lipid_density())) {
   for (int i = 0; i < mesh.nodes; ++i)
     for (int c = 0; c < state.per_node; ++c) unknowns.push_back(per_node * i + c);
   places = places_of(state, unknowns, pattern);
@@ -172,12 +185,16 @@ void assemble(const model::Material& material, const StepLayout& layout, const S
     const Square T = displacements(directions);
     StepPiece piece(layout.state);
     piece.add(node_d, Square(T.transpose() * element.flow.topLeftCorner<30, 30>() * T / base.tau));
-    piece.set_divergence(element.flow.block<pressures, 30>(FlowPiece::q, 0) * T);
+    piece.add_constraint(node_d, element.flow.block<pressures, 30>(FlowPiece::q, 0) * T);
     if (layout.state.free_order) {
-      const OrderSums order = order_sums(material.order_drag() / base.tau, X, beta, directions,
-                                         on_element(mesh, e, base.Y));
+      const OrderSums order =
+          order_sums(material, base.tau, X, beta, directions, on_element(mesh, e, base.Y));
       piece.add(node_beta, order.matrix);
       piece.add(node_beta, order.linear);
+      if (material.has_lipid_density()) {
+        piece.add_constraint(node_beta, order.lipids);
+        piece.linear.tail<pressures>() += order.known_lipids;
+      }
     }
     layout.pattern.add(e, piece.matrix, out.matrix);
     layout.pattern.add(e, piece.linear, out.linear);

@@ -15,7 +15,8 @@ namespace sbeh::surface3d {
 
 /// The unknowns of a step: at the nodes those of a stationary state and two tangential displacements, then p at the P2 nodes.
 struct StepLayout {
-  StepLayout(const Triangulation& mesh, model::Model model);
+  /// Of a material with lipid_density p meets the order, too.
+  StepLayout(const Triangulation& mesh, const model::Material& material, model::Model model);
 
   StationaryLayout state;
   int per_node;
@@ -39,7 +40,8 @@ struct StepBase {
   double tau;
 };
 
-/// τD/2 as ½ xᵀ matrix x + linear·x and a constant, x the unknowns, β as it is; with Div_C u against p.
+/// τD/2 as ½ xᵀ matrix x + linear·x and a constant, x the unknowns, β as it is; with Div_C u against p, and with lipid_density
+/// n/n(2/3) Div_C u + n'/n(2/3) (β⁺ − β + (u − Y)·∇β).
 struct StepResistance {
   SparseMatrix matrix;
   Eigen::VectorXd linear;

@@ -1,6 +1,7 @@
 #include "surface3d/variational/variational_stepper.h"
 
 #include "surface3d/diagnostics.h"
+#include "surface3d/lipids.h"
 #include "surface3d/parallel.h"
 #include "surface3d/stationary/stationary.h"
 
@@ -29,7 +30,7 @@ VariationalStepper::VariationalStepper(const std::shared_ptr<const Triangulation
       model_(model),
       always_factors_(numerics.factorisation == Factorisation::every_step),
       tolerance_(numerics.tolerance),
-      layout_(*mesh, model),
+      layout_(*mesh, material_, model),
       along_(*mesh),
       matrix_(layout_, numerics) {}
 
@@ -299,7 +300,7 @@ FlowStep VariationalStepper::step(const State& old, const std::optional<Target>&
   const StepBase base{old, *curvature, tangents, *Y, tau};
   assemble(material_, layout_, base, resistance_);
   if (!always_factors_) matrix_.begin(resistance_);
-  const Target keep = target.value_or(area_and_volume(*mesh_, old.X));
+  const Target keep = target.value_or(lipids_and_volume(*mesh_, material_, old));
   Unknowns x = guess(base);
   FlowFault fault = solve(base, keep, x, always_factors_);
   if (fault == FlowFault::error && !always_factors_) {  // the past led astray, or an old matrix

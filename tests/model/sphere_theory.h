@@ -13,7 +13,8 @@
 // opposite share, and the reflection of that run at the equator differs from the first in the sign of
 // the even mode alone: the mean over both signs of u_2 errs by O(ε²). (A sign flip of the odd mode is
 // that reflection itself, the same run.)
-// The same holds for any longitudes: then the point reflection takes the place of that at the equator.
+// The same holds for any longitudes: then the point reflection takes the place of that at the equator. With degrees 2 and 4, of which one
+// alone changes its sign under a turn by 90°, the mean over both signs of the other errs by O(ε²) likewise.
 #pragma once
 
 #include "model/material.h"
@@ -40,14 +41,15 @@ inline double order_on_sphere(const Material& m, double start, double time) {
   return beta;
 }
 
-/// u_2, u_3, b_2, b_3
+/// u_2, u_3, b_2, b_3; or of other degrees
 using Amplitudes = std::array<double, 4>;
 
 /// The rates of the amplitudes, for Boost.Odeint.
 class TwoModes {
  public:
-  TwoModes(const Material& m, Model model)
-      : m_(effective(m, model)),
+  TwoModes(const Material& m, Model model, const std::array<int, 2>& degrees = {2, 3})
+      : degrees_(degrees),
+        m_(effective(m, model)),
         model_(model),
         beta_(has_free_order(model) ? model::sphere_rest_order(m).value() : model::full_order) {}
 
@@ -66,16 +68,16 @@ class TwoModes {
         (2 + m_.spontaneous_curvature) * m_.kappa_slope(beta_) + m_.kappa_gauss_slope(beta_);
     double with = 0, without = 0;  // Σ k u u̇ = without + s · with
     std::array<double, 2> force{};
-    for (int l : {2, 3}) {
-      const std::size_t i = std::size_t(l - 2);
+    for (const std::size_t i : {0, 1}) {
+      const int l = degrees_[i];
       const double n = l * (l + 1), k = n - 2, u = x[i];
       force[i] = kappa * n * u + (has_free_order(model_) ? coupling * x[i + 2] : 0);
       without -= k * u * k * force[i] / drag(l);
       with -= k * u * k * kappa * u / drag(l);
     }
     const double s = -without / with;
-    for (int l : {2, 3}) {
-      const std::size_t i = std::size_t(l - 2);
+    for (const std::size_t i : {0, 1}) {
+      const int l = degrees_[i];
       const double n = l * (l + 1), k = n - 2;
       rate[i] = -k * (force[i] + kappa * s * x[i]) / drag(l);
       rate[i + 2] = has_free_order(model_)
@@ -86,6 +88,7 @@ class TwoModes {
   }
 
  private:
+  std::array<int, 2> degrees_;
   double order_stiffness() const {
     return 2 * m_.kappa_slope(1.) + m_.kappa_gauss_slope(1.)
          + m_.potential.slope(ceres::Jet<double, 1>(beta_, 0)).v[0];

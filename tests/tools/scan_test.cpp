@@ -44,7 +44,8 @@ TEST_F(Scan, of_shapes_that_are_symmetric_has_profiles_with_their_middle_at_0) {
     for (const auto& entry : std::filesystem::directory_iterator(path(method + "/points"))) {
       const std::string name = entry.path().filename().string();
       if (name.ends_with(".series.csv")) continue;
-      const std::vector<double> z = table(method + "/points/" + name).numbers("z");
+      const std::vector<double> z =
+          table(std::string(method).append("/points/").append(name)).numbers("z");
       const auto [low, high] = std::ranges::minmax(z);
       EXPECT_NEAR(low + high, 0, 1e-15) << name;
       EXPECT_NEAR(z.front() + z.back(), 0, 1e-6) << name;  // the poles lie as far on either side

@@ -7,6 +7,7 @@ find_package(Ceres 2.1 CONFIG REQUIRED)
 find_package(TBB CONFIG REQUIRED)
 find_package(tomlplusplus CONFIG REQUIRED)
 find_package(fmt CONFIG REQUIRED)
+find_package(muparser CONFIG REQUIRED)
 
 set(BLA_VENDOR OpenBLAS)
 find_package(LAPACK REQUIRED)

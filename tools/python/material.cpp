@@ -21,10 +21,11 @@ void for_each_number(Material& material, Visit&& visit) {
   });
 }
 
-std::array<std::pair<const char*, model::Polynomial*>, 3> polynomials_of(Material& material) {
+std::array<std::pair<const char*, model::Polynomial*>, 4> polynomials_of(Material& material) {
   return {{{"flexoelectric", &material.flexoelectric},
            {"kappa", &material.kappa_powers},
-           {"kappa_gauss", &material.kappa_gauss_powers}}};
+           {"kappa_gauss", &material.kappa_gauss_powers},
+           {"lipid_density", &material.lipid_density}}};
 }
 
 // A list of coefficients; what is wrong with it is said with the parameter's name.
@@ -116,7 +117,7 @@ Parameters are given by name, the others are those of the paper: L (one-constant
 L1, L2, L3), L1, L2, L3, potential (coefficients of the powers of the order), viscosity, immobility,
 friction_tangential, friction_normal, order_viscosity, residual_stiffness, spontaneous_curvature (of the
 sign of the trace H, -2 on the unit sphere), flexoelectric (coefficients of f(order) in f H), kappa and kappa_gauss (coefficients too, instead of those by the elastic constants),
-area_difference (of the two leaflets, {"stiffness": k_ad, "W2": of no strain}; an infinite stiffness is the bilayer couple), order ("relaxing", or with a mean_order "conserved" or "diffusive", then with an order_mobility). Raises ValueError for values that are not allowed.)");
+lipid_density (coefficients of n(order), lipids per area up to a factor), area_difference (of the two leaflets, {"stiffness": k_ad, "W2": of no strain}; an infinite stiffness is the bilayer couple), order ("relaxing", or with a mean_order "conserved" or "diffusive", then with an order_mobility). Raises ValueError for values that are not allowed.)");
   material.def(py::init([](const py::kwargs& values) { return changed({}, values); }))
       .def("replace", &changed, "The same with other values of the parameters that are named.")
       .def("to_dict", &dict_of, "All parameters by name.")
@@ -143,6 +144,10 @@ area_difference (of the two leaflets, {"stiffness": k_ad, "W2": of no strain}; a
   material.def_property_readonly(
       "flexoelectric", [](const Material& self) { return self.flexoelectric.coefficients(); },
       "Coefficients of the powers of the order in f.");
+  material.def_property_readonly(
+      "lipid_density", [](const Material& self) { return self.lipid_density.coefficients(); },
+      "Coefficients of the powers of the order in n, lipids per area; empty where the area is "
+      "kept.");
   material.def_property_readonly(
       "potential", [](const Material& self) { return self.potential.coefficients(); },
       "u(order), coefficients of its powers");

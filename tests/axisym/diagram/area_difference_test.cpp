@@ -101,6 +101,8 @@ TEST(AreaDifference, takes_away_no_more_than_one_direction) {
   const Trace found = trace(line, round(line, true, 48), with_elements(48), {.largest_m = 0});
   int more = 0;
   for (const TracePoint& p : found.points) {
+    // As the neck closes V_r comes to a stand, and an eigenvalue is zero to rounding.
+    if (std::abs(p.state.slope()) < 1e-7) continue;
     const double W2 = diagnose(bare(-3), p.state).W2;
     StationaryState s = p.state;
     s.moment = 3;

@@ -4,6 +4,7 @@
 #include "axisym/modes/eigenmodes.h"
 #include "axisym/stationary/continuation.h"
 #include "axisym/stationary/ssh_branch.h"
+#include "model/numerics/root.h"
 #include "model/order_step.h"
 #include "tests/axisym/cases.h"
 #include "tests/axisym/modes/states.h"
@@ -20,32 +21,58 @@ using namespace test;
 using model::Material;
 using model::Model;
 
+// What resists v along the normal and β̇, both with the harmonic l: along the surface goes a gradient with
+// Div_C V = (a'/a)β̇.
+Eigen::Matrix2d sphere_resistance(const Material& m, double order, double n) {
+  const auto resistance = [&](double v, double beta_dot) {
+    const double spread = -2 * v + m.expansion(order) * beta_dot;  // of the tangential part
+    const double along = spread * spread / n;
+    return m.friction_normal * v * v + m.friction_tangential * along
+         + 2 * m.eta(order) * (spread * spread - along + 2 * v * spread + 2 * v * v)
+         + m.order_drag(order) * beta_dot * beta_dot;
+  };
+  const double both = (resistance(1, 1) - resistance(1, -1)) / 4;
+  return Eigen::Matrix2d{{resistance(1, 0), both}, {both, resistance(0, 1)}};
+}
+
 // The rates of the harmonic l on a sphere under a tension: of shape and order together, where both are free.
 std::vector<double> sphere_rates(const Material& m, Model model, double order, double tension,
                                  int l) {
   const double n = l * (l + 1), bend = n - 2;
-  const double drag =
-      m.friction_normal + 4 * m.friction_tangential / n + 4 * m.eta(order) * bend / n;
   const double bending = bend * (m.kappa(order) * n + tension);
-  if (!has_free_order(model)) return l < 2 ? std::vector<double>{} : std::vector{-bending / drag};
+  const Eigen::Matrix2d resistance = sphere_resistance(m, order, n);
+  if (!has_free_order(model))
+    return l < 2 ? std::vector<double>{} : std::vector{-bending / resistance(0, 0)};
   const double curvature = (182.25 * order - 81) * order;                     // u″
   const double stiffening = 2 * m.kappa_slope(1.) + m.kappa_gauss_slope(1.);  // κ″H²/2 + κ_G″K
   const double ordering = m.l1() * n + stiffening + curvature;
-  if (l < 2) return {-ordering / m.order_drag()};  // the shape only moves as a whole, or not at all
+  if (l == 0) {  // the size does not change
+    if (m.has_lipid_density()) return {};
+    return {-ordering / m.order_drag()};
+  }
+  if (l == 1 && !m.has_lipid_density()) return {-ordering / m.order_drag()};
   const double coupling = (2 * m.kappa_slope(order) + m.kappa_gauss_slope(order)) * bend;
-  Eigen::Matrix2d form, resistance;
-  form << bending, coupling, coupling, ordering;
-  resistance << drag, 0, 0, m.order_drag();
+  const Eigen::Matrix2d form{{bending, coupling}, {coupling, ordering}};
   const Eigen::Vector2d lambda =
       Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::Matrix2d>(form, resistance).eigenvalues();
+  if (l == 1) return {-lambda[1]};  // the other one moves the whole
   return {-lambda[0], -lambda[1]};
+}
+
+// The order that rests there.
+double resting_order(const Material& m, double tension) {
+  if (!m.has_lipid_density()) return model::sphere_rest_order(m).value();
+  const auto force = [&](double beta) {
+    const double Sigma = (tension - m.potential.value(beta)) / m.packing(beta);
+    return model::order_force(m, beta, -2., 1.) + Sigma * m.packing_slope(beta);
+  };
+  return model::root_between(force, 0.5, 0.9).middle();
 }
 
 // The two largest rates of each m and parity, against those of all harmonics with it.
 void expect_sphere_rates(const Material& material, Model model, double accuracy) {
-  const double order =
-      has_free_order(model) ? model::sphere_rest_order(material).value() : model::full_order;
   const double tension = 0.07;
+  const double order = has_free_order(model) ? resting_order(material, tension) : model::full_order;
   const auto second =
       second_variation(material, model, sphere_at_rest(material, model, order, tension, 96));
   for (int m = 0; m <= 4; ++m) {
@@ -115,6 +142,15 @@ TEST(GrowthRates, of_the_sphere_know_unequal_moduli) {
   material.L2 = 0.02;
   material.L3 = 0.03;
   expect_sphere_rates(material, Model::SSH, 1e-8);
+  expect_sphere_rates(material, Model::SBEH, 1e-8);
+}
+
+TEST(GrowthRates, of_the_sphere_know_the_area_per_lipid) {
+  Material material;
+  material.lipid_density = model::Polynomial({1 / 1.3, 1.5 * (1 - 1 / 1.3)});
+  expect_sphere_rates(material, Model::SBEH, 1e-8);
+  material.order_viscosity = -0.5;
+  material.friction_tangential = 0.4;
   expect_sphere_rates(material, Model::SBEH, 1e-8);
 }
 

@@ -13,7 +13,7 @@ inline StationaryState sphere_at_rest(const model::Material& material, model::Mo
   StationaryState s = guess_from(
       material, model, {spheroid(1., 1., elements, 0.5), Field::Constant(3 * elements + 1, order)});
   s.H.setConstant(-2);
-  s.tension = tension - material.potential.value(order);
+  s.tension = (tension - material.potential.value(order)) / material.packing(order);
   s.pressure = 2 * tension;
   return s;
 }

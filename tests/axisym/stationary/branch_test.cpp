@@ -1,4 +1,5 @@
 // Branches of stationary states over the (V_r, L) plane: the grid of the paper, and the fold.
+#include "axisym/stationary/ssh_branch.h"
 #include "tests/axisym/cases.h"
 
 namespace sbeh::axisym {
@@ -186,6 +187,25 @@ TEST(Fold, is_approached_by_the_order_at_the_rim_like_a_square_root) {
     table.add(distance, diagnose({}, s).order_min - diagnose({}, fold.state).order_min);
   }
   EXPECT_NEAR(table.print(), 0.5, 0.05);
+}
+
+// Another branch is near this fold, to which a long step towards it would jump.
+TEST(Fold, is_the_same_from_wherever_its_branch_is_followed) {
+  Material material = paper_material(0.05);
+  material.flexoelectric = model::Polynomial({0, 0, 0.045});
+  SshBranch classical(Branch::prolate, material, {});
+  const auto ssh = classical.at(0.65);
+  ASSERT_TRUE(ssh && ssh->arrival == Arrival::reached);
+  const auto ordered = solve_at(material, Model::SBEH, {0.65, 0.05}, ssh->state,
+                                {.most_iterations = 30, .symmetric = true});
+  ASSERT_TRUE(ordered);
+  for (const double L : {0.08, 0.16}) {
+    const FollowResult begin = follow(material, Model::SBEH, *ordered, {0.65, L}, {});
+    ASSERT_EQ(begin.arrival, Arrival::reached);
+    const FollowResult end = follow(material, Model::SBEH, begin.state, {0.65, 4 * L}, {});
+    ASSERT_EQ(end.arrival, Arrival::fold) << L;
+    EXPECT_NEAR(end.state.at.L, 0.168005981, 1e-7) << L;  // 48 elements: 1e-8 of it
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 // against differences of the gradient, in every block of unknowns.
 #include "axisym/stationary/lagrangian.h"
 
+#include "axisym/lipids.h"
 #include "axisym/stationary/symmetry.h"
 #include "tests/axisym/cases.h"
 #include "tests/model/densely.h"
@@ -35,11 +36,11 @@ std::vector<NamedMaterial> materials() {
   Material conserved = general;
   conserved.order = model::OrderDynamics::conserved;
   conserved.mean_order = 0.4;
-  return {{"one constant", paper_material(0.05)},
-          {"unequal L, k0, H0, f", general},
-          {"potential of degree 5", cubic},
-          {"area difference", coupled},
-          {"conserved order", conserved}};
+  Material lipids = general;
+  lipids.lipid_density = model::Polynomial({0.8, 0.1, 0.4});
+  return {{"one constant", paper_material(0.05)}, {"lipid density", lipids},
+          {"unequal L, k0, H0, f", general},      {"potential of degree 5", cubic},
+          {"area difference", coupled},           {"conserved order", conserved}};
 }
 
 // No solution of anything: smooth fields that have nothing to do with each other.
@@ -73,10 +74,11 @@ double lagrangian(const Material& material, const StationaryState& s, const Node
       sum += shape.weight * density.energy;
       if (const auto& ad = material.area_difference; ad.is_there()) {
         const double c = s.moment;  // c (W₂ − W₂⁰) − c²A/(2π k_ad), but for the constant
-        sum += shape.weight * area_density(q) * (c * q[at_H] - c * c / (2 * pi * ad.stiffness));
+        sum += shape.weight * area_density(material, q)
+             * (c * q[at_H] - c * c / (2 * pi * ad.stiffness));
       }
       if (material.conserves_order())  // −μ_β ∫(β − β̄)dS
-        sum -= shape.weight * area_density(q) * s.chemical_potential
+        sum -= shape.weight * area_density(material, q) * s.chemical_potential
              * (q[at_beta] - *material.mean_order);
       for (int k = 0; k < 2; ++k) {
         const Field Lambda_k = s.Lambda.cwiseProduct(normals.row(k).transpose());
@@ -211,9 +213,25 @@ TEST(Lagrangian, knows_area_and_volume_and_their_gradients) {
   EXPECT_NEAR(L.constraints.col(1).dot(v), -dV, accuracy);
 }
 
+TEST(Lagrangian, knows_the_area_of_its_lipids_and_its_gradient) {
+  const Material material = materials()[1].material;
+  const StationaryState s = any_state();
+  const Nodes n = node_normals(s.X);
+  const LagrangianDerivatives L = assembled(material, s, n);
+  EXPECT_NEAR(L.area, lipid_area(material, s), 1e-13);
+  EXPECT_GT(std::abs(L.area - area(s.X)), 0.1);
+  for (const int block : {node_d, node_beta}) {
+    const Eigen::VectorXd v = random_direction(block, 5);
+    const double expected =
+        difference([&](double t) { return lipid_area(material, moved(s, n, v, t)); });
+    EXPECT_NEAR(L.constraints.col(0).dot(v), expected, accuracy);
+    EXPECT_GT(std::abs(expected), 0.01);
+  }
+}
+
 TEST(Lagrangian, knows_how_its_gradient_goes_with_the_moment) {
   for (const double stiffness : {1.2, std::numeric_limits<double>::infinity()}) {
-    Material material = materials()[1].material;
+    Material material = materials()[2].material;
     material.area_difference = {stiffness, -20};
     StationaryState s = any_state_in(material);
     const Nodes n = node_normals(s.X);
@@ -287,7 +305,7 @@ TEST(Lagrangian, at_exact_curvature_and_zero_multiplier_is_the_energy) {
   StationaryState s = any_state();
   s.tension = s.pressure = 0;
   s.Lambda.setZero();
-  const Material material = materials()[1].material;
+  const Material material = materials()[2].material;
   const Energy e = energy(material, s, s.H);
   // The same density with 6 and with 10 Gauss points per element.
   EXPECT_NEAR(lagrangian(material, s, node_normals(s.X)), e.total(), 1e-8 * std::abs(e.total()));

@@ -51,6 +51,26 @@ TEST(InitialOrder, is_the_same_on_a_surface_of_revolution) {
   EXPECT_NEAR(d.order_mean, 0.25, 1e-9);
 }
 
+TEST(InitialOrder, follows_a_formula) {
+  const std::string formula = "order_formula = \"0.35 + 0.25*tanh((z - 0.3)/0.2)\"\n",
+                    free = "[material]\nL = 0.02\n";
+  const auto start = start_of(run_with(formula, free));
+  const surface3d::State& state = start.moment.state;
+  for (const int i : {0, 7, 300})
+    EXPECT_NEAR(state.beta[i], 0.35 + 0.25 * std::tanh((state.X(2, i) - 0.3) / 0.2),
+                1e-8);  // the centre
+  const RelaxInput of_revolution =
+      read_relax(written("model = \"SBEH\"\ntime.end = 1\n[start]\nshape = \"ellipsoid\"\n"
+                         "reduced_volume = 0.8\norder_formula = \"theta < pi/2 ? 0.6 : r*z\"\n"
+                         + free));
+  const axisym::State curve = start_of(of_revolution).state;
+  EXPECT_EQ(curve.beta[0], 0.6);
+  const Eigen::Index near = curve.beta.size() - 4;
+  EXPECT_NEAR(curve.beta[near], curve.X(0, near) * curve.X(1, near), 1e-8);
+  EXPECT_EQ(read_relax(written(describe(of_revolution, "1"))).order_pattern,
+            of_revolution.order_pattern);
+}
+
 TEST(InitialOrder, has_the_noise_of_its_seed) {
   const auto order = [](int seed) {
     return start_of(run_with("order_noise = { amplitude = 0.05, seed = " + std::to_string(seed)
@@ -80,6 +100,11 @@ TEST(InitialOrder, that_is_wrong_is_refused) {
       {"order = 0.6\n", mean,
        "[surface] order: its mean is 0.6, far from mean_order = 0.25: leave order out"},
       {"domain_width = 0.1\n", mean, "domain_width = 0.1: needs domains"},
+      {"order_formula = \"0.3 +\"\n", mean, "[surface] order_formula = \"0.3 +\": Unexpected end"},
+      {"order_formula = \"0.3 + w\"\n", mean, "Known: x, y, z, r, theta, phi, pi and functions"},
+      {"order_formula = \"x\"\norder = 0.3\n", mean,
+       "order = 0.3: must not be given together with"},
+      {"order_formula = \"0.3*exp(5*x)\"\n", mean, "somewhere: must be in -1 ... 1"},
       {"domains = 3\n", mean, "domains = 3: must be a list of tables"},
       {"domains = [{ fraction = 1.5, order = 0.6 }]\n", mean, "domains.fraction = 1.5: must be"},
       {"domains = [{ fraction = 0.5, oder = 0.6 }]\n", mean, "domains.oder: unknown key"},

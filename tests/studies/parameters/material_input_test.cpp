@@ -33,6 +33,7 @@ TEST(Material, takes_every_parameter_of_its_own) {
       "L1 = 0.02\nL2 = 0.01\nL3 = -0.005\nviscosity = 2\nimmobility = 3\n"
       "friction_tangential = 0.2\nfriction_normal = 0.3\norder_viscosity = -0.5\n"
       "residual_stiffness = 0.01\nspontaneous_curvature = -1\nflexoelectric = [0.1, -2]\n"
+      "lipid_density = [1, 0.5]\n"
       "potential = [1, 0, -3, 0, 2, 0]\n");
   model::Material expected{
       .L1 = 0.02,
@@ -47,6 +48,7 @@ TEST(Material, takes_every_parameter_of_its_own) {
       .residual_stiffness = 0.01,
       .spontaneous_curvature = -1,
       .flexoelectric = model::Polynomial({0.1, -2}),
+      .lipid_density = model::Polynomial({1, 0.5}),
   };
   EXPECT_EQ(material, expected);
 }
@@ -116,7 +118,7 @@ TEST(Material, that_is_wrong_is_refused_with_line_key_and_value) {
        ":5: [material] viscocity: unknown key; did you mean 'viscosity'? Known: L2, L3, friction, "
        "potential, landau_de_gennes, viscosity, immobility, friction_tangential, friction_normal, "
        "order_viscosity, residual_stiffness, spontaneous_curvature, kappa, kappa_gauss, "
-       "flexoelectric, area_difference, order, mean_order, order_mobility"},
+       "flexoelectric, lipid_density, area_difference, order, mean_order, order_mobility"},
   };
   expect_messages(read_scan, small_scan + "[material]\n", in_scans);
   const std::vector<Case> in_evolutions{

@@ -89,7 +89,8 @@ TEST(StatesInput, that_is_wrong_is_refused_with_line_key_and_value) {
         "'flexoelectric_0', 'flexoelectric_1', 'flexoelectric_2', 'flexoelectric_3', "
         "'flexoelectric_4', 'kappa_0', 'kappa_1', 'kappa_2', 'kappa_3', 'kappa_4', "
         "'kappa_gauss_0', "
-        "'kappa_gauss_1', 'kappa_gauss_2', 'kappa_gauss_3', 'kappa_gauss_4'"},
+        "'kappa_gauss_1', 'kappa_gauss_2', 'kappa_gauss_3', 'kappa_gauss_4', 'lipid_density_0', "
+        "'lipid_density_1', 'lipid_density_2', 'lipid_density_3', 'lipid_density_4'"},
        {"[follow]\nparameter = 'kappa_2'\nto = 1",
         ":5: [follow] parameter = 'kappa_2': needs kappa in [material], where its way begins"},
        {"[follow]\nparameter = 'W2'\nto = 1",

@@ -4,6 +4,7 @@
 
 #include "model/numerics/quadrature.h"
 #include "surface3d/gaussian_energy.h"
+#include "surface3d/lipids.h"
 #include "tests/model/finite_difference.h"
 #include "tests/model/general_material.h"
 #include "tests/surface3d/cases.h"
@@ -53,6 +54,11 @@ Material with_areas() {
   material.area_difference = {.stiffness = 0.7, .W2 = -21};
   return material;
 }
+Material with_lipid_density() {
+  Material material = general_material();
+  material.lipid_density = model::Polynomial({0.8, 0.1, 0.4});
+  return material;
+}
 Material with_conserved_order() {
   Material material = with_areas();
   material.order = model::OrderDynamics::conserved;
@@ -73,19 +79,20 @@ double lagrangian(const Material& material, const Case& c, const StationaryState
   const model::AreaDifference& ad = material.area_difference;
   const double moment = s.moment,
                tension = s.tension - (ad.is_there() ? moment * moment * ad.compliance() / 2 : 0);
-  for_each_point(c.mesh, s.X, assembly_points(),
-                 [&](int e, const ShapeValues& shape, const SurfacePoint& p) {
-                   const ElementField beta = on_element(c.mesh, e, s.beta);
-                   const double H = value_at(on_element(c.mesh, e, s.H), shape);
-                   const auto density = model::energy_density(
-                       material, value_at(beta, shape), gradient_at(beta, p).squaredNorm(), H, 0.);
-                   const ElementNodes Lambda_e = on_element(c.mesh, e, Lambda);
-                   const double divergence =
-                       p.frame.leftCols<2>().cwiseProduct(gradient_at(Lambda_e, p)).sum();
-                   sum += p.dS
-                        * (density.total() + moment * H + tension - s.pressure * p.x.dot(p.nu()) / 3
-                           + H * p.nu().dot(value_at(Lambda_e, shape)) + divergence);
-                 });
+  for_each_point(
+      c.mesh, s.X, assembly_points(), [&](int e, const ShapeValues& shape, const SurfacePoint& p) {
+        const ElementField beta = on_element(c.mesh, e, s.beta);
+        const double H = value_at(on_element(c.mesh, e, s.H), shape);
+        const auto density = model::energy_density(material, value_at(beta, shape),
+                                                   gradient_at(beta, p).squaredNorm(), H, 0.);
+        const ElementNodes Lambda_e = on_element(c.mesh, e, Lambda);
+        const double divergence =
+            p.frame.leftCols<2>().cwiseProduct(gradient_at(Lambda_e, p)).sum();
+        sum += p.dS
+             * (density.total() + moment * H + tension * material.packing(value_at(beta, shape))
+                - s.pressure * p.x.dot(p.nu()) / 3 + H * p.nu().dot(value_at(Lambda_e, shape))
+                + divergence);
+      });
   return sum;
 }
 
@@ -124,7 +131,8 @@ LagrangianDerivatives assembled(const Material& material, const StationaryLayout
 }
 
 TEST(Lagrangian3d, gradient_is_the_difference_of_the_value_in_every_block) {
-  for (const Material& material : {paper_material(0.05), general_material(), with_areas()}) {
+  for (const Material& material :
+       {paper_material(0.05), general_material(), with_areas(), with_lipid_density()}) {
     const Case c = any_case(material);
     const StationaryLayout layout(c.mesh, Model::SBEH);
     const LagrangianDerivatives L = assembled(material, layout, c, c.state);
@@ -142,7 +150,8 @@ TEST(Lagrangian3d, gradient_is_the_difference_of_the_value_in_every_block) {
 }
 
 TEST(Lagrangian3d, hessian_is_the_difference_of_the_gradient_in_every_block) {
-  for (const Material& material : {paper_material(0.05), general_material(), with_areas()}) {
+  for (const Material& material :
+       {paper_material(0.05), general_material(), with_areas(), with_lipid_density()}) {
     const Case c = any_case(material);
     const StationaryLayout layout(c.mesh, Model::SBEH);
     const LagrangianDerivatives L = assembled(material, layout, c, c.state);
@@ -217,6 +226,22 @@ TEST(Lagrangian3d, knows_area_and_volume_and_their_gradients) {
               accuracy);
   EXPECT_NEAR(L.constraints.col(1).dot(v), -difference([&](double t) { return after(t).volume; }),
               accuracy);
+}
+
+TEST(Lagrangian3d, knows_the_area_of_its_lipids_and_its_gradient) {
+  const Case c = any_case();
+  const Material material = with_lipid_density();
+  const StationaryLayout layout(c.mesh, Model::SBEH);
+  const LagrangianDerivatives L = assembled(material, layout, c, c.state);
+  EXPECT_NEAR(L.area, lipids_and_volume(c.mesh, material, c.state).area, 1e-6);
+  EXPECT_GT(std::abs(L.area - area(c.mesh, c.state.X)), 0.1);
+  for (const NodeUnknown block : {node_d, node_beta}) {
+    const Eigen::VectorXd v = random_direction(layout, block, 5);
+    const double expected = difference(
+        [&](double t) { return assembled(material, layout, c, moved(c, layout, v, t)).area; });
+    EXPECT_NEAR(L.constraints.col(0).dot(v), expected, accuracy);
+    EXPECT_GT(std::abs(expected), 1e-3);
+  }
 }
 
 TEST(Lagrangian3d, knows_what_the_moment_is_the_multiplier_of) {

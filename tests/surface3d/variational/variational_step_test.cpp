@@ -36,7 +36,7 @@ TEST(VariationalStep, has_half_the_dissipation_of_any_motion) {
   const Curvature curvature = curvature_of(*s.mesh, s.state.X).value();
   const auto tangents = node_tangents(curvature.node_normals);
   const Nodes Y = 0.01 * tangents[0] * some(s.mesh->nodes).asDiagonal();
-  const StepLayout layout(*s.mesh, Model::SBEH);
+  const StepLayout layout(*s.mesh, material, Model::SBEH);
   StepResistance form;
   assemble(material, layout, {s.state, curvature, tangents, Y, tau}, form);
 
