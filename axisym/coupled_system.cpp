@@ -257,7 +257,8 @@ bool CoupledSystem::solve_with(const Eigen::VectorXd& rhs, StepFields& out) cons
 
 bool CoupledSystem::prepare(const State& old, const Field& H, const std::optional<Target>& target,
                             double tau) {
-  const double A = area(old.X), V = volume(old.X), lipids = lipid_area(material_, old);
+  const double A = area(old.X), V = volume(old.X);
+  const double lipids = material_.has_lipid_density() ? lipid_area(material_, old) : A;
   const Target wanted = target.value_or(Target{lipids, V});
   X_ = old.X;
   tau_ = tau;

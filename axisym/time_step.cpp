@@ -72,14 +72,16 @@ FlowStep TimeStepper::step(const State& old, const std::optional<Target>& target
   if (!coupled_.prepare(old, H, target, tau)) return result;
   const std::optional<double> total = target ? target->order : std::nullopt;
   Field lipids = Field::Zero(2 * element_count(old.X) + 1);  // what (P1) has of the order
-  const auto load = [&](const Field& of_order) -> Field {
+  const auto advance = [&](const Field& of_order) {
     result.state = once(old, H, of_order, total, tau);
-    if (result.state.beta.size() == 0) return {};
-    return lipids_of(old, result.state.beta, tau);
+    return result.state.beta.size() > 0;
   };
   // The order moves the lipids, and their pressure the order.
-  if (material_.has_lipid_density() ? !model::find_fixed_point(load, together(tau), lipids)
-                                    : load(lipids).size() == 0)
+  const auto load = [&](const Field& of_order) -> Field {
+    return advance(of_order) ? lipids_of(old, result.state.beta, tau) : Field();
+  };
+  if (!(material_.has_lipid_density() ? model::find_fixed_point(load, together(tau), lipids)
+                                      : advance(lipids)))
     return result;
   const Nodes slip = fields_.V - fields_.Y / tau;
   result.dissipation = dissipation_of(material_, old, fields_, slip, result.state.beta, tau);
