@@ -1,0 +1,133 @@
+// Vesicles of two domains by shooting: what is known of them without shooting.
+#include "tests/axisym/shooting/two_domains.h"
+
+#include "axisym/shooting/seifert_shooting.h"
+#include "model/numerics/root.h"
+#include "tests/order_table.h"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <numbers>
+
+namespace sbeh::axisym::shooting {
+namespace {
+
+using sbeh::test::OrderTable;
+using std::numbers::pi;
+
+// A soft cap.
+constexpr TwoDomains soft{.fraction = 0.2,
+                          .kappa_a = 0.2,
+                          .kappa_b = 1,
+                          .gauss_jump = 0.3,
+                          .line_tension = 3,
+                          .reduced_volume = 0.85};
+
+TEST(TwoDomains, that_do_not_differ_are_the_prolate) {
+  for (const double V : {0.95, 0.8}) {
+    const ClassicalShape prolate = shoot_branch(Branch::prolate, std::array{V}).front();
+    const TwoDomainVesicle v = open_vesicle({.fraction = 0.3, .reduced_volume = V});
+    EXPECT_NEAR(v.energy, 8 * pi * prolate.energy, 1e-9);
+    EXPECT_NEAR(v.pressure, prolate.pressure, 1e-9);
+    EXPECT_NEAR(v.tension_a, prolate.tension, 1e-9);
+    EXPECT_NEAR(v.tension_b, prolate.tension, 1e-9);
+  }
+}
+
+// Only the line tension has an energy that goes with the size.
+TEST(TwoDomains, fulfil_the_virial_theorem) {
+  const TwoDomainVesicle v = open_vesicle(soft);
+  const double A = 4 * pi, x = soft.fraction, V = 4 * pi / 3 * soft.reduced_volume,
+               length = 2 * pi * v.interface_radius;
+  EXPECT_NEAR(2 * A * (x * v.tension_a + (1 - x) * v.tension_b) + soft.line_tension * length,
+              3 * v.pressure * V, 1e-8);
+}
+
+// ∂U/∂V = P, ∂U/∂A_i = −Σ_i, ∂U/∂λ = the length of the interface, ∂U/∂Δ = ∫_a K dS.
+TEST(TwoDomains, change_their_energy_by_what_is_conjugate) {
+  const TwoDomainVesicle v = open_vesicle(soft);
+  const struct {
+    const char* name;
+    double TwoDomains::*parameter;
+    double expected;
+  } cases[] = {
+      {"V_r", &TwoDomains::reduced_volume, 4 * pi / 3 * v.pressure},
+      {"fraction", &TwoDomains::fraction, 4 * pi * (v.tension_b - v.tension_a)},
+      {"line tension", &TwoDomains::line_tension, 2 * pi * v.interface_radius},
+      {"jump of kappa_G", &TwoDomains::gauss_jump, 2 * pi * (1 - std::cos(v.interface_angle))}};
+  for (const auto& c : cases) {
+    const auto energy = [&](double change) {
+      TwoDomains of = soft;
+      of.*c.parameter += change;
+      return open_vesicle(of).energy;
+    };
+    constexpr double h = 2e-3;
+    const double near = (energy(h) - energy(-h)) / (2 * h),
+                 far = (energy(2 * h) - energy(-2 * h)) / (4 * h);
+    // What is left is of fourth order: a small part of the difference of both.
+    EXPECT_NEAR((4 * near - far) / 3, c.expected, 1e-2 * std::abs(near - far) + 1e-8) << c.name;
+  }
+}
+
+// The radius of the circle in which two spherical caps of these areas and this volume meet.
+double circle_of_caps(double fraction, double reduced_volume) {
+  const auto missing = [&](double radius) {
+    double volume = 0;
+    for (const double area : {4 * pi * fraction, 4 * pi * (1 - fraction)}) {
+      const double h = std::sqrt(area / pi - radius * radius);
+      volume += pi * h * (3 * radius * radius + h * h) / 6;
+    }
+    return volume - 4 * pi / 3 * reduced_volume;
+  };
+  return model::root_between(missing, 0, std::sqrt(2 * fraction)).middle();
+}
+
+// Bending rounds the kink between them over a width that falls with the root of κ over the tension.
+TEST(TwoDomains, become_two_caps_as_the_line_tension_grows) {
+  OrderTable table("radius of the interface, from that of two spherical caps", "1/lambda");
+  const double circle = circle_of_caps(soft.fraction, 0.95);
+  for (const double lambda : {6., 12., 24.})
+    table.add(1 / lambda, open_vesicle({.fraction = soft.fraction,
+                                        .kappa_a = soft.kappa_a,
+                                        .line_tension = lambda,
+                                        .reduced_volume = 0.95})
+                                      .interface_radius
+                                  / circle
+                              - 1);
+  EXPECT_GT(table.print(), 0.5);
+}
+
+// Of V_r = x^1.5 + (1 − x)^1.5. Of all shapes with these areas and this circle between them the caps have the largest volume, which exceeds
+// that of the spheres by the second power of the circle.
+TEST(TwoDomains, become_two_spheres_as_the_neck_closes) {
+  TwoDomains of = soft;
+  of.gauss_jump = 0;
+  of.line_tension = 4;
+  const double x = of.fraction, limit = std::pow(x, 1.5) + std::pow(1 - x, 1.5);
+  OrderTable table("V_r, from that of two spheres", "neck");
+  for (const double above : {16e-3, 8e-3, 4e-3, 2e-3}) {
+    of.reduced_volume = limit + above;
+    const TwoDomainVesicle v = open_vesicle(of);
+    ASSERT_FALSE(v.is_fold);
+    EXPECT_GT(v.interface_radius, circle_of_caps(x, of.reduced_volume));
+    table.add(v.neck_radius, above);
+  }
+  EXPECT_GT(table.print(), 2);
+}
+
+TEST(TwoDomains, bud_at_a_fold_for_a_line_tension_between) {
+  const auto towards = [](double lambda) {
+    return open_vesicle(
+        {.fraction = 0.2, .kappa_a = 0.2, .line_tension = lambda, .reduced_volume = 0.8});
+  };
+  EXPECT_FALSE(towards(2).is_fold);  // an open neck
+  const TwoDomainVesicle fold = towards(2.6);
+  EXPECT_TRUE(fold.is_fold);
+  EXPECT_GT(fold.neck_radius, 0.1);
+  EXPECT_LT(fold.reduced_volume, std::pow(0.2, 1.5) + std::pow(0.8, 1.5));
+}
+
+}  // namespace
+}  // namespace sbeh::axisym::shooting
