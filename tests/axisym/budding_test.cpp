@@ -48,8 +48,10 @@ State prolate_with_a_cap(const Material& material, double width, int elements) {
   for (Eigen::Index i = 0; i < s.beta.size(); ++i)
     s.beta[i] = (poor + rich) / 2 - gap / 2 * std::tanh((s.X(1, i) - height) / width);
   s.beta.array() += *material.mean_order - diagnose(material, s).order_mean;
-  return run_flow(material, Model::SBEH, s, target_of(0.95), with_elements(elements),
-                  {.end_time = 0.05, .output_times = {}})
+  Numerics numerics = with_elements(elements);
+  numerics.tolerance = 1e-3;
+  return run_flow(material, Model::SBEH, s, target_of(0.95), numerics,
+                  {.end_time = 0.02, .output_times = {}})
       .state;
 }
 

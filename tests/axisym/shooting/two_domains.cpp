@@ -20,7 +20,7 @@ namespace {
 
 using std::numbers::pi;
 
-constexpr double multiplier_unit = 10;
+constexpr double multiplier_unit = 10, first_volume = 0.95;
 
 // What is solved for: H at the poles, lengths, Σ_i/κ_i and P, these in multiplier_unit; and μ, where on the line.
 struct Of {
@@ -270,18 +270,25 @@ TwoDomainVesicle measured(const DomainLine& line, const OnBranch& at) {
 
 }  // namespace
 
+TwoDomainVesicle vesicle_along(std::span<const TwoDomains> way) {
+  TwoDomains from{.fraction = way.front().fraction, .reduced_volume = first_volume};
+  Shape at = uniform_prolate(from.fraction, first_volume);
+  for (const TwoDomains& to : way) {
+    const DomainLine line{from, to};
+    const OnBranch end = follow(line, at);
+    if (&to == &way.back()) return measured(line, end);
+    if (end.parameter() < 1) throw std::runtime_error("two domains: a fold on the way");
+    at = end;
+    at.y[Of::mu] = 0;
+    from = to;
+  }
+  throw std::invalid_argument("two domains: no way");
+}
+
 TwoDomainVesicle open_vesicle(const TwoDomains& of) {
-  constexpr double first_volume = 0.95;
-  const TwoDomains uniform{.fraction = of.fraction, .reduced_volume = first_volume};
   TwoDomains first = of;
   first.reduced_volume = first_volume;
-  OnBranch at = follow({uniform, first}, uniform_prolate(of.fraction, first_volume));
-  if (at.parameter() < 1)
-    throw std::runtime_error("two domains: a fold on the way to these domains");
-  const DomainLine line{first, of};
-  if (of.reduced_volume == first_volume) return measured({of, of}, at);
-  at.y[Of::mu] = 0;
-  return measured(line, follow(line, at));
+  return vesicle_along(std::array{first, of});
 }
 
 }  // namespace sbeh::axisym::shooting

@@ -15,6 +15,8 @@
 //   ψ_a + ψ_b = π,   X_a = X_b,   A_a = 4πx,   A_b = 4π(1 − x),   V_a + V_b = (4π/3) V_r.
 #pragma once
 
+#include <span>
+
 namespace sbeh::axisym::shooting {
 
 /// Lengths in radii of the sphere of the same area.
@@ -39,8 +41,12 @@ struct TwoDomainVesicle {
       neck_offset;  ///< arc length from there to the interface, > 0 where that lies towards the pole of b
 };
 
-/// Where this path leads: the prolate of V_r = 0.95 whose domains do not differ; these as asked for; V_r, to the value asked for or to
-/// the fold before it. Throws std::runtime_error where shooting cannot follow.
+/// Where a path leads: from the prolate of V_r = 0.95 whose domains do not differ, but have the fraction of the first, to each of
+/// these by straight lines. On the last only V_r changes; where it has a fold, that is the result. Throws std::runtime_error where
+/// another has one, and where shooting cannot follow: to narrow necks under a large pressure.
+TwoDomainVesicle vesicle_along(std::span<const TwoDomains> way);
+
+/// That by the way of these domains at V_r = 0.95.
 TwoDomainVesicle open_vesicle(const TwoDomains& of);
 
 }  // namespace sbeh::axisym::shooting
