@@ -99,22 +99,32 @@ TEST(TwoDomains, become_two_caps_as_the_line_tension_grows) {
   EXPECT_GT(table.print(), 0.5);
 }
 
-// V_r = x^1.5 + (1 − x)^1.5, U = 8π(κ_a + κ_b), from the side of the bud: its neck is open at smaller volumes, and closes as they grow.
+// The line tension at which the soft cap buds at a fold, and the volume of two spheres.
+constexpr double folding = 2.6;
+double volume_of_spheres(double x) { return std::pow(x, 1.5) + std::pow(1 - x, 1.5); }
+
+// The bud at this V_r, by way of a line tension with which the neck stays open.
+TwoDomainVesicle bud(double reduced_volume) {
+  const TwoDomains open{
+      .fraction = 0.2, .kappa_a = 0.2, .line_tension = 2.4, .reduced_volume = 0.95};
+  TwoDomains deflated = open;
+  deflated.reduced_volume = 0.785;
+  TwoDomains tight = deflated;
+  tight.line_tension = folding;
+  TwoDomains of = tight;
+  of.reduced_volume = reduced_volume;
+  return vesicle_along(std::array{open, deflated, tight, of});
+}
+
+// V_r = x^1.5 + (1 − x)^1.5, U = 8π(κ_a + κ_b). The neck of the bud is open at smaller volumes.
 TEST(TwoDomains, become_two_spheres_as_the_neck_closes) {
-  TwoDomains weak{.fraction = 0.2, .kappa_a = 0.2, .line_tension = 2.4, .reduced_volume = 0.95};
-  TwoDomains deflated = weak, bud = weak;
-  deflated.reduced_volume = bud.reduced_volume = 0.785;
-  bud.line_tension = 2.6;
-  TwoDomains of = bud;
-  const double x = of.fraction, limit = std::pow(x, 1.5) + std::pow(1 - x, 1.5);
   OrderTable volumes("V_r, from that of two spheres", "neck"),
       energies("energy, from that of two spheres", "neck");
   for (const double below : {8e-4, 4e-4, 2e-4, 1e-4, 5e-5}) {
-    of.reduced_volume = limit - below;
-    const TwoDomainVesicle v = vesicle_along(std::array{weak, deflated, bud, of});
+    const TwoDomainVesicle v = bud(volume_of_spheres(0.2) - below);
     ASSERT_FALSE(v.is_fold);
     volumes.add(v.neck_radius, below);
-    energies.add(v.neck_radius, v.energy - 8 * pi * (of.kappa_a + of.kappa_b));
+    energies.add(v.neck_radius, v.energy - 8 * pi * (0.2 + 1));
   }
   // a² and a, with logarithms of a.
   EXPECT_GT(volumes.print(), 1.5);
@@ -127,10 +137,13 @@ TEST(TwoDomains, bud_at_a_fold_for_a_line_tension_between) {
         {.fraction = 0.2, .kappa_a = 0.2, .line_tension = lambda, .reduced_volume = 0.8});
   };
   EXPECT_FALSE(towards(2).is_fold);  // an open neck
-  const TwoDomainVesicle fold = towards(2.6);
-  EXPECT_TRUE(fold.is_fold);
-  EXPECT_GT(fold.neck_radius, 0.1);
-  EXPECT_LT(fold.reduced_volume, std::pow(0.2, 1.5) + std::pow(0.8, 1.5));
+  const TwoDomainVesicle fold = towards(folding);
+  ASSERT_TRUE(fold.is_fold);
+  EXPECT_LT(fold.reduced_volume, volume_of_spheres(0.2));
+  const TwoDomainVesicle beyond = bud(fold.reduced_volume);
+  std::printf("neck %.4f at the fold, %.4f of the bud\n", fold.neck_radius, beyond.neck_radius);
+  EXPECT_LT(beyond.neck_radius, fold.neck_radius / 2);
+  EXPECT_LT(beyond.energy, fold.energy);
 }
 
 }  // namespace
