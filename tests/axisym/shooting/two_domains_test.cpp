@@ -9,6 +9,7 @@
 
 #include <array>
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 namespace sbeh::axisym::shooting {
