@@ -115,10 +115,12 @@ OrderPattern read_order_pattern(const TomlTable& start, bool of_revolution) {
   if (start.has("domains"))
     for (const TomlTable& domain : start.tables("domains"))
       pattern.caps.push_back(read_cap(domain, of_revolution));
-  if (pattern.caps.empty())
+  if (pattern.caps.empty()) {
+    if (start.has("domain_width")) start.refuse_misspelt({"domains"});
     start.refuse("domain_width", "needs domains");
-  else
+  } else {
     pattern.width = start.number("domain_width", above(0), pattern.width);
+  }
   if (of_revolution) return pattern;
   if (start.has("order_modes")) pattern.modes = start.harmonics("order_modes", largest_degree);
   if (start.has("order_noise")) {

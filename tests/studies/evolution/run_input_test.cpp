@@ -212,8 +212,8 @@ TEST(RunInput, with_a_wrong_surface_is_refused_with_line_key_and_value) {
       {"triangles = 200001", ":6: [surface] triangles = 200001: must be >= 20 and <= 200000"},
       {"triangle = 80",
        ":6: [surface] triangle: unknown key; did you mean 'triangles'? Known: shape, axes, "
-       "reduced_volume, kind, triangles, order, order_formula, domains, order_modes, order_noise, "
-       "perturbation, "
+       "reduced_volume, kind, triangles, order, order_formula, domains, domain_width, order_modes, "
+       "order_noise, perturbation, "
        "symmetry, keep_symmetry"},
       {"order = 'a'", ":6: [surface] order = 'a': must be a number"},
       {"order = -0.1", ":6: [surface] order = -0.1: must be >= 0 and <= 1"},

@@ -250,7 +250,7 @@ TEST(RelaxInput, with_a_wrong_start_is_refused_with_line_key_and_value) {
        ":4: [start] order = 0.5: belongs to shape = 'ellipsoid' and 'harmonics', not to 'scan'"},
       {"'ellipsoid'\nreduced_volume = 0.7\nknid = 'prolate'",
        ":5: [start] knid: unknown key; did you mean 'kind'? Known: shape, axes, reduced_volume, "
-       "kind, order, order_formula, domains, perturbation"},
+       "kind, order, order_formula, domains, domain_width, perturbation"},
       {"'harmonics'", ":2: [start] modes: missing; " + pairs},
       {"'harmonics'\nmodes = []", ":4: [start] modes = []: must not be empty"},
       {"'harmonics'\nmodes = [2, 0.1]", ":4: [start] modes = 2: " + pairs},
