@@ -12,20 +12,22 @@ meshing::ClosestPoint points_of(const surface3d::Triangulation& mesh, const surf
 
 const RestStart& CoarserTriangles::at(const std::shared_ptr<const surface3d::Triangulation>& mesh,
                                       const surface3d::State& state,
-                                      const model::Material& material) {
+                                      const model::Material& material, model::Model model) {
   if (mesh != fine_) {
     fine_ = mesh;
-    make(state, material);
+    make(state, material, model);
   } else if (start_.mesh) {
     carry(state);
   }
   return start_;
 }
 
-void CoarserTriangles::make(const surface3d::State& state, const model::Material& material) {
+void CoarserTriangles::make(const surface3d::State& state, const model::Material& material,
+                            model::Model model) {
   places_.clear();
   start_ = remeshed_start(*fine_, state, material, fine_->count() / 4);
   if (!start_.mesh) return;
+  start_.system = std::make_shared<surface3d::NewtonSystem>(*start_.mesh, material, model);
   const meshing::ClosestPoint closest = points_of(*fine_, state.X);
   for (const auto x : start_.state.X.colwise()) places_.push_back(closest(x));
 }

@@ -15,10 +15,11 @@ class CoarserTriangles {
  public:
   /// A start on them. They are made anew where the mesh is another one than before.
   const RestStart& at(const std::shared_ptr<const surface3d::Triangulation>& mesh,
-                      const surface3d::State& state, const model::Material& material);
+                      const surface3d::State& state, const model::Material& material,
+                      model::Model model);
 
  private:
-  void make(const surface3d::State& state, const model::Material& material);
+  void make(const surface3d::State& state, const model::Material& material, model::Model model);
   void carry(const surface3d::State& state);
 
   std::shared_ptr<const surface3d::Triangulation> fine_;

@@ -69,7 +69,7 @@ class Branches {
 
  private:
   bool take(RestPoint kind, const PathPoint& point) {
-    return take_({count_, kind, from_, point, mesh_}).empty() && !interrupt_signal();
+    return take_({count_, kind, from_, point, mesh_, path_.system}).empty() && !interrupt_signal();
   }
 
   void follow(const Begin& begin) {
@@ -106,7 +106,10 @@ class Branches {
       if (next->negative_directions > input_.follow->most_negative) return;
       ++states;
       triangles = mesh_->count();
+      at.before.reset();
+      const auto before = std::make_shared<const PathPoint>(std::move(at));
       at = *next;
+      at.before = before;
       ds = std::min(1.5 * ds, longest);
     }
   }

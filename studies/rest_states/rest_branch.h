@@ -18,6 +18,7 @@ struct FoundState {
   int from;  ///< number of the state at which its path leaves, or near which it is found; 0: none
   const surface3d::PathSolution& point;
   std::shared_ptr<const surface3d::Triangulation> mesh;
+  std::shared_ptr<surface3d::NewtonSystem> system{};  ///< of the mesh, where there is one
 };
 /// Takes the states one after the other; returns why a path must not be followed any further, empty where it may.
 using TakeState = std::function<std::string(const FoundState&)>;

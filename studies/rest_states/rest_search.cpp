@@ -71,7 +71,7 @@ class Search {
   void keep(const Mesh& mesh, PathSolution state, int from) {
     known_.push_back(marks_of(*mesh, state));
     const Found found{number_(), mesh, std::move(state)};
-    take_({1, RestPoint::step, from, found.state, found.mesh});
+    take_({1, RestPoint::step, from, found.state, found.mesh, {}});
     waiting_.push_back(found);
   }
 

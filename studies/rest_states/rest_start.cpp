@@ -13,7 +13,7 @@ namespace sbeh::studies {
 
 namespace {
 
-RestStart failed(std::string why) { return {{}, {}, std::move(why)}; }
+RestStart failed(std::string why) { return {{}, {}, std::move(why), {}}; }
 
 RestStart revolved(const StatesInput& input, const axisym::State& profile, int triangles) {
   meshing::RevolvedMesh made =
@@ -24,7 +24,7 @@ RestStart revolved(const StatesInput& input, const axisym::State& profile, int t
     throw std::invalid_argument(fmt::format("[states] perturbation: {}", error.what()));
   }
   auto mesh = std::make_shared<const surface3d::Triangulation>(made.mesh);
-  return {std::move(mesh), {made.mesh.nodes, made.beta}};
+  return {std::move(mesh), {made.mesh.nodes, made.beta}, {}, {}};
 }
 
 RestStart from_branch(const StatesInput& input, const axisym::PlanePoint& at, int triangles) {
@@ -59,7 +59,7 @@ RestStart from_file(const StatesInput& input, const axisym::PlanePoint& at, int 
   else
     run.start = MeshFileStart{input.file};
   const FlowMoment moment = start_of(run).moment;
-  if (triangles == 0) return {moment.mesh, moment.state};
+  if (triangles == 0) return {moment.mesh, moment.state, {}, {}};
   return remeshed_start(*moment.mesh, moment.state, run.material, triangles);
 }
 
@@ -70,7 +70,7 @@ RestStart remeshed_start(const surface3d::Triangulation& mesh, const surface3d::
   if (triangles < meshing::fewest_triangles) return failed("there are too few triangles");
   auto made = surface3d::remesh(mesh, state, material,
                                 {.triangles = triangles, .largest_energy_change = 1});
-  return {made.mesh, made.state, made.refusal};
+  return {made.mesh, made.state, made.refusal, {}};
 }
 
 RestStart coarser_start(const StatesInput& input, const axisym::PlanePoint& at, int triangles) {

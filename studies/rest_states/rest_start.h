@@ -2,7 +2,7 @@
 #pragma once
 
 #include "studies/rest_states/states_input.h"
-#include "surface3d/surface.h"
+#include "surface3d/stationary/newton_system.h"
 
 #include <memory>
 #include <string>
@@ -13,6 +13,8 @@ struct RestStart {
   std::shared_ptr<const surface3d::Triangulation> mesh;  ///< none where there is no start
   surface3d::State state;
   std::string failure{};  ///< why there is none
+  /// Of these triangles and of any material, where there is one already: another one must order its unknowns anew.
+  std::shared_ptr<surface3d::NewtonSystem> system{};
 };
 
 /// With about so many triangles; 0: as many as the file has, or as the input says. A file's own triangles are made anew for

@@ -103,18 +103,22 @@ std::string doubt_about(const SeenState& seen, const RestMeasures& measures) {
 
 }  // namespace
 
-RestState rest_state_from(const StatesInput& input, const axisym::PlanePoint& at,
+namespace {
+
+// But for the system, which is linearised nearby.
+RestState rest_state_near(const StatesInput& input, const axisym::PlanePoint& at,
                           const RestStart& start) {
   RestState result{.mesh = start.mesh, .failure = start.failure};
   if (!start.mesh) return result;
   const model::Material material = input.material.with_L1(at.L);
-  result.system = std::make_unique<surface3d::NewtonSystem>(*start.mesh, material, input.model);
+  result.system = start.system
+                    ? start.system
+                    : std::make_shared<surface3d::NewtonSystem>(*start.mesh, material, input.model);
+  result.system->set_material(material);
   auto found = surface3d::solve_stationary(
       *result.system, axisym::target_of(at.reduced_volume),
-      surface3d::guess_from(*start.mesh, material, input.model, start.state));
-  if (found.status == NewtonStatus::converged
-      && !result.system->linearise(found.state, found.normals))
-    found.status = NewtonStatus::singular;
+      surface3d::guess_from(*start.mesh, material, input.model, start.state),
+      {.keeps_factors = true});
   if (found.status != NewtonStatus::converged) {
     result.failure = why(found.status);
     return result;
@@ -122,6 +126,16 @@ RestState rest_state_from(const StatesInput& input, const axisym::PlanePoint& at
   result.moved = (found.state.X - start.state.X).colwise().norm().maxCoeff();
   result.state = std::move(found.state);
   result.normals = std::move(found.normals);
+  return result;
+}
+
+}  // namespace
+
+RestState rest_state_from(const StatesInput& input, const axisym::PlanePoint& at,
+                          const RestStart& start) {
+  RestState result = rest_state_near(input, at, start);
+  if (result.failure.empty() && !result.system->linearise(result.state, result.normals))
+    result.failure = why(NewtonStatus::singular);
   return result;
 }
 
@@ -180,7 +194,8 @@ RestRow row_at(const StatesInput& input, const StatePlace& place) {
 double energy_error(const StatesInput& input, const RestRow& row, const RestStart& coarser,
                     bool on_path) {
   const axisym::PlanePoint at{row.reduced_volume, row.L};
-  const RestState other = rest_state_from(input, at, coarser);
+  const RestState other =
+      on_path ? rest_state_near(input, at, coarser) : rest_state_from(input, at, coarser);
   if (!other.failure.empty() || !row.measures) return not_known;
   // Near a branching point the energies of two branches differ by the fourth power of their distance.
   const bool same = on_path

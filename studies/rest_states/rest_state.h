@@ -16,7 +16,7 @@ struct RestState {
   std::shared_ptr<const surface3d::Triangulation> mesh;
   surface3d::StationaryState state{};
   surface3d::Nodes normals{};
-  std::unique_ptr<surface3d::NewtonSystem> system{};
+  std::shared_ptr<surface3d::NewtonSystem> system{};
   double moved = 0;       ///< largest distance of a node from where it started
   std::string failure{};  ///< why there is none
 };

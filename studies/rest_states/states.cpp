@@ -53,7 +53,7 @@ class RowsInOrder {
                              input_.follow->parameter, value));
     const model::Material material = here.material.with_L1(at.L);
     // Also of states that are there: an interruption changes nothing of what comes after it.
-    const RestStart& coarser = coarser_.at(found.mesh, found.point, material);
+    const RestStart& coarser = coarser_.at(found.mesh, found.point, material, input_.model);
     const int number = number_++;
     if (const RestRow* there = table_.find(number)) return doubt(*there);
     RestRow row = row_at(here, {number, at});
@@ -62,9 +62,12 @@ class RowsInOrder {
     row.point = found.kind;
     if (found.from > 0) row.from = found.from;
     const surface3d::Triangulation& mesh = *found.mesh;
-    surface3d::NewtonSystem system(mesh, material, input_.model);
-    if (system.linearise(found.point, found.point.normals, {{}, found.point.phase})) {
-      measure(here, {system, found.mesh, found.point, found.point.normals, at}, folder_.path(),
+    const auto system = found.system
+                          ? found.system
+                          : std::make_shared<surface3d::NewtonSystem>(mesh, material, input_.model);
+    system->set_material(material);
+    if (system->linearise(found.point, found.point.normals, {{}, found.point.phase})) {
+      measure(here, {*system, found.mesh, found.point, found.point.normals, at}, folder_.path(),
               row);
       if (!interrupt_signal()) row.energy_error = energy_error(here, row, coarser, true);
       for (const int share : {4, 2})

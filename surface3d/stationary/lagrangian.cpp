@@ -20,15 +20,19 @@ struct GradientSums {
   template <std::size_t N>
   using Number = ceres::Jet<double, int(N)>;
 
-  Eigen::Matrix<double, element_unknowns, 1> gradient = decltype(gradient)::Zero();
-  Eigen::Matrix<double, element_unknowns, 2> constraints = decltype(constraints)::Zero();
-  Eigen::Matrix<double, element_unknowns, 1> of_W2 = decltype(of_W2)::Zero(),
-                                             of_order = decltype(of_order)::Zero();
+  NodeRates by_nodes{}, of_area{}, of_volume{}, of_W2{}, of_order{};
   double area = 0, volume = 0, W2 = 0, order = 0, value = 0;
 
-  void add(const RawGradient& density, const Rows& rows, double weight) {
-    value += weight * density.value;
-    model::add_vector(rows.rows, density.gradient, weight, gradient);
+  explicit GradientSums(const ElementNodes& /*normals*/) {}
+  void add_inner(const RawGradient& density, const BentShapes& s, bool bent) {
+    value += s.weight * density.value;
+    by_nodes.add<raw_a1, raw_a2, raw_x, raw_Lambda, raw_Lambda_1, raw_Lambda_2, raw_order, raw_H>(
+        density.gradient, s, s.weight);
+    if (bent) by_nodes.add<raw_a11, raw_a12>(density.gradient, s, s.weight);
+  }
+  void add_rim(const RawGradient& density, const BentShapes& s) {
+    value += s.weight * density.value;
+    by_nodes.add<raw_a1, raw_a2, raw_order>(density.gradient, s, s.weight);
   }
 };
 // And to the Hessian.
@@ -37,12 +41,16 @@ struct ElementSums : GradientSums {
   template <std::size_t N>
   using Number = SecondOrder<int(N)>;
 
-  model::BlockMatrix<10, 4, 4> matrix;
+  HessianSums hessian;
 
-  ElementSums() { matrix.set_zero(); }
-  void add(const RawDerivatives& density, const Rows& rows, double weight) {
-    GradientSums::add(density, rows, weight);
-    model::add_matrix<model::Blocks::upper>(rows.rows, rows.rows, density.hessian, weight, matrix);
+  explicit ElementSums(const ElementNodes& normals) : GradientSums(normals), hessian(normals) {}
+  void add_inner(const RawDerivatives& density, const BentShapes& s, bool bent) {
+    GradientSums::add_inner(density, s, bent);
+    hessian.add_inner(density, s, s.weight, bent);
+  }
+  void add_rim(const RawDerivatives& density, const BentShapes& s) {
+    GradientSums::add_rim(density, s);
+    hessian.add_rim(density, s, s.weight);
   }
 };
 
@@ -52,34 +60,36 @@ void add(const ceres::Jet<double, int(N)>& f, const Invariants<N>& invariants, c
   at_point::add(f.a, f.v, invariants, q, out);
 }
 
-void add_constraints(const model::Material& material, const Raw& q, const Rows& rows, double weight,
+void add_constraints(const model::Material& material, const Raw& q, const BentShapes& s,
                      GradientSums& sums) {
   using Number = GradientSums::Number<metric_invariants.size()>;
+  const double weight = s.weight;
   RawGradient area, volume;
   add(area_density(variables<Number>(metric_invariants, q)), metric_invariants, q, area);
   add_box_product(1. / 3, raw_x, q, volume);
   sums.volume += weight * volume.value;
-  auto by_area = sums.constraints.col(0), by_volume = sums.constraints.col(1);
-  model::add_vector(rows.rows, volume.gradient, -weight, by_volume);
+  sums.of_volume.add<raw_a1, raw_a2, raw_x>(volume.gradient, s, weight);
   if (material.has_lipid_density()) {
     RawGradient lipids;
     add(lipid_density(material, variables<GradientSums::Number<lipid_data>>(lipid_invariants, q)),
         lipid_invariants, q, lipids);
     sums.area += weight * lipids.value;
-    model::add_vector(rows.rows, lipids.gradient, weight, by_area);
+    sums.of_area.add<raw_a1, raw_a2, raw_order>(lipids.gradient, s, weight);
     return;  // nothing else is kept then
   }
   sums.area += weight * area.value;
-  model::add_vector(rows.rows, area.gradient, weight, by_area);
+  sums.of_area.add<raw_a1, raw_a2>(area.gradient, s, weight);
   // ∫ q dS of a number q of the data.
-  const auto add_integral = [&](int at, double& sum, auto& by_unknowns) {
+  const auto add_integral = [&]<RawData at>(double& sum, NodeRates& by_nodes) {
     Raw by_data = q[at] * area.gradient;
     by_data[at] += area.value;
     sum += weight * area.value * q[at];
-    model::add_vector(rows.rows, by_data, weight, by_unknowns);
+    by_nodes.add<raw_a1, raw_a2, at>(by_data, s, weight);
   };
-  if (material.area_difference.is_there()) add_integral(raw_H, sums.W2, sums.of_W2);
-  if (material.conserves_order()) add_integral(raw_order, sums.order, sums.of_order);
+  if (material.area_difference.is_there())
+    add_integral.template operator()<raw_H>(sums.W2, sums.of_W2);
+  if (material.conserves_order())
+    add_integral.template operator()<raw_order>(sums.order, sums.of_order);
 }
 
 template <class Sums>
@@ -90,7 +100,7 @@ void add_rim(const model::Material& material, const ElementState& state, Sums& s
       const Raw q = raw_data_of(state, s);
       typename Sums::Density density;
       add(density_of(material, variables<Number>(rim_invariants, q)), rim_invariants, q, density);
-      sums.add(density, Rows(state.normals, s, false), s.weight);
+      sums.add_rim(density, s);
     }
   };
   add_side(first_rim(), first_rim_density<Number>);
@@ -100,14 +110,13 @@ void add_rim(const model::Material& material, const ElementState& state, Sums& s
 template <class Sums>
 Sums sums_on(const model::Material& material, bool free_order, const StationaryState& state,
              const ElementState& local) {
-  Sums sums;
+  Sums sums(local.normals);
   const auto variables_of = [](const auto& invariants, const Raw& q) {
     constexpr std::size_t count = std::tuple_size_v<std::decay_t<decltype(invariants)>>;
     return variables<typename Sums::template Number<count>>(invariants, q);
   };
   for (const BentShapes& s : inner_points()) {
     const Raw q = raw_data_of(local, s);
-    const Rows rows(local.normals, s, free_order);
     typename Sums::Density density;
     add(tension_density(material, state.tension, variables_of(energy_invariants, q)),
         energy_invariants, q, density);
@@ -118,8 +127,8 @@ Sums sums_on(const model::Material& material, bool free_order, const StationaryS
     if (free_order)
       add(connection_density(material, variables_of(gaussian_invariants, q)), gaussian_invariants,
           q, density);
-    sums.add(density, rows, s.weight);
-    add_constraints(material, q, rows, s.weight, sums);
+    sums.add_inner(density, s, free_order);
+    add_constraints(material, q, s, sums);
   }
   if (free_order) add_rim(material, local, sums);
   return sums;
@@ -151,21 +160,20 @@ void assemble_triangles(const model::Material& whole, const StationaryLayout& la
   out.constraints.setZero(layout.size(), last + 1);
   Eigen::Matrix<double, 5, Eigen::Dynamic> totals(5, mesh.count());
   for_each_by_colour(mesh, [&](int e) {
-    const Sums sums =
-        sums_on<Sums>(material, layout.free_order, felt_by, on_element(state, normals, mesh, e));
+    const ElementState local = on_element(state, normals, mesh, e);
+    const Sums sums = sums_on<Sums>(material, layout.free_order, felt_by, local);
     add_matrix(e, sums);
-    for (int a = 0; a < 10; ++a) {
-      const int node = mesh.triangles(a, e);
-      for (int c = 0; c < layout.per_node; ++c)
-        out.gradient[layout.per_node * node + c] += sums.gradient[10 * c + a];
-      for (int c = 0; c < layout.per_node; ++c)
-        out.constraints.row(layout.per_node * node + c).head<2>() +=
-            sums.constraints.row(10 * c + a);
-      for (int c = 0; ad.is_there() && c < layout.per_node; ++c)
-        out.constraints(layout.per_node * node + c, 2) += sums.of_W2[10 * c + a];
-      for (int c = 0; has_order && c < layout.per_node; ++c)
-        out.constraints(layout.per_node * node + c, last) -= sums.of_order[10 * c + a];
-    }
+    const auto add_to = [&](auto&& vector, const NodeRates& by_nodes, double sign) {
+      const auto rates = by_nodes.along(local.normals);
+      for (int a = 0; a < 10; ++a)
+        for (int c = 0; c < layout.per_node; ++c)
+          vector[layout.per_node * mesh.triangles(a, e) + c] += sign * rates[10 * c + a];
+    };
+    add_to(out.gradient, sums.by_nodes, 1);
+    add_to(out.constraints.col(0), sums.of_area, 1);
+    add_to(out.constraints.col(1), sums.of_volume, -1);
+    if (ad.is_there()) add_to(out.constraints.col(2), sums.of_W2, 1);
+    if (has_order) add_to(out.constraints.col(last), sums.of_order, -1);
     totals.col(e) << sums.area, sums.volume, sums.value, sums.W2, sums.order;
   });
   const Eigen::Matrix<double, 5, 1> total = totals.rowwise().sum();
@@ -198,6 +206,12 @@ std::vector<std::pair<int, SecondOrder<1>>> corner_energies(const model::Materia
 
 }  // namespace
 
+bool operator==(const StationaryState& a, const StationaryState& b) {
+  return a.X == b.X && a.beta == b.beta && a.H == b.H && a.Lambda == b.Lambda
+      && a.tension == b.tension && a.pressure == b.pressure && a.moment == b.moment
+      && a.chemical_potential == b.chemical_potential;
+}
+
 StationaryLayout::StationaryLayout(const Triangulation& triangulation, model::Model model)
     : mesh(triangulation),
       free_order(has_free_order(model)),
@@ -221,7 +235,7 @@ void assemble(const model::Material& material, const StationaryLayout& layout,
   std::fill_n(out.hessian.valuePtr(), out.hessian.nonZeros(), 0.);
   assemble_triangles<ElementSums>(material, layout, state, normals, out,
                                   [&](int e, const ElementSums& sums) {
-                                    layout.pattern.add(e, sums.matrix.symmetric(), out.hessian);
+                                    layout.pattern.add(e, sums.hessian.symmetric(), out.hessian);
                                   });
   for (const auto& [k, energy] : corner_energies(material, layout, state)) {
     out.value += energy.a;

@@ -26,6 +26,7 @@ struct StationaryState : State {
   double moment = 0;    ///< c = −∂U/∂W₂⁰, of an area difference
   double chemical_potential = 0;  ///< μ_β = ∂U/∂∫β dS of an order that is conserved
 };
+bool operator==(const StationaryState& a, const StationaryState& b);
 
 /// What the energy reads at a point; g_ij = a_i·a_j, a_i and β_i derivatives by the triangle's coordinates.
 enum EnergyData { at_g11, at_g12, at_g22, at_beta, at_beta_1, at_beta_2, at_H, energy_data };

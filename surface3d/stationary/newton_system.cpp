@@ -12,6 +12,13 @@ double largest_change(const Increment& step) {
   return std::max(step.d.cwiseAbs().maxCoeff(), step.beta.cwiseAbs().maxCoeff());
 }
 
+bool Holds::operator==(const Holds& other) const {
+  const auto same = [](const Eigen::VectorXd& a, const Eigen::VectorXd& b) {
+    return a.size() == b.size() && a == b;
+  };
+  return same(amplitude, other.amplitude) && same(phase, other.phase);
+}
+
 void displace(const Increment& step, double scale, const Nodes& normals, StationaryState& state) {
   state.X += normals * (scale * step.d).asDiagonal();
   state.beta += scale * step.beta;
@@ -30,13 +37,22 @@ NewtonSystem::NewtonSystem(const Triangulation& mesh, const model::Material& mat
 }
 
 void NewtonSystem::set_material(const model::Material& material) {
-  material_ = layout_.free_order ? material : material.with_uniform_order();
+  const model::Material felt = layout_.free_order ? material : material.with_uniform_order();
+  if (!(felt == material_)) seen_.reset();
+  material_ = felt;
   if (material_.conserves_order() && !material_.mean_order)
     throw std::invalid_argument("a conserved order at rest: mean_order must be given");
 }
 
+bool NewtonSystem::is_linearised(const StationaryState& state, const Nodes& normals,
+                                 const Holds& holds) const {
+  return seen_ && seen_->state == state && seen_->normals == normals && seen_->holds == holds;
+}
+
 bool NewtonSystem::linearise(const StationaryState& state, const Nodes& normals,
                              const Holds& holds) {
+  if (is_linearised(state, normals, holds)) return true;
+  seen_.reset();
   const int before = borders();
   assemble(material_, layout_, state, normals, derivatives_);
   moment_ = state.moment;
@@ -53,7 +69,9 @@ bool NewtonSystem::linearise(const StationaryState& state, const Nodes& normals,
   B.middleCols(derivatives_.multipliers(), rigid_count()) = rigid_.loads;
   if (has_amplitude_) B.rightCols<1>() = holds.amplitude;
   set_bordered(derivatives_.hessian, B, derivatives_.corner, bordered_);
-  return solver_.factor(bordered_);
+  if (!solver_.factor(bordered_)) return false;
+  seen_ = Seen{state, normals, holds};
+  return true;
 }
 
 int NewtonSystem::negative_directions() const {

@@ -4,6 +4,8 @@
 #include "surface3d/linear/direct_solver.h"
 #include "surface3d/stationary/rigid_motions.h"
 
+#include <optional>
+
 namespace sbeh::surface3d {
 
 /// A step in all unknowns; fields are nodal, `d` along the node normals.
@@ -18,6 +20,8 @@ struct Holds {
   Eigen::VectorXd amplitude{};
   /// Of the turn about an axis that a state has just left, as long as errors of the normals hide its own turn.
   Eigen::VectorXd phase{};
+
+  bool operator==(const Holds& other) const;
 };
 
 /// Largest displacement or change of order in a step.
@@ -33,12 +37,13 @@ class NewtonSystem {
 
   /// From the next linearisation on. Throws std::invalid_argument for a conserved order without its mean.
   void set_material(const model::Material& material);
-  /// Assembles at a state that moves along these normals, and factors. False when the matrix is singular or not finite.
+  /// Assembles at a state that moves along these normals, and factors, unless that is what it did last. False when the matrix is
+  /// singular or not finite.
   bool linearise(const StationaryState& state, const Nodes& normals, const Holds& holds = {});
 
   /// The Newton step towards `target`.
   bool newton_step(const Target& target, Increment& step) const;
-  /// The step from another state nearby, whose own matrix is not needed.
+  /// The step from another state nearby, with the factors that are there and the material that was set last.
   bool newton_step_from(const StationaryState& state, const Nodes& normals, const Target& target,
                         Increment& step);
 
@@ -63,6 +68,13 @@ class NewtonSystem {
   void respond(Eigen::Ref<Eigen::MatrixXd> loads) const;
 
  private:
+  // Of what the factors are.
+  struct Seen {
+    StationaryState state;
+    Nodes normals;
+    Holds holds;
+  };
+  bool is_linearised(const StationaryState& state, const Nodes& normals, const Holds& holds) const;
   bool solve(Eigen::VectorXd rhs, const Eigen::VectorXd& miss, Increment& step) const;
   int borders() const {
     return derivatives_.multipliers() + rigid_count() + (has_amplitude_ ? 1 : 0);
@@ -73,6 +85,7 @@ class NewtonSystem {
   LagrangianDerivatives derivatives_;
   LagrangianGradient others_;
   double moment_ = 0;  // of the state of linearise
+  std::optional<Seen> seen_{};
   RigidMotions rigid_{};
   bool has_amplitude_ = false;
   SparseMatrix bordered_;

@@ -90,26 +90,85 @@ Path::Path(const Triangulation& mesh, model::Model model,
       target(std::move(target_at)),
       system(std::make_shared<NewtonSystem>(mesh, material(0), model)) {}
 
+namespace {
+
+// A direction with displacements in space, 3 x nodes, in the place of those along normals.
+struct Way : Direction {
+  Nodes X;
+};
+Way way_of(const Direction& t, const Nodes& normals) {
+  Way way{t, normals * t.d.asDiagonal()};
+  way.d = Field::Zero(t.d.size());
+  return way;
+}
+double product(const Way& a, const Way& b) {
+  return product(static_cast<const Direction&>(a), static_cast<const Direction&>(b))
+       + a.X.cwiseProduct(b.X).sum() / double(a.X.cols());
+}
+// Of another point, along the tangent of this one.
+double length_to(const PathPoint& from, const PathPoint& other) {
+  const Nodes along = from.normals * from.tangent.d.asDiagonal(), way = other.X - from.X;
+  return (along.cwiseProduct(way).sum() + from.tangent.beta.dot(other.beta - from.beta))
+           / double(way.cols())
+       + from.tangent.mu * (other.mu - from.mu);
+}
+void add(PathSolution& x, double factor, const Way& way) {
+  move(x, way, factor);
+  x.X += factor * way.X;
+}
+
+// The bend of the branch by the tangents of two points, as a function of the length s along the tangent t of the second:
+// s²/2 (t₀/(t₀·t) − t)/s₀, s₀ and t₀ length and tangent at the first. (The cubic through both points is of one order more, and unstable:
+// nothing corrects where nodes lie along the surface.)
+void add_bend(PathSolution& x, const PathPoint& from, double ds) {
+  constexpr double longest = 2.5;  // of the way back
+  const PathPoint& before = *from.before;
+  const Way tangent = way_of(from.tangent, from.normals),
+            tangent_before = way_of(before.tangent, before.normals);
+  const double cosine = product(tangent_before, tangent), length = length_to(from, before);
+  if (cosine < model::least_cosine || std::abs(ds) > longest * std::abs(length)) return;
+  const double share = ds * ds / (2 * length);
+  add(x, share / cosine, tangent_before);
+  add(x, -share, tangent);
+}
+
+}  // namespace
+
 std::optional<PathSolution> predicted(const Path& path, const PathPoint& from, double ds) {
   PathSolution guess = from;
   move(guess, from.tangent, ds);
+  if (from.before) add_bend(guess, from, ds);
   guess.normals = node_normals(path.system->layout().mesh, guess.X);
   return guess;
 }
 
 namespace {
 
-// Newton's step on the hyperplane across the tangent; empty where it changes more than `most`.
+// Newton's step on the hyperplane across the tangent, and more of them with its matrix as long as each is a small share of the one
+// before, but for the last; empty where the first changes more than `most`.
 std::optional<double> step_across(const Path& path, PathSolution& x, const Direction& tangent,
                                   double most) {
   Direction a;
   if (!linearise(path, x) || !path.system->newton_step(path.target(x.mu), a)) return {};
   const auto b = along_mu(path, x);
   if (!b) return {};
-  const Direction step = sum(a, -product(tangent, a) / product(tangent, *b), *b);
-  if (!(largest(step) < most)) return {};
+  const auto across = [&](const Direction& free) {
+    return sum(free, -product(tangent, free) / product(tangent, *b), *b);
+  };
+  Direction step = across(a);
+  double change = largest(step);
+  if (!(change < most)) return {};
   move(x, step, 1);
-  return largest(step);
+  constexpr double share = 0.1, settled = 1e-9;
+  while (change > settled) {
+    path.system->set_material(path.material(x.mu));
+    if (!path.system->newton_step_from(x, x.normals, path.target(x.mu), a)) break;
+    step = across(a);
+    if (!(largest(step) < share * change)) break;
+    change = largest(step);
+    move(x, step, 1);
+  }
+  return change;
 }
 
 }  // namespace

@@ -29,6 +29,8 @@ struct PathPoint : PathSolution {
   Direction tangent;
   int negative_directions =
       0;  ///< at fixed μ; one more or less beyond a fold, and beyond a branching point
+  /// One behind on the same mesh, where it is known: predictions are of third order then, else of second.
+  std::shared_ptr<const PathPoint> before{};
   double parameter() const { return mu; }
   double slope() const { return tangent.mu; }
 };

@@ -65,6 +65,27 @@ double residual_of(const NewtonSystem& system, const StationaryState& state) {
   return largest;
 }
 
+namespace {
+
+// Steps with the factors that are there, as long as each is a small share of the one before; the last change.
+double settle(NewtonSystem& system, const Target& target, double change, double enough, bool renews,
+              NewtonResult& result) {
+  constexpr double share = 0.1;
+  Increment step;
+  while (change > enough) {
+    if (renews) result.normals = node_normals(system.layout().mesh, result.state.X);
+    if (!system.newton_step_from(result.state, result.normals, target, step)) break;
+    const double next = largest_change(step);
+    if (!(next < share * change)) break;
+    displace(step, 1, result.normals, result.state);
+    change = next;
+    result.changes.push_back(change);
+  }
+  return change;
+}
+
+}  // namespace
+
 NewtonResult solve_stationary(NewtonSystem& system, const Target& target,
                               const StationaryState& guess, const NewtonOptions& options) {
   // Normals are renewed as long as that costs no iterations.
@@ -83,7 +104,7 @@ NewtonResult solve_stationary(NewtonSystem& system, const Target& target,
       result.status = NewtonStatus::singular;
       return result;
     }
-    const double change = largest_change(step);
+    double change = largest_change(step);
     if (!result.changes.empty() && change < settled && change > decrease * result.changes.back())
       renews = false;
     result.changes.push_back(change);
@@ -93,6 +114,8 @@ NewtonResult solve_stationary(NewtonSystem& system, const Target& target,
     const double longest = options.longest_step / change,
                  factor = deflation(options.known, system.layout().mesh, state, normals, step);
     displace(step, std::clamp(factor, -longest, longest), normals, state);
+    if (options.keeps_factors && change < settled)
+      change = settle(system, target, change, options.tolerance * decrease, renews, result);
     if (change < options.tolerance) {
       result.status = NewtonStatus::converged;
       return result;

@@ -20,6 +20,8 @@ struct NewtonOptions {
   double far = 3;              ///< a larger change leads nowhere
   /// Nodes move along the normals of the surface as it is, as long as changes fall fast; otherwise along those of the guess.
   bool renews_normals = true;
+  /// Changes that are small shares of the ones before are made with the matrix of the first of them.
+  bool keeps_factors = false;
   Eigen::VectorXd phase{};  ///< of what has left a state with an axis: see Holds
   KnownStates known{};      ///< to which the iteration is not to lead
 };

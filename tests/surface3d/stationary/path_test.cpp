@@ -178,6 +178,33 @@ TEST(PathIn3d, goes_on_with_other_triangles) {
   EXPECT_FALSE(on_other_triangles(other, made.state, *from, 1e-9));
 }
 
+TEST(PathIn3d, predicts_to_third_order_from_two_points_and_to_second_from_one) {
+  const Place first{Model::SBEH, Branch::oblate, 0.7, 0.05};
+  const Surface start = revolved(with_axis(first), 320);
+  const Path path(
+      *start.mesh, first.model, [](double mu) { return paper_material(0.05 + 0.01 * mu); },
+      [&](double) { return first.target(); });
+  const auto from =
+      settled(path, guess_from(*start.mesh, path.material(0), first.model, start.state), 0);
+  ASSERT_TRUE(from);
+  OrderTable one("predicted from one point", "ds"), two("from two points", "ds");
+  for (const double ds : {0.8, 0.4, 0.2}) {
+    auto next = arc_step(path, *from, ds);
+    ASSERT_TRUE(next);
+    for (OrderTable* errors : {&one, &two}) {
+      if (errors == &two) next->before = std::make_shared<const PathPoint>(*from);
+      const auto guess = predicted(path, *next, ds);
+      const auto there = arc_step(path, *next, ds);
+      ASSERT_TRUE(guess && there);
+      errors->add(ds, std::max((guess->X - there->X).cwiseAbs().maxCoeff(),
+                               (guess->beta - there->beta).cwiseAbs().maxCoeff()));
+    }
+  }
+  EXPECT_GT(one.print(), 1.8);
+  EXPECT_LT(one.orders().back(), 2.4);
+  EXPECT_GT(two.print(), 2.7);
+}
+
 struct ParameterCase {
   const char* name;
   std::function<Material(double)> material;

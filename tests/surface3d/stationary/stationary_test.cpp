@@ -53,6 +53,17 @@ INSTANTIATE_TEST_SUITE_P(
         AxisCase{"classical_prolate", {Model::SSH, Branch::prolate, 0.8, 0.05}, 0, {1e-5, 1e-6}}),
     [](const auto& test) { return test.param.name; });
 
+TEST_P(StatesWithAnAxis, are_the_same_with_factors_that_are_kept) {
+  const AxisCase& c = GetParam();
+  const Surface start = revolved(with_axis(c.place), 320);
+  const Found each = found_from(start, c.place, c.place.target()),
+              kept = found_from(start, c.place, c.place.target(), {.keeps_factors = true});
+  const Material material = paper_material(c.place.L);
+  EXPECT_NEAR(kept.energy(material), each.energy(material), 1e-10);
+  EXPECT_LT((kept.result.state.beta - each.result.state.beta).cwiseAbs().maxCoeff(), 1e-7);
+  EXPECT_EQ(kept.result.negative_directions, c.negative);
+}
+
 TEST_P(StatesWithAnAxis, have_the_energy_of_the_axisymmetric_solver) {
   const AxisCase& c = GetParam();
   const axisym::BranchState exact = with_axis(c.place);
