@@ -26,9 +26,4 @@ struct TriangleRule {
 /// Conical product of Gauss–Legendre rules, exact for polynomials of the given degree >= 0.
 TriangleRule triangle_rule(int degree);
 
-/// The same by points that turns and mirrors of the triangle take to each other, all within it, with positive weights; of degree 8, 10 or 12
-/// with 16, 25 or 33 points. Dunavant, Int. J. Numer. Meth. Eng. 21 (1985) 1129, to all digits. Throws std::invalid_argument for
-/// another degree.
-TriangleRule symmetric_triangle_rule(int degree);
-
 }  // namespace sbeh::model

@@ -3,11 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cmath>
 #include <limits>
-#include <stdexcept>
-#include <utility>
 
 namespace sbeh::model {
 namespace {
@@ -82,44 +79,6 @@ TEST(TriangleRule, has_positive_weights_and_points_inside) {
     EXPECT_GT(rule.weights.minCoeff(), 0);
     EXPECT_GT(rule.points.minCoeff(), 0);
     EXPECT_LT(rule.points.colwise().sum().maxCoeff(), 1);
-  }
-}
-
-TEST(SymmetricTriangleRule, is_exact_up_to_its_degree_and_no_further) {
-  for (const int degree : {8, 10, 12}) {
-    const TriangleRule rule = symmetric_triangle_rule(degree);
-    double beyond = 0;
-    for (int a = 0; a <= degree + 1; ++a)
-      for (int b = 0; a + b <= degree + 1; ++b) {
-        const double error =
-            integral_of_monomial(rule, a, b) - factorial(a) * factorial(b) / factorial(a + b + 2);
-        if (a + b <= degree)
-          EXPECT_NEAR(error, 0, rounding) << "degree " << degree << ", x^" << a << " y^" << b;
-        else
-          beyond = std::max(beyond, std::abs(error));
-      }
-    EXPECT_GT(beyond, 1e-10) << degree;
-  }
-  EXPECT_THROW(symmetric_triangle_rule(9), std::invalid_argument);
-}
-
-TEST(SymmetricTriangleRule,
-     has_positive_weights_and_points_inside_that_turns_and_mirrors_leave_as_they_are) {
-  for (const auto& [degree, points] : {std::pair(8, 16), {10, 25}, {12, 33}}) {
-    const TriangleRule rule = symmetric_triangle_rule(degree);
-    ASSERT_EQ(rule.size(), points);
-    EXPECT_GT(rule.weights.minCoeff(), 0);
-    EXPECT_GT(rule.points.minCoeff(), 0);
-    EXPECT_LT(rule.points.colwise().sum().maxCoeff(), 1);
-    for (int k = 0; k < rule.size(); ++k) {
-      const Eigen::Vector2d x = rule.points.col(k);
-      const Eigen::Vector2d turned(1 - x.sum(), x[0]), mirrored(x[1], x[0]);
-      for (const Eigen::Vector2d& image : {turned, mirrored}) {
-        Eigen::Index nearest = 0;
-        EXPECT_LT((rule.points.colwise() - image).colwise().norm().minCoeff(&nearest), rounding);
-        EXPECT_EQ(rule.weights[nearest], rule.weights[k]);
-      }
-    }
   }
 }
 
