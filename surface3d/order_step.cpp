@@ -118,23 +118,48 @@ Field relaxed(const Triangulation& mesh, const model::Material& material, const 
   return beta + (total - next.dot(beta)) / next.dot(response) * response;
 }
 
-SparsePattern pairs_pattern(const Triangulation& mesh) {
-  Eigen::MatrixXi unknowns(20, mesh.count());
-  unknowns << 2 * mesh.triangles, (2 * mesh.triangles).array() + 1;
-  return {2 * mesh.nodes, unknowns, SparsePattern::Mask::Constant(20, 20, true)};
-}
+// Of two fields, node by node: the four blocks have the structure of a scalar one.
+struct PairsSystem {
+  SparseMatrix block[2][2];
+  Eigen::VectorXd rhs;
+
+  explicit PairsSystem(const Triangulation& mesh)
+      : block{{mesh.scalars.zero(), mesh.scalars.zero()},
+              {mesh.scalars.zero(), mesh.scalars.zero()}},
+        rhs(Eigen::VectorXd::Zero(2 * mesh.nodes)) {}
+
+  SparseMatrix matrix() const {
+    const SparseMatrix& scalar = block[0][0];
+    SparseMatrix pairs(2 * scalar.rows(), 2 * scalar.cols());
+    pairs.resizeNonZeros(4 * scalar.nonZeros());
+    int *start = pairs.outerIndexPtr(), *column = pairs.innerIndexPtr();
+    double* value = pairs.valuePtr();
+    *start = 0;
+    for (Eigen::Index row = 0; row < pairs.rows(); ++row, ++start) {
+      const auto& blocks = block[row % 2];
+      const int begin = scalar.outerIndexPtr()[row / 2], end = scalar.outerIndexPtr()[row / 2 + 1];
+      for (int k = begin; k < end; ++k)
+        for (int other = 0; other < 2; ++other) {
+          *column++ = 2 * scalar.innerIndexPtr()[k] + other;
+          *value++ = blocks[other].valuePtr()[k];
+        }
+      start[1] = *start + 2 * (end - begin);
+    }
+    return pairs;
+  }
+};
 
 // (β̇, ψ) + (M_β ∇μ, ∇ψ) = 0 and (μ, χ) = (δU/δβ, χ): unknowns β, μ, node by node.
 OrderStepResult diffused(const Triangulation& mesh, const model::Material& material,
                          const State& at, const OrderStepData& step) {
   const double mobility = material.order_mobility.value_or(1);
-  const SparsePattern pattern = pairs_pattern(mesh);
-  SparseMatrix matrix = pattern.zero();
-  Eigen::VectorXd x = Eigen::VectorXd::Zero(2 * mesh.nodes);
+  PairsSystem system(mesh);
   for_each_by_colour(mesh, [&](int e) {
     const OrderElement element = order_element(mesh, at, step, e);
-    Eigen::Matrix<double, 20, 20> local = decltype(local)::Zero();
-    Eigen::Matrix<double, 20, 1> vector = decltype(vector)::Zero();
+    ScalarMatrix local[2][2];
+    for (auto& row : local)
+      for (ScalarMatrix& block : row) block.setZero();
+    ElementField vector[2] = {ElementField::Zero(), ElementField::Zero()};
     for (const ShapeValues& s : assembly_points()) {
       const SurfacePoint p = surface_point(element.X, s);
       const model::OrderPoint point = element.at(s, p);
@@ -144,18 +169,21 @@ OrderStepResult diffused(const Triangulation& mesh, const model::Material& mater
                                   .diffusion = 0,
                                   .rhs = point.beta_from / step.tau};
       const Shapes phi(s.phi.data());
-      local.topLeftCorner<10, 10>() += matrix_at(rate, s, p);        // (B8)
-      local.topRightCorner<10, 10>() += mobility * stiffness_at(p);  // (B8)
-      local.bottomLeftCorner<10, 10>() += matrix_at(force, s, p);
-      local.bottomRightCorner<10, 10>() -= p.dS * phi * phi.transpose();
-      vector.head<10>() += p.dS * rate.rhs * phi;
-      vector.tail<10>() += p.dS * force.rhs * phi;
+      local[0][0] += matrix_at(rate, s, p);       // (B8)
+      local[0][1] += mobility * stiffness_at(p);  // (B8)
+      local[1][0] += matrix_at(force, s, p);
+      local[1][1] -= p.dS * phi * phi.transpose();
+      vector[0] += p.dS * rate.rhs * phi;
+      vector[1] += p.dS * force.rhs * phi;
     }
-    pattern.add(e, local, matrix);
-    pattern.add(e, vector, x);
+    for (int i = 0; i < 2; ++i) {
+      for (int j = 0; j < 2; ++j) mesh.scalars.add(e, local[i][j], system.block[i][j]);
+      for (int a = 0; a < 10; ++a) system.rhs[2 * mesh.triangles(a, e) + i] += vector[i][a];
+    }
   });
   DirectSolver direct(Symmetry::general);
-  if (!direct.factor(matrix)) return {};
+  if (!direct.factor(system.matrix())) return {};
+  Eigen::VectorXd x = system.rhs;
   direct.solve(x);
   if (!x.allFinite()) return {};
   OrderStepResult result{.beta = x(Eigen::seqN(0, mesh.nodes, 2))};

@@ -75,8 +75,7 @@ class Flow {
       }
       steps.accept(trial, step.error);
       const EnergyRises rises = risen(run.last, own, own_after, trial.tau);
-      run.last = record_of(step, trial.tau, run.state, run.last, energy);
-      run.last.rises = rises;
+      run.last = record_of(step, trial.tau, run.state, run.last, energy, rises);
       own = own_after;
       if (trial.exact) run.last.time = stops.next(), stops.pass();
       integrator_.accept(run.state, step, trial.tau);
@@ -94,7 +93,7 @@ class Flow {
 
  private:
   FlowRecord record_of(const FlowStep<State>& step, double tau, const State& old,
-                       const FlowRecord& before, const Energy& after) {
+                       const FlowRecord& before, const Energy& after, const EnergyRises& rises) {
     const double spent = tau * step.dissipation.total();
     return {.time = before.time + tau,
             .time_step = tau,
@@ -106,7 +105,7 @@ class Flow {
             .speed_max = step.speed_max,
             .lambda = step.lambda,
             .rejected = before.rejected,
-            .rises = before.rises};
+            .rises = rises};
   }
 
   // What the energy of a step may be, at most.

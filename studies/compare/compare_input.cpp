@@ -1,6 +1,7 @@
 #include "studies/compare/compare_input.h"
 
 #include "meshing/resolution.h"
+#include "studies/io/description.h"
 #include "studies/io/input_path.h"
 #include "studies/parameters/input_kind.h"
 #include "studies/parameters/material_input.h"
@@ -10,6 +11,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <sstream>
 
 namespace sbeh::studies {
 
@@ -154,7 +156,11 @@ bool CompareInput::has(Witness witness) const {
 
 namespace {
 
-EvolutionCase read_evolution_case(const TomlTable& table) {
+// The run that the input holds itself, and where that is an input or a folder besides, what it is there.
+EvolutionCase read_evolution_case(const TomlTable& file, const TomlTable& table) {
+  std::optional<RunInput> held;
+  if (file.has("evolution")) held = run_in(file.table("evolution"));
+  if (held && !table.has("evolution")) return {.file = {}, .run = *held};
   EvolutionCase evolution{.file = table.path("evolution"), .run = {}};
   require_there(evolution.file);
   const fs::path description =
@@ -162,6 +168,10 @@ EvolutionCase read_evolution_case(const TomlTable& table) {
   if (kind_of(description) != InputKind::run)
     table.fail("evolution", "must be an input of sbeh run, or the folder of such a run");
   evolution.run = read_run(description);
+  if (!held) return evolution;
+  if (const auto changes = differences(describe(*held, ""), describe(evolution.run, ""), {});
+      !changes.empty())
+    table.fail("evolution", "is not what [evolution] says (there and here): " + text_of(changes));
   return evolution;
 }
 
@@ -172,7 +182,7 @@ CompareInput read_evolution(const TomlTable& file, const TomlTable& table) {
   for (const char* key : {"model", "branch", "reduced_volume", "L"})
     table.refuse(key, "has no place where evolution names a run, which has it");
   CompareInput input;
-  input.evolution = read_evolution_case(table);
+  input.evolution = read_evolution_case(file, table);
   const RunInput& run = input.evolution->run;
   input.state.model = run.model;
   input.state.material = run.material;
@@ -199,16 +209,29 @@ CompareInput read_evolution(const TomlTable& file, const TomlTable& table) {
   return input;
 }
 
+// The tables and keys of a whole input as those within a table of another one.
+std::string within(const std::string& table, const std::string& description) {
+  std::istringstream text(description);
+  std::string all = fmt::format("\n[{}]\n", table);
+  for (std::string line; std::getline(text, line);)
+    if (line.starts_with('['))
+      all += fmt::format("[{}.{}\n", table, line.substr(1));
+    else if (!line.starts_with('#'))
+      all += line + "\n";
+  return all;
+}
+
+// The folder of a run that has ended is named, since it has the run's results too.
 std::string describe_evolution(const CompareInput& input, std::string_view version) {
   TomlText toml(version);
   toml.table("compare");
-  toml.value("evolution", input.evolution->file);
+  if (input.evolution->has_ended()) toml.value("evolution", input.evolution->file);
   toml.value("methods", input.methods);
   toml.table("harmonic_flow");
   toml.value("degree", input.harmonic_flow.degree);
   toml.value("tolerance", input.harmonic_flow.tolerance);
   write_tolerances(toml, "tolerance_3d", input.tolerance_3d);
-  return toml.text();
+  return toml.text() + within("evolution", describe(input.evolution->run, version));
 }
 
 }  // namespace
@@ -218,7 +241,7 @@ bool EvolutionCase::has_ended() const { return fs::is_directory(file); }
 CompareInput read_compare(const fs::path& path) {
   const TomlTable file = TomlFile::parse(path);
   const TomlTable cases = file.table("compare");
-  if (cases.has("evolution")) return read_evolution(file, cases);
+  if (cases.has("evolution") || file.has("evolution")) return read_evolution(file, cases);
   if (file.has("harmonic_flow")) cases.refuse_misspelt({"evolution"});
   const TomlTable material = file.table("material"), numerics = file.table("numerics");
   const TomlTable surface = file.table("surface3d"), harmonics = file.table("harmonics"),

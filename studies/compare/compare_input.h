@@ -24,7 +24,8 @@ std::vector<std::string> tolerated_quantities();
 
 /// An evolution in 3D that several methods follow.
 struct EvolutionCase {
-  std::string file;  ///< an input of `sbeh run`, or the folder of a run that has ended
+  std::string
+      file;  ///< an input of `sbeh run`, or the folder of a run that has ended; empty where the input itself holds the run
   RunInput run;
 
   bool has_ended() const;  ///< whether it is a folder
@@ -35,7 +36,8 @@ struct EvolutionCase {
 /// [numerics] (of newton), [surface3d], [harmonics], [tolerance] (pairs of axisymmetric methods) and
 /// [tolerance_3d] (pairs with surface3d or harmonics).
 /// Of an evolution. Table [compare]: evolution, methods ("surface3d", "harmonic_flow"); optional [harmonic_flow] and
-/// [tolerance_3d].
+/// [tolerance_3d]. The run may stand in the input itself, its tables as [evolution.surface] and so on; beside the folder of a run
+/// that has ended they say what it must be.
 struct CompareInput {
   axisym::StationaryCase state;  ///< V_r < 1, one-constant approximation
   std::vector<Witness> methods;  ///< two at least; the first is the reference

@@ -4,9 +4,27 @@
 #include "model/time/flow_record.h"
 #include "studies/io/progress.h"
 
+#include <deque>
+#include <optional>
 #include <string>
 
 namespace sbeh::studies {
+
+/// How long an evolution has still to go, by the rate of its latest steps. Not known where these are few, or where steps change so fast
+/// that their rate tells nothing of later ones, as at the start and on new triangles.
+class TimeLeft {
+ public:
+  /// A step has led to the time `time`, `seconds` of wall time after any fixed moment.
+  void see(double time, double seconds);
+  /// Seconds; at least 0.
+  std::optional<double> until(double end) const;
+
+ private:
+  struct Moment {
+    double time, seconds;
+  };
+  std::deque<Moment> latest_;  // the oldest first
+};
 
 /// Of a short run: only on a terminal.
 class BriefProgress {
@@ -32,6 +50,7 @@ class LongProgress {
   ProgressLine& line_;
   double end_time_;
   int steps_ = 0;
+  TimeLeft left_;
   Stopwatch watch_;
 };
 

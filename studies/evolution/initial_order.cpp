@@ -179,6 +179,11 @@ double outside_of(const TomlTable& start, const model::Material& material,
     inside += cap.fraction * cap.order;
     share += cap.fraction;
   }
+  if (!pattern.caps.empty() && share >= 1 - 1e-12)
+    start.fail("domains",
+               fmt::format("have fractions whose sum is {:.6g}: must be < 1, since what is outside "
+                           "of them brings the mean to mean_order; with order given it need not",
+                           share));
   const double order = (*material.mean_order - inside) / (1 - share);
   if (!(std::abs(order) <= 1))
     start.fail(

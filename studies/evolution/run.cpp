@@ -69,7 +69,10 @@ surface3d::Diagnostics RunObservers::diagnostics() {
   surface3d::Diagnostics d = surface3d::diagnose(*now_.mesh, input_.material, now_.state);
   if (input_.symmetry.mesh.is_trivial()) return d;
   if (symmetric_mesh_ != now_.mesh) {
-    mesh_symmetry_ = surface3d::symmetry_of(*now_.mesh, now_.state, input_.symmetry.mesh);
+    const auto& [of_first_triangles, kept] = input_.symmetry;
+    mesh_symmetry_ = surface3d::symmetry_of(*now_.mesh, now_.state, of_first_triangles);
+    if (!mesh_symmetry_ && !kept.is_trivial())  // new triangles have no more than that
+      mesh_symmetry_ = surface3d::symmetry_of(*now_.mesh, now_.state, kept);
     symmetric_mesh_ = now_.mesh;
   }
   if (mesh_symmetry_) d.asymmetry = surface3d::asymmetry(*now_.mesh, now_.state, *mesh_symmetry_);

@@ -1,6 +1,7 @@
 #include "studies/evolution/run_start.h"
 
 #include "meshing/curving.h"
+#include "meshing/icosphere.h"
 #include "meshing/measures.h"
 #include "meshing/shapes.h"
 #include "studies/evolution/event_log.h"
@@ -244,6 +245,22 @@ std::string remark_on_symmetry(const surface3d::Triangulation& mesh, const surfa
       symmetry.kept.is_trivial() ? "it is not kept" : "each step keeps " + symmetry.kept.symbol());
 }
 
+// Where it is not the number that was asked for, of triangles into which those of a symmetric body are divided.
+std::optional<std::string> remark_on_count(const RunInput& input, int made) {
+  if (std::holds_alternative<MeshFileStart>(input.start)
+      || std::holds_alternative<FrameStart>(input.start))
+    return {};
+  const int body = meshing::body_with(input.symmetry.mesh).triangle_count();
+  const auto divided = [body](double n) { return body * int(n * n); };
+  if (made == input.triangles || made != divided(std::round(std::sqrt(double(made) / body))))
+    return {};
+  const double below = std::max(1., std::floor(std::sqrt(double(input.triangles) / body)));
+  return fmt::format(
+      "{} triangles, not {}: with symmetry = \"{}\" their number is {} n², near that {} or {}",
+      made, input.triangles, input.symmetry.mesh.symbol(), body, divided(below),
+      divided(below + 1));
+}
+
 // Of a start that may lose what its triangles have not.
 std::optional<std::string> remark_on_lack(const surface3d::Triangulation& mesh,
                                           const surface3d::State& state) {
@@ -298,10 +315,12 @@ RunStart start_of(const RunInput& input) {
     };
     if (const auto remark = remark_on(*origin, input, energies)) start.remarks.push_back(*remark);
   }
-  if (!input.symmetry.mesh.is_trivial())
+  if (!input.symmetry.mesh.is_trivial()) {
     start.remarks.push_back(remark_on_symmetry(*mesh, state, input.symmetry));
-  else if (std::holds_alternative<HarmonicSphere>(input.start))
+    if (const auto remark = remark_on_count(input, mesh->count())) start.remarks.push_back(*remark);
+  } else if (std::holds_alternative<HarmonicSphere>(input.start)) {
     if (const auto remark = remark_on_lack(*mesh, state)) start.remarks.push_back(*remark);
+  }
   return {{.mesh = mesh,
            .state = state,
            .target = surface3d::lipids_and_volume(*mesh, material, state),

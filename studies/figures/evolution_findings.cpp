@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <utility>
 
 namespace sbeh::studies::figures {
 
@@ -57,6 +58,7 @@ History history_of(const std::vector<MeasureRow>& measures, Model model,
     if (row.model == model) {
       h.time.push_back(row.time);
       h.value.push_back(row.*quantity);
+      h.ended = row.ended;
     }
   return h;
 }
@@ -89,12 +91,12 @@ Finding who_is_lower(const History& sbeh, const History& ssh, double residual_st
           "{:.4g}",
           residual_stiffness, above(worst), sbeh.time[worst], at_end, end),
       "SBEH ends lower, but is not always lower on the way",
-      agrees(above(worst) > 0 && at_end < 0)};
+      sbeh.ended && ssh.ended ? agrees(above(worst) > 0 && at_end < 0) : Agreement::open};
 }
 
-// W₂ is largest on the way from the threefold shape to the oblate; empty where a run ends before.
+// W₂ is largest on the way from the threefold shape to the oblate; empty where a run ends before, or may become larger yet.
 std::optional<double> time_of_change(const History& W2) {
-  if (W2.empty()) return {};
+  if (W2.empty() || !W2.ended) return {};
   const std::size_t i = W2.largest(threefold_from, W2.end());
   if (i + 1 >= W2.size()) return {};
   return W2.time[i];
@@ -135,6 +137,27 @@ Finding spread(const History& std_of_order, double change) {
           seen ? agrees(as_said) : Agreement::open};
 }
 
+// ---- what is missing ----------------------------------------------------------------------------
+
+Finding not_there(Model model) {
+  return {fmt::format("{}: its run is not there", name(model)), "", Agreement::open};
+}
+
+// Of a run without a frame at the last instant.
+Finding not_so_far(Model model, double instant) {
+  return {fmt::format("{}: no frame at t = {:.4g}: its run has not come so far, or has left none",
+                      name(model), instant),
+          "", Agreement::open};
+}
+
+Finding not_finished(Model model, double time) {
+  return {
+      fmt::format("{}: its run is not finished, it is at t = {:.4g}: what depends on its end is "
+                  "not judged",
+                  name(model), time),
+      "", Agreement::open};
+}
+
 }  // namespace
 
 std::vector<Finding> evolution_findings(const std::vector<EvolutionRow>& evolution) {
@@ -145,8 +168,11 @@ std::vector<Finding> evolution_findings(const std::vector<EvolutionRow>& evoluti
     findings.push_back(
         {fmt::format("reduced volume {:.4f}", v), "0.738", agrees(std::abs(v - 0.738) <= 0.0005)});
   }
-  for (const Model model : models)
-    if (const EvolutionRow* row = last_of(evolution, model); row && row->nearest) {
+  for (const Model model : models) {
+    const EvolutionRow* row = last_of(evolution, model);
+    if (!evolution.empty() && !row) findings.push_back(not_there(model));
+    if (row && !row->nearest) findings.push_back(not_so_far(model, row->instant));
+    if (row && row->nearest) {
       const EvolutionState& s = *row->nearest;
       findings.push_back(
           {fmt::format(
@@ -156,6 +182,7 @@ std::vector<Finding> evolution_findings(const std::vector<EvolutionRow>& evoluti
                s.moments[0], s.moments[1], s.moments[2]),
            "ends as an oblate", agrees(is_oblate(s))});
     }
+  }
   const double sbeh = energy_of_oblate(evolution, Model::SBEH),
                ssh = energy_of_oblate(evolution, Model::SSH);
   if (std::isfinite(sbeh) && std::isfinite(ssh))
@@ -174,6 +201,10 @@ std::vector<Finding> measures_findings(const std::vector<MeasureRow>& measures) 
   const History sbeh = of(Model::SBEH, &MeasureRow::energy),
                 ssh = of(Model::SSH, &MeasureRow::energy);
   std::vector<Finding> findings;
+  for (const auto& [model, run] : {std::pair(Model::SBEH, &sbeh), std::pair(Model::SSH, &ssh)}) {
+    if (!measures.empty() && run->empty()) findings.push_back(not_there(model));
+    if (!run->ended) findings.push_back(not_finished(model, run->end()));
+  }
   if (sbeh.size() > 1) findings.push_back(falling(sbeh, "SBEH"));
   if (ssh.size() > 1) findings.push_back(falling(ssh, "SSH"));
   if (sbeh.size() > 1 && ssh.size() > 1)

@@ -114,7 +114,8 @@ std::vector<std::string> write_measures(const Sources& sources) {
                       .W2 = at.W2,
                       .order_std = at.order_std,
                       .order_variance = at.order_variance,
-                      .reduced_volume = at.reduced_volume});
+                      .reduced_volume = at.reduced_volume,
+                      .ended = found->ended});
   }
   if (!rows.empty())
     write_file(sources.folder / "measures.csv", table_text(measure_columns(), rows));

@@ -118,6 +118,7 @@ const Columns<MeasureRow>& measure_columns() {
       known_column("order_std", &Row::order_std),
       known_column("order_variance", &Row::order_variance),
       known_column("reduced_volume", &Row::reduced_volume),
+      column("ended", &Row::ended),
   };
   return columns;
 }

@@ -89,6 +89,7 @@ struct MeasureRow {
   double residual_stiffness;
   std::optional<double> unresolved_from;  ///< a time; empty when the mesh was always fine enough
   double time, energy, W2, order_std, order_variance, reduced_volume;
+  bool ended = true;  ///< the run will not go on; tables of older versions do not say
 };
 const Columns<MeasureRow>& measure_columns();
 

@@ -163,6 +163,7 @@ const std::vector<std::pair<Dimension, Names>>& all_columns() {
         "agreement",
         "run",
         "at_rest",
+        "ended",
         "exit_code",
         "megabytes",
         "cores",

@@ -8,6 +8,8 @@
 #include <cmath>
 #include <iterator>
 #include <limits>
+#include <map>
+#include <tuple>
 
 namespace sbeh::studies {
 
@@ -114,15 +116,25 @@ std::string legend_of(const std::vector<ChartLine>& lines, const std::vector<Cur
   return text;
 }
 
-}  // namespace
+bool has_a_line(const std::vector<Curve>& curves) {
+  return std::ranges::any_of(curves, [](const Curve& c) { return c.size() > 1; });
+}
 
-std::string svg_chart(const ChartFrame& frame, const std::vector<ChartLine>& lines) {
-  ShownAxis x{frame.x}, y{frame.y};
-  const std::vector<Curve> curves = placed(lines, x, y);
-  if (std::none_of(curves.begin(), curves.end(), [](const Curve& c) { return c.size() > 1; }))
-    return "";
-  if (x.high == x.low) x.widen();
-  y.widen();
+struct ShownAxes {
+  ShownAxis x, y;
+
+  explicit ShownAxes(const ChartFrame& frame) : x{frame.x}, y{frame.y} {}
+  void leave_room() {
+    if (x.high == x.low) x.widen();
+    y.widen();
+  }
+};
+
+// The chart; empty without a line.
+std::string drawn(const ChartFrame& frame, const std::vector<ChartLine>& lines,
+                  const std::vector<Curve>& curves, const ShownAxes& axes) {
+  if (!has_a_line(curves)) return "";
+  const auto& [x, y] = axes;
   const auto across = [&](double at) {
     return left + (width - left - right) * (at - x.low) / (x.high - x.low);
   };
@@ -165,6 +177,30 @@ std::string svg_chart(const ChartFrame& frame, const std::vector<ChartLine>& lin
              left + (width - left - right) / 2, height - 6, html::escaped(frame.x_name),
              top + (height - top - bottom) / 2, html::escaped(frame.y_name),
              html::escaped(frame.title), legend_of(lines, curves));
+}
+
+}  // namespace
+
+std::string svg_chart(const ChartFrame& frame, const std::vector<ChartLine>& lines) {
+  return svg_charts({{frame, lines}});
+}
+
+std::string svg_charts(const std::vector<Chart>& charts) {
+  using Kind = std::tuple<std::string, std::string, AxisScale, AxisScale>;
+  const auto kind_of = [](const ChartFrame& f) { return Kind{f.x_name, f.y_name, f.x, f.y}; };
+  std::map<Kind, ShownAxes> axes;
+  std::vector<std::vector<Curve>> curves;
+  for (const auto& [frame, lines] : charts) {
+    ShownAxes& of_kind = axes.try_emplace(kind_of(frame), frame).first->second;
+    ShownAxes own = of_kind;
+    curves.push_back(placed(lines, own.x, own.y));
+    if (has_a_line(curves.back())) of_kind = own;
+  }
+  for (auto& [kind, shown] : axes) shown.leave_room();
+  std::string text;
+  for (std::size_t k = 0; k < charts.size(); ++k)
+    text += drawn(charts[k].frame, charts[k].lines, curves[k], axes.at(kind_of(charts[k].frame)));
+  return text;
 }
 
 }  // namespace sbeh::studies

@@ -25,4 +25,12 @@ struct ChartFrame {
 /// the largest value, which are rounding; empty when fewer than two are left in every line.
 std::string svg_chart(const ChartFrame& frame, const std::vector<ChartLine>& lines);
 
+struct Chart {
+  ChartFrame frame;
+  std::vector<ChartLine> lines;
+};
+/// The charts one after the other, each as svg_chart has it; those whose axes have the same names and scales have the same axes, so that they
+/// are compared at a glance.
+std::string svg_charts(const std::vector<Chart>& charts);
+
 }  // namespace sbeh::studies

@@ -62,17 +62,16 @@ std::vector<ChartLine> energies_over(const CsvTable& table, const std::string& x
   return lines;
 }
 
-// Empty where there is nothing to draw.
-std::string chart_of(const SweepPlan& plan, const PlannedCase& of) {
+Chart chart_of(const SweepPlan& plan, const PlannedCase& of) {
   const CsvTable table = read_csv(plan.results_of(of.number));
   ChartFrame frame{.title = fmt::format("{}: {}", of.number, values_text(plan, of)), .y_name = "U"};
   if (plan.kind == InputKind::run || plan.kind == InputKind::relax) {
     frame.x = AxisScale::logarithmic;
-    return svg_chart(frame, {energy_over_time(table)});
+    return {frame, {energy_over_time(table)}};
   }
   const bool by_L = count_of_values(table, "L") > count_of_values(table, "reduced_volume");
   frame.x_name = by_L ? "L" : "V_r";
-  return svg_chart(frame, energies_over(table, by_L ? "L" : "reduced_volume"));
+  return {frame, energies_over(table, by_L ? "L" : "reduced_volume")};
 }
 
 std::string charts(const SweepPlan& plan, const std::vector<CaseState>& states) {
@@ -80,8 +79,9 @@ std::string charts(const SweepPlan& plan, const std::vector<CaseState>& states) 
   for (std::size_t k = 0; k < states.size(); ++k)
     if (states[k].status == CaseStatus::done) done.push_back(&plan.cases[k]);
   const std::size_t step = (done.size() + most_charts - 1) / most_charts;
-  std::string text;
-  for (std::size_t k = 0; k < done.size(); k += step) text += chart_of(plan, *done[k]);
+  std::vector<Chart> shown;
+  for (std::size_t k = 0; k < done.size(); k += step) shown.push_back(chart_of(plan, *done[k]));
+  const std::string text = svg_charts(shown);
   if (text.empty()) return "";
   std::string note;
   if (step > 1) note = fmt::format("<p class=\"note\">One of {} cases in a row.</p>\n", step);

@@ -9,6 +9,7 @@
 #include "meshing/triangle_search.h"
 #include "surface3d/diagnostics.h"
 #include "surface3d/lipids.h"
+#include "surface3d/mesh/resolution.h"
 #include "surface3d/order_step.h"
 
 #include <fmt/format.h>
@@ -206,8 +207,8 @@ void measure_mesh(const meshing::CurvedMesh& fresh, const Triangulation& mesh, c
   report.distance /= radius(mesh, X);
 }
 
-// Why the new mesh is not good enough; empty when it is.
-std::string fault_of(const meshing::CurvedMesh& fresh, const RemeshReport& r) {
+// What its triangles are worse in than those before; empty where in nothing.
+std::string worse_triangles(const RemeshReport& r) {
   constexpr double good_angle = 25, good_quality = 0.4;
   if (r.quality_after < std::min(good_quality, std::max(r.quality_before, degenerate_quality)))
     return fmt::format("the quality of the new mesh is {:.2g}, of the old one {:.2g}",
@@ -215,6 +216,26 @@ std::string fault_of(const meshing::CurvedMesh& fresh, const RemeshReport& r) {
   if (r.min_angle_after < std::min(good_angle, r.min_angle_before))
     return fmt::format("the new mesh has an angle of {:.1f} degrees, the old one of {:.1f}",
                        r.min_angle_after, r.min_angle_before);
+  return {};
+}
+
+// That so many triangles are too few for the surface, of which bad ones come; empty where they are enough.
+std::string too_sharp(const Triangulation& mesh, const Nodes& X) {
+  const auto curvature = curvature_of(mesh, X);
+  if (!curvature) return {};
+  const double turn = indicators_of(mesh, X, *curvature).resolution;
+  if (turn <= largest_resolution) return {};
+  return fmt::format(
+      "the surface is too sharp for {} triangles: |B| times the node spacing is {:.3g} > {} on the "
+      "new ones; ",
+      mesh.count(), turn, largest_resolution);
+}
+
+// Why the new mesh is not good enough; empty when it is.
+std::string fault_of(const meshing::CurvedMesh& fresh, const Triangulation& mesh, const Nodes& X,
+                     const RemeshReport& r) {
+  if (const std::string worse = worse_triangles(r); !worse.empty())
+    return too_sharp(mesh, X) + worse;
   const auto crossing = meshing::self_intersections(meshing::lattice(fresh));
   if (!crossing.empty())
     return fmt::format("the new mesh intersects itself at {} places", crossing.size());
@@ -270,7 +291,8 @@ RemeshResult remesh(const Triangulation& mesh, const State& state, const model::
         (total_order(mesh, state) - total_order(*result.mesh, result.state)) / wanted.area;
   fresh.nodes = X;
   measure_mesh(fresh, *result.mesh, X, old, report);
-  if (std::string fault = fault_of(fresh, report); !fault.empty()) return refused(report, fault);
+  if (std::string fault = fault_of(fresh, *result.mesh, X, report); !fault.empty())
+    return refused(report, fault);
 
   const auto new_curvature = curvature_of(*result.mesh, X);
   if (!new_curvature) return refused(report, "the new surface is degenerate");

@@ -189,6 +189,8 @@ std::optional<PathPoint> with_tangent(const Path& path, const PathSolution& x,
   return PathPoint{x, scaled(unit(*b), sign), path.system->negative_directions()};
 }
 
+// Here the number of negative directions tells no jump: where a mode breaks a symmetry it changes without a turn of μ. Who follows a
+// path halves its steps until a fold or a branching point accounts for every change.
 bool continues(const Path& /*path*/, const PathPoint& from, const PathPoint& next, double /*ds*/) {
   return product(from.tangent, next.tangent) > model::least_cosine;
 }

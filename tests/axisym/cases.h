@@ -54,21 +54,26 @@ inline Energy energy_of(const Material& material, const StationaryState& s) {
   return energy(material, s, s.H);
 }
 
-/// The energy that equal steps of SBEH lose over the sum of τD that they dissipate, less 1.
-inline double energy_balance_of(const Material& material, const State& start, const Target& target,
-                                double duration, int steps) {
-  TimeStepper stepper(material, Model::SBEH, element_count(start.X));
+/// What equal steps come to.
+struct EnergyBalance {
+  double excess;  ///< the energy that they lose over the sum of τD that they dissipate, less 1
+  State end;
+};
+inline EnergyBalance energy_balance_of(const Material& material, Model model, const State& start,
+                                       const Target& target, double duration, int steps) {
+  TimeStepper stepper(material, model, element_count(start.X));
   const double tau = duration / steps;
   State s = start;
   double spent = 0;
   for (int k = 0; k < steps; ++k) {
     const FlowStep r = stepper.step(s, target, tau);
     EXPECT_TRUE(r.ok());
-    if (!r.ok()) return std::numeric_limits<double>::quiet_NaN();
+    if (!r.ok()) return {std::numeric_limits<double>::quiet_NaN(), s};
     spent += tau * r.dissipation.total();
     s = r.state;
   }
-  return (energy_of(material, start).total() - energy_of(material, s).total()) / spent - 1;
+  const double lost = energy_of(material, start).total() - energy_of(material, s).total();
+  return {lost / spent - 1, s};
 }
 
 /// U_EL, the part of the energy that is linear in L: everything but the potential.

@@ -11,6 +11,7 @@
 #include "surface3d/stationary/path.h"
 #include "surface3d/stationary/stationary.h"
 #include "tests/model/two_phases.h"
+#include "tests/surface3d/energy_balance.h"
 #include "tests/surface3d/stationary/places.h"
 
 #include <algorithm>
@@ -213,38 +214,12 @@ TEST(ConservedOrder3d, has_its_energy_law_to_first_order_in_tau) {
   start.state.beta.array() += *exact.material.mean_order - mean_order(start);
   Target kept = start.target();
   kept.order = total_order(*start.mesh, start.state);
-  TimeStepper first(start.mesh, exact.material, Model::SBEH, {});
-  for (int k = 0; k < 20; ++k) {  // what the interpolation has left is gone after it
-    const FlowStep r = first.step(start.state, kept, 2e-4);
-    ASSERT_TRUE(r.ok());
-    start.state = r.state;
-  }
+  // What the interpolation has left is gone after it.
+  start.state = energy_balance_of(exact.material, start, kept, 4e-3, 20).end;
   for (const OrderDynamics dynamics : {OrderDynamics::conserved, OrderDynamics::diffusive}) {
     Material material = exact.material;
     material.order = dynamics;
-    OrderTable table(
-        std::string(name(dynamics)) + ": energy lost against the sum of tau D, relative, change",
-        "tau");
-    std::vector<double> excess;
-    for (const int steps : {16, 32, 64}) {
-      TimeStepper stepper(start.mesh, material, Model::SBEH, {});
-      const double tau = 0.01 / steps;
-      State s = start.state;
-      double spent = 0;
-      for (int k = 0; k < steps; ++k) {
-        const FlowStep r = stepper.step(s, kept, tau);
-        ASSERT_TRUE(r.ok());
-        spent += tau * r.dissipation.total();
-        s = r.state;
-      }
-      const double lost =
-          energy_of(*start.mesh, material, start.state) - energy_of(*start.mesh, material, s);
-      excess.push_back(lost / spent - 1);
-      if (excess.size() > 1) table.add(tau, excess.end()[-1] - excess.end()[-2]);
-    }
-    EXPECT_NEAR(table.print(), 1, 0.2) << name(dynamics);
-    // What is left for τ to 0 is the mesh's.
-    EXPECT_LT(std::abs(2 * excess[2] - excess[1]), 5e-3) << name(dynamics);
+    expect_energy_law(name(dynamics), material, start, kept, 0.01, 16);
   }
 }
 

@@ -53,6 +53,23 @@ TEST_F(Check, of_a_3d_run_tells_what_it_costs_and_prints_every_parameter) {
   EXPECT_EQ(contents("").size(), 1u);
 }
 
+TEST_F(Check, of_symmetric_triangles_says_which_numbers_of_them_there_are) {
+  const auto checked = [&](int triangles) {
+    write("in.toml",
+          "model = \"SSH\"\ntime.end = 3\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = "
+          "0.8\nsymmetry = \"D3h\"\ntriangles = "
+              + std::to_string(triangles) + "\n");
+    const Ended ended = sbeh({"check", "in.toml"});
+    EXPECT_EQ(ended.exit_code, 0) << ended.err;
+    return ended.out;
+  };
+  const std::string remark =
+      "\n# 576 triangles, not 720: with symmetry = \"D3h\" their number is 36 n², near that 576 or "
+      "900\n";
+  EXPECT_NE(checked(720).find(remark), std::string::npos) << checked(720);
+  EXPECT_EQ(checked(576).find("their number is"), std::string::npos);
+}
+
 TEST_F(Check, prints_an_input_that_means_the_same) {
   for (const std::string text :
        {"[scan]\nreduced_volume = {from = 0.6, to = 0.9, count = 40}\nL = 0.1\nmethod = \"flow\"\n",

@@ -134,9 +134,13 @@ TEST_F(CompareEvolution, leaves_energies_over_time_of_two_methods_that_agree) {
   EXPECT_FALSE(exists(path("out/profiles.png")));
   must({"report", "out"});
 
+  // The record is whole without the run's file.
+  fs::remove(path("run.toml"));
+  must({"check", "out/run.toml"});
   fs::copy_file(path("out/run.toml"), path("again.toml"));
   must(into("again", "compare", "again.toml"));
   EXPECT_EQ(read("again/histories.csv"), read("out/histories.csv"));
+  EXPECT_EQ(read("again/run.toml"), read("out/run.toml"));
 }
 
 TEST_F(CompareEvolution, takes_the_rows_of_a_run_that_has_ended) {
@@ -148,6 +152,17 @@ TEST_F(CompareEvolution, takes_the_rows_of_a_run_that_has_ended) {
   const Table histories = table("out/histories.csv"), series = table("done/series.csv");
   ASSERT_EQ(histories.rows.size(), 6u);
   EXPECT_EQ(histories.text(2, "energy"), series.text(2, "energy"));
+
+  // What was compared can be told from what the folder holds now.
+  fs::copy_file(path("out/run.toml"), path("again.toml"));
+  must(into("again", "compare", "again.toml"));
+  const std::string ran = read("done/run.toml");
+  std::string other = ran;
+  other.replace(other.find("[2, 2, 0.2]"), 11, "[2, 2, 0.3]");
+  write("done/run.toml", other);
+  must_refuse(into("third", "compare", "again.toml"),
+              "again.toml:9: [compare] evolution = \"done\": is not what [evolution] says");
+  write("done/run.toml", ran);
 
   // Energies of other times are not compared.
   const std::string rows = read("done/series.csv");

@@ -96,6 +96,8 @@ TEST_F(Figures, goes_on_after_an_interruption) {
             std::string::npos)
       << some.err;
   EXPECT_EQ(read("out/evolution/SSH/series.csv"), begun);
+  EXPECT_NE(some.out.find("SSH: its run is not finished"), std::string::npos) << some.out;
+  EXPECT_EQ(some.out.find("SBEH: its run is not finished"), std::string::npos) << some.out;
 
   must(figures({"measures", "--no-pictures"}));
   EXPECT_TRUE(read("out/evolution/SSH/series.csv").starts_with(begun));

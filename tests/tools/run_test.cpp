@@ -83,6 +83,20 @@ TEST_F(Run3d, with_new_triangles_logs_them_and_is_resumed_to_the_same_bits) {
   EXPECT_EQ(contents("out"), contents("whole"));
 }
 
+// New triangles have no more of the first ones' symmetry than is kept.
+TEST_F(Run3d, measures_on_new_triangles_the_symmetry_that_these_have) {
+  write("in.toml",
+        "model = \"SSH\"\n[surface]\nshape = \"ellipsoid\"\nreduced_volume = 0.7\ntriangles = "
+        "180\nsymmetry = \"D2h\"\nkeep_symmetry = \"C2v\"\n[numerics]\nremesh = true\n"
+        "most_triangles = 270\n[time]\nend = 2e-6\noutput = [0, 2e-6]\nframes = [0]\n");
+  must(into("out", "run"));
+  ASSERT_EQ(table("out/events.csv").text(0, "event"), "remeshed");
+  const Table series = table("out/series.csv");
+  const std::size_t last = series.rows.size() - 1;
+  EXPECT_NE(series.text(last, "asymmetry"), "");
+  EXPECT_LT(series.number(last, "asymmetry"), 1e-13);
+}
+
 TEST_F(Run3d, whose_steps_are_too_large_ends_with_the_reason_and_its_last_state) {
   write("in.toml", ellipsoid
                        + "[numerics]\ntolerance = 1e-9\nfirst_step = 0.01\nsmallest_step = 0.005\n"

@@ -63,6 +63,8 @@ TEST_F(Sweep, is_worked_through_and_its_table_has_inputs_and_results) {
     EXPECT_EQ(sweep.text(row, "material.viscosity"), row < 2 ? "1" : "2");
     for (const char* column : {"time", "energy", "reduced_volume"})
       EXPECT_EQ(sweep.text(row, column), series.text(series.rows.size() - 1, column));
+    EXPECT_EQ(sweep.text(row, "class"), "oblate");
+    EXPECT_EQ(sweep.text(row, "stop_reason"), "end time reached");
   }
 }
 
@@ -150,6 +152,7 @@ TEST_F(Sweep, tells_which_case_failed_and_why_and_tries_it_again_when_asked) {
   const Table sweep = table("out/sweep.csv");
   EXPECT_EQ(sweep.text(1, "status"), "failed");
   EXPECT_NE(sweep.text(1, "reason"), "");
+  EXPECT_EQ(sweep.text(1, "stop_reason"), "");
   const Ended status = sbeh({"sweep", "out", "--status"});
   EXPECT_EQ(status.exit_code, 0);
   EXPECT_EQ(status.out,
@@ -271,6 +274,18 @@ TEST_F(Sweep, has_a_report_with_a_chart_of_each_case) {
   must_refuse({"report", "out", "--units"}, "out: is a sweep, whose report has no units");
 }
 
+TEST_F(Sweep, says_of_its_evolutions_that_came_to_rest_that_they_did) {
+  make(
+      "model = \"SSH\"\n[start]\nshape = \"ellipsoid\"\nreduced_volume = 0.9\nkind = \"prolate\"\n"
+      "[numerics]\nelements = 16\nrest_speed = 1e-2\n[time]\nend = 50\n"
+      "[sweep.grid]\n\"material.viscosity\" = [1]\n");
+  must({"sweep", "out"});
+  const Table sweep = table("out/sweep.csv");
+  EXPECT_EQ(sweep.text(0, "class"), "prolate");
+  EXPECT_EQ(sweep.text(0, "stop_reason"), "at rest");
+  EXPECT_LT(sweep.number(0, "time"), 50);
+}
+
 TEST_F(Sweep, of_scans_of_states_and_of_runs_has_the_lowest_energies) {
   write("scan.toml",
         "[scan]\nreduced_volume = [0.8, 0.9]\nL = 0.05\nmodels = [\"SSH\"]\nmodes = 0\n"
@@ -286,7 +301,12 @@ TEST_F(Sweep, of_scans_of_states_and_of_runs_has_the_lowest_energies) {
     must({"sweep", kind});
     const Table sweep = table(kind + "/sweep.csv");
     ASSERT_EQ(sweep.rows.size(), 2u);
-    if (kind == "run") continue;
+    EXPECT_EQ(sweep.text(0, "stop_reason"), kind == "run" ? "end time reached" : "stationary");
+    if (kind == "run") {
+      EXPECT_EQ(sweep.text(0, "class"), "Dooh");
+      continue;
+    }
+    EXPECT_EQ(sweep.text(0, "lowest_class"), kind == "scan" ? "oblate" : "Dooh");
     EXPECT_EQ(sweep.text(0, "states"), "2");
     EXPECT_EQ(sweep.text(0, "stationary"), "2");
     const Table of_case = table(fmt::format("{0}/cases/0001/{0}.csv", kind));

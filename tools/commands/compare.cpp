@@ -9,7 +9,8 @@ namespace {
 
 std::string title_of(const studies::CompareInput& input) {
   if (input.evolution)
-    return fmt::format("the evolution of {} ({}) to t = {:.4g}", input.evolution->file,
+    return fmt::format("the evolution of {} ({}) to t = {:.4g}",
+                       input.evolution->file.empty() ? "[evolution]" : input.evolution->file,
                        sbeh::name(input.state.model), input.evolution->run.times.end);
   return fmt::format("{} {}, reduced volume {}, L = {}", sbeh::name(input.state.model),
                      name(input.state.branch), input.state.reduced_volume, input.state.L());

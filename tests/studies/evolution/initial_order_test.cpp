@@ -110,6 +110,8 @@ TEST(InitialOrder, that_is_wrong_is_refused) {
       {"domains = [{ fraction = 0.5, oder = 0.6 }]\n", mean, "domains.oder: unknown key"},
       {"domains = [{ fraction = 0.9, order = 0.6 }]\n", mean,
        "mean_order = 0.25 leaves the order -2.9 outside of them"},
+      {"domains = [{ fraction = 0.7, order = 0.1 }, { fraction = 0.3, order = 0.6 }]\n", mean,
+       "have fractions whose sum is 1: must be < 1, since what is outside of them"},
       {"", "[material]\nL = 0.02\nmean_order = 0.3\n",
        "mean_order = 0.3: has a meaning with order = \"conserved\" or \"diffusive\" only"},
   };

@@ -251,6 +251,31 @@ TEST(FiguresFindings, see_the_energies_cross_and_the_spread_of_the_order_come_ba
   EXPECT_NE(findings.back().result.find("from t = 0.5 on"), std::string::npos);
 }
 
+// What of a run that has not ended looks like its last change, need not be it.
+TEST(FiguresFindings, name_a_run_that_is_not_finished_and_do_not_judge_its_end) {
+  std::vector<MeasureRow> rows = measures(2.5, 1.5, 5);
+  for (MeasureRow& row : rows) row.ended = row.model != Model::SBEH;
+  const auto findings = measures_findings(rows);
+  EXPECT_TRUE(findings.front().result.starts_with("SBEH: its run is not finished, it is at t = 5"))
+      << findings.front().result;
+  EXPECT_EQ(about(findings, "ends lower"), Agreement::open);
+  EXPECT_EQ(about(findings, "energy decreases"), Agreement::yes);
+  for (const char* judged : {"SSH leaves it earlier", "2.4 and 2.6", "lower plateau"})
+    for (const Finding& finding : findings)
+      EXPECT_EQ(finding.paper.find(judged), std::string::npos) << finding.result;
+}
+
+TEST(FiguresFindings, name_a_run_that_is_not_there_or_has_not_come_so_far) {
+  std::vector<MeasureRow> rows = measures(2.5, 1.5, 5);
+  std::erase_if(rows, [](const MeasureRow& row) { return row.model == Model::SSH; });
+  EXPECT_EQ(measures_findings(rows).front().result, "SSH: its run is not there");
+  std::vector<EvolutionRow> shapes = evolution(-9.8, 0.46);
+  shapes.back().nearest.reset();
+  const auto findings = evolution_findings(shapes);
+  EXPECT_EQ(about(findings, "", "SBEH: its run is not there"), Agreement::open);
+  EXPECT_EQ(about(findings, "", "SSH: no frame at t = 10"), Agreement::open);
+}
+
 TEST(FiguresFindings, are_none_without_rows) {
   EXPECT_TRUE(energy_findings({}).empty());
   EXPECT_TRUE(shapes_findings({}).empty());

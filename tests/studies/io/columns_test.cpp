@@ -204,7 +204,7 @@ TEST(Tables, have_these_columns) {
          "reduced_volume,order_min,order_max,H_abs_max,moment_1,moment_2,moment_3,frame");
   expect(figures::measure_columns(),
          "model,residual_stiffness,unresolved_from,time,energy,W2,order_std,order_variance,"
-         "reduced_volume");
+         "reduced_volume,ended");
   expect(figures::figure_columns(), "figure,command,seconds,result,paper,agreement");
 }
 

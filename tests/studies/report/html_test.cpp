@@ -131,6 +131,33 @@ TEST(Chart, leaves_out_lines_of_rounding_on_a_logarithmic_axis) {
   EXPECT_NE(svg_chart({.title = "c"}, lines).find("rounding"), std::string::npos);
 }
 
+// What is drawn of a chart: its ticks.
+std::string labels_of(const std::string& chart) {
+  std::string labels;
+  for (std::size_t at = 0; (at = chart.find("fill=\"var(--soft)\">", at)) != std::string::npos;
+       ++at) {
+    const std::size_t begin = chart.find('>', at) + 1;
+    labels += chart.substr(begin, chart.find('<', begin) - begin) + " ";
+  }
+  return labels;
+}
+
+TEST(Charts, of_one_kind_have_the_same_axes) {
+  const ChartFrame energies{.title = "low", .y_name = "U"}, others{.title = "W", .y_name = "W"};
+  const Chart low{energies, {{"U", {0, 1}, {2, 3}}}}, high{energies, {{"U", {0, 4}, {5, 7}}}},
+      other{others, {{"W", {0, 1}, {0, 1e-3}}}}, empty{energies, {{"U", {100}, {100}}}};
+  const std::string all = svg_charts({low, high, empty, other});
+  const auto nth = [&](int n) {
+    std::size_t begin = 0;
+    for (int k = 0; k < n; ++k) begin = all.find("<figure", begin + 1);
+    return all.substr(begin, all.find("</figure>", begin) - begin);
+  };
+  EXPECT_EQ(labels_of(nth(0)), labels_of(nth(1)));
+  EXPECT_EQ(labels_of(nth(0)), "0 1 2 3 4 2 4 6 ");
+  EXPECT_EQ(nth(2) + "</figure>\n", svg_chart(other.frame, other.lines));  // as it is alone
+  EXPECT_NE(nth(0), svg_chart(low.frame, low.lines));
+}
+
 TEST(Chart, of_a_constant_has_ticks) {
   for (const double constant : {0., 2. / 3, -1e9, 1e-12}) {
     const std::string text = svg_chart({.title = "c"}, {{"c", {0, 1}, {constant, constant}}});

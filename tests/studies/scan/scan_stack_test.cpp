@@ -2,6 +2,7 @@
 #include "studies/scan/scan_stack.h"
 
 #include "studies/io/csv.h"
+#include "studies/scan/scan_cost.h"
 #include "tests/studies/parameters/input_file.h"
 #include "tests/temporary_folder.h"
 
@@ -44,6 +45,16 @@ TEST(ScanAxes, that_are_wrong_are_refused) {
        {"axes = { L2 = -1 }",
         ":4: [scan] axes.L2 = -1: is no material at -1: 6 L1 + L2 + L3 = -0.7: must be > 0 "
         "(distortion energy)"}});
+}
+
+// States with a spontaneous curvature are followed to it: of three layers two cost more.
+TEST(ScanAxes, cost_what_their_layers_cost) {
+  const ScanInput input = read_scan(written(stack));
+  const std::vector<ScanLayer> layers = layers_of(input);
+  ASSERT_EQ(layers.size(), 3U);
+  const double plain = seconds_of(layers[1].input), curved = seconds_of(layers[0].input);
+  EXPECT_GT(curved, 1.5 * plain);
+  EXPECT_NEAR(seconds_of(input), plain + 2 * curved, 1e-12);
 }
 
 TEST(ScanAxes, leave_the_tables_of_all_layers) {

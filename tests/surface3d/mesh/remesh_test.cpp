@@ -203,8 +203,9 @@ TEST(Remesh, is_refused_with_a_reason) {
   Surface broken = s;
   broken.state.X(0, 5) = std::nan("");
   expect_refused(remesh(broken), "degenerate");
-  // Too few triangles for the tips.
-  expect_refused(remesh(surface_of(sheared(y53_radius(0.5), 0, 1280)), {.triangles = 40}), "new");
+  // Too few triangles for the tips: that is why they are slender.
+  expect_refused(remesh(surface_of(sheared(y53_radius(0.5), 0, 1280)), {.triangles = 40}),
+                 "the surface is too sharp for ");
 }
 
 TEST(Remesh, refuses_options_out_of_range) {
