@@ -35,6 +35,7 @@ CoupledSystem::CoupledSystem(const Triangulation& mesh, const model::Material& m
       nodes_(mesh.nodes),
       quadratic_nodes_(mesh.quadratic_nodes),
       multipliers_((along_normals() ? 1 : 7) + (material.area_difference.is_there() ? 1 : 0)),
+      ranks_(mesh.ranks),
       scheme_(chosen(scheme, mesh)),
       layout_(
           flow_layout(mesh, area, has_displacement(), multipliers_ + (along_normals() ? 1 : 0))),
@@ -101,6 +102,9 @@ void CoupledSystem::assemble(const Triangulation& mesh, const State& old,
     std::visit([&](auto& scheme) { scheme.add(mesh, triangle, element.mesh, piece); }, scheme_);
     add_flow(e, triangle.node_normals, piece);
   });
+  sum_over_ranks(mesh, flow_.rhs);
+  sum_over_ranks(mesh, total_area_rate_);
+  std::visit([&](auto& scheme) { scheme.end(mesh); }, scheme_);
   set_multipliers(constraints);
   if (has_moment_)
     set_moment(total_mean_curvature(mesh, old.X, curvature.H), constraints, from.X - old.X, tau);
@@ -111,7 +115,12 @@ void CoupledSystem::set_multipliers(const Constraints& constraints) {
   const int lambda = layout_.lambda;
   if (along_normals()) flow_.rhs[flow_.rhs.size() - 1] = total_area_rate_.sum();
   flow_.rhs[lambda] = constraints.keep_volume ? constraints.volume_rate : 0;  // (P2)
-  if (!constraints.keep_volume) flow_.matrix.coeffRef(lambda, lambda) = 1;
+  if (!constraints.keep_volume) set_diagonal(lambda, 1);
+}
+
+// Of a multiplier, on the first rank.
+void CoupledSystem::set_diagonal(int multiplier, double value) {
+  if (ranks_.is_first()) flow_.matrix.coeffRef(multiplier, multiplier) = value;
 }
 
 // (P3) at the end of the step, W₂ to first order there: the way from the surface of the integrals to where Y begins, and V.
@@ -120,7 +129,7 @@ void CoupledSystem::set_moment(double W2, const Constraints& constraints, const 
   const model::AreaDifference& ad = material_.area_difference;
   const int moment = layout_.lambda + multipliers_ - 1;
   if (!constraints.keep_volume) {  // on a sphere W₂ changes with the area alone
-    flow_.matrix.coeffRef(moment, moment) = 1;
+    set_diagonal(moment, 1);
     flow_.rhs[moment] = 0;
     return;
   }
@@ -131,7 +140,8 @@ void CoupledSystem::set_moment(double W2, const Constraints& constraints, const 
     if (!along_normals() && it.col() < 3 * nodes_)
       on_way += it.value() * way(it.col() % 3, it.col() / 3);
   }
-  flow_.matrix.coeffRef(moment, moment) = -constraints.area * ad.compliance() / tau;
+  ranks_.sum({&on_way, 1});
+  set_diagonal(moment, -constraints.area * ad.compliance() / tau);
   flow_.rhs[moment] = (ad.W2 - W2 - on_way) / tau;  // (P3)
 }
 

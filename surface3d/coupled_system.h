@@ -37,7 +37,8 @@ struct Constraints {
   double area;       ///< A of (P3)
 };
 
-/// Assembles the systems of a step; keeps their structure and memory.
+/// Assembles the systems of a step; keeps their structure and memory. Of matrices each rank has the part of its
+/// own triangles.
 class CoupledSystem {
  public:
   CoupledSystem(const Triangulation& mesh, const model::Material& material, Scheme scheme,
@@ -78,11 +79,13 @@ class CoupledSystem {
   void set_flow(const ElementSystem& element, bool keep_volume, FlowPiece& piece) const;
   void add_flow(int e, const ElementNodes& normals, FlowPiece& piece);
   void set_multipliers(const Constraints& constraints);
+  void set_diagonal(int multiplier, double value);
   void set_moment(double W2, const Constraints& constraints, const Nodes& way, double tau);
 
   model::Material material_;
   model::AreaConstraint area_;
   int nodes_, quadratic_nodes_, multipliers_;
+  Ranks ranks_;
   std::variant<Monolithic, Split> scheme_;
   FlowLayout layout_;
   LinearSystem flow_;

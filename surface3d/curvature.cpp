@@ -75,9 +75,9 @@ std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X,
   const std::array positions{&X, from};
   const int count = from ? 2 : 1;
   Curvature c{.node_normals = node_normals(mesh, X),
-              .normals = Nodes(3, mesh.nodes),
-              .H = {},
-              .H_from = {},
+              .normals = Nodes::Zero(3, mesh.nodes),
+              .H = Field::Zero(mesh.nodes),
+              .H_from = Field::Zero(from ? mesh.nodes : 0),
               .mass = mesh.scalars.zero()};
   SparseMatrix cosines = c.mass;
   Eigen::Matrix<double, Eigen::Dynamic, 5> rhs;
@@ -89,13 +89,22 @@ std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X,
     mesh.scalars.add(e, sums.cosines, cosines);
     for (int a = 0; a < 10; ++a) rhs.row(mesh.triangles(a, e)) += sums.rhs.row(a);
   });
+  sum_over_ranks(mesh, c.mass);
+  sum_over_ranks(mesh, cosines);
+  sum_over_ranks(mesh, rhs);
   if (!rhs.allFinite()) return {};
   in_parallel(count + 1, [&](int k) {
+    constexpr std::array by{0, 2,
+                            1};  // of two ranks one solves for the normals, the other for the rest
+    const int rank = k == count ? by[2] : by[std::size_t(k)];
+    if (rank % mesh.ranks.count() != mesh.ranks.rank()) return;
     if (k == count)
       c.normals = solve_mass(c.mass, Nodes(rhs.leftCols<3>().transpose()), c.node_normals);
     else
       (k == 0 ? c.H : c.H_from) = solve_curvature(cosines, rhs.col(3 + k));
   });
+  for (Field* H : {&c.H, &c.H_from}) sum_over_ranks(mesh, *H);
+  sum_over_ranks(mesh, c.normals);
   c.normals.colwise().normalize();
   if (!(c.normals.allFinite() && c.H.allFinite() && c.H_from.allFinite())) return {};
   return c;

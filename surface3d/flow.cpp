@@ -33,8 +33,10 @@ class Solver {
 
   Solver(std::shared_ptr<const Triangulation> mesh, const model::Material& material,
          model::Model model, const Numerics& numerics, const FlowSymmetry& symmetry,
-         const State& state)
-      : mesh_(std::move(mesh)),
+         const State& state, const Ranks& ranks)
+      : ranks_(ranks),
+        whole_(std::move(mesh)),
+        mesh_(parted(whole_)),
         material_(has_free_order(model) ? material : material.with_uniform_order()),
         model_(model),
         numerics_(numerics),
@@ -84,7 +86,7 @@ class Solver {
   StepView view(const std::optional<model::Past<State>>& past) const {
     return {.fields = stepper_->fields(),
             .memory = {stepper_->memory(), past, remeshing_over_},
-            .mesh = mesh_,
+            .mesh = whole_,
             .indicators = indicators_,
             .remeshed = remeshed_};
   }
@@ -104,7 +106,15 @@ class Solver {
     return required_symmetry(mesh, state, symmetry_.kept);
   }
 
-  std::shared_ptr<const Triangulation> mesh_;
+  std::shared_ptr<const Triangulation> parted(
+      const std::shared_ptr<const Triangulation>& mesh) const {
+    if (ranks_.is_alone()) return mesh;
+    return std::make_shared<const Triangulation>(*mesh, ranks_);
+  }
+
+  Ranks ranks_;
+  std::shared_ptr<const Triangulation> whole_,
+      mesh_;  // as observers see it; parted among the ranks
   model::Material material_;
   model::Model model_;
   Numerics numerics_;
@@ -130,9 +140,10 @@ bool Solver<Stepper>::renew(State& state) {
   if (!numerics_.remesh || remeshing_over_ || resolved(indicators_)) return false;
   const int triangles = std::min(numerics_.most_triangles, mesh_->count() * 3 / 2);
   remeshed_ =
-      remesh(*mesh_, state, material_, {.triangles = triangles, .symmetry = symmetry_.kept});
+      remesh(*whole_, state, material_, {.triangles = triangles, .symmetry = symmetry_.kept});
   if (!remeshed_->mesh) return remeshing_over_ = true, false;
-  mesh_ = remeshed_->mesh;
+  whole_ = remeshed_->mesh;
+  mesh_ = parted(whole_);
   state = remeshed_->state;
   kept_ = kept_by(*mesh_, state);
   stepper_ = std::make_unique<Stepper>(mesh_, material_, model_, numerics_);
@@ -189,7 +200,7 @@ Target lipids_of(const FlowMoment& start, const model::Material& material) {
 
 FlowResult run_flow(const model::Material& given, model::Model model, const FlowMoment& start,
                     const Numerics& numerics, const FlowSchedule& schedule,
-                    const FlowObserver& observe) {
+                    const FlowObserver& observe, const Ranks& ranks) {
   if (start.record.time == 0)
     given.area_difference.check_start(diagnose(*start.mesh, given, start.state).W2);
   Target target = start.target;
@@ -212,12 +223,14 @@ FlowResult run_flow(const model::Material& given, model::Model model, const Flow
   if (variational && material.order == model::OrderDynamics::diffusive)
     throw std::invalid_argument(
         "integrator = \"variational\": has no steps of order = \"diffusive\"");
+  if (variational && !ranks.is_alone())
+    throw std::invalid_argument("integrator = \"variational\": has no steps for several ranks");
   if (variational && !is_sphere(*start.mesh, start.target.area, start.target.volume)) {
-    MinimalSolver solver(start.mesh, material, model, numerics, start.symmetry, start.state);
+    MinimalSolver solver(start.mesh, material, model, numerics, start.symmetry, start.state, ranks);
     model::ImplicitEuler<MinimalSolver> steps(solver, target);
     return run(solver, steps, steps);
   }
-  LinearSolver solver(start.mesh, material, model, numerics, start.symmetry, start.state);
+  LinearSolver solver(start.mesh, material, model, numerics, start.symmetry, start.state, ranks);
   model::TwoStep<LinearSolver> two_step(solver, target);
   if (numerics.integrator != Integrator::step_doubling) return run(solver, two_step, two_step);
   model::StepDoubling<LinearSolver> doubling(solver, target, numerics.extrapolate);

@@ -65,8 +65,10 @@ inline constexpr const char* no_variational_steps =
 /// itself (see self_contact.h). Spheres, which do not move, have no variational steps, but those of TwoStep. Throws
 /// std::invalid_argument where the model has none, where the mesh has not the symmetry, and where lipids whose area depends on their order
 /// begin on a sphere. With lipid_density their number is kept, that of the start, and not the area.
+/// Several ranks run it together, with equal arguments and observers of one mind, and all have the result; see
+/// shared_flow.h. Variational steps are for one rank: else std::invalid_argument.
 FlowResult run_flow(const model::Material& material, model::Model model, const FlowMoment& start,
                     const Numerics& numerics, const FlowSchedule& schedule,
-                    const FlowObserver& observe = {});
+                    const FlowObserver& observe = {}, const Ranks& ranks = {});
 
 }  // namespace sbeh::surface3d

@@ -31,19 +31,19 @@ RimFields<double> on_rim(const GaussianFields<double>& all) {
 
 double gaussian_energy(const model::Material& material, const Triangulation& mesh,
                        const State& state) {
-  Eigen::VectorXd parts = Eigen::VectorXd::Zero(mesh.count());
-  in_parallel(mesh.count(), [&](int e) {
+  const auto on_triangle = [&](int e) {
     const ElementNodes X = on_element(mesh, e, state.X);
     const ElementField beta = on_element(mesh, e, state.beta);
-    double& sum = parts[e];
+    double sum = 0;
     for (const BentShapes& s : inner_points())
       sum += s.weight * connection_density(material, fields_of(X, beta, s));
     for (const BentShapes& s : first_rim())
       sum += s.weight * first_rim_density(material, on_rim(fields_of(X, beta, s)));
     for (const BentShapes& s : second_rim())
       sum += s.weight * second_rim_density(material, on_rim(fields_of(X, beta, s)));
-  });
-  double sum = parts.sum();
+    return Eigen::Array<double, 1, 1>(sum);
+  };
+  double sum = sum_over_triangles<1>(mesh, on_triangle)[0];
   const Field curvatures = corner_curvatures(mesh);
   for (int i = 0; i < mesh.nodes; ++i) sum += curvatures[i] * material.kappa_gauss(state.beta[i]);
   return sum;

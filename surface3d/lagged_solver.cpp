@@ -25,11 +25,11 @@ bool is_empty(const LinearSystem& system) { return system.matrix.rows() == 0; }
 
 }  // namespace
 
-LaggedSolver::LaggedSolver(const Numerics& numerics)
+LaggedSolver::LaggedSolver(const Numerics& numerics, const Ranks& ranks)
     : factorisation_(numerics.factorisation),
       solver_tolerance_(allowed(numerics.factorisation, numerics.solver_tolerance)),
-      flow_(Symmetry::general, solver_tolerance_),
-      motion_(Symmetry::symmetric, allowed_in_motion(numerics)) {}
+      flow_(Symmetry::general, solver_tolerance_, ranks),
+      motion_(Symmetry::symmetric, allowed_in_motion(numerics), ranks) {}
 
 // When the next solve is likely to cost more than the mean of all since the last factorisation,
 // which it was part of.

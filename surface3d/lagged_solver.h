@@ -35,7 +35,7 @@ enum class Pass { first, corrected };
 /// Solves the two systems of a CoupledSystem, one after the other; the second may be empty.
 class LaggedSolver {
  public:
-  explicit LaggedSolver(const Numerics& numerics);
+  LaggedSolver(const Numerics& numerics, const Ranks& ranks);
 
   /// Of the system as it was assembled at a state, with τ. Empty when a matrix is singular; the past is
   /// forgotten then.

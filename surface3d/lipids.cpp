@@ -57,6 +57,7 @@ Field lipid_load(const Triangulation& mesh, const model::Material& material, con
     }
     for (int a = 0; a < 6; ++a) load[mesh.quadratic(a, e)] += local[a];
   });
+  sum_over_ranks(mesh, load);
   return load;
 }
 

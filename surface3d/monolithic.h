@@ -14,6 +14,7 @@ class Monolithic {
            FlowPiece& piece) const {
     equation.set_rows(t, piece);
   }
+  void end(const Triangulation&) {}
   const LinearSystem& motion() const { return none_; }
   Eigen::VectorXd motion_rhs(const Nodes&, const Field&) const { return {}; }
   Nodes displacement(const Nodes&, const Eigen::VectorXd& Y, const Eigen::VectorXd&) const {

@@ -91,6 +91,8 @@ LinearSystem equation_of_order(const Triangulation& mesh, const model::Material&
     mesh.scalars.add(e, local, system.matrix);
     for (int a = 0; a < 10; ++a) system.rhs[mesh.triangles(a, e)] += vector[a];
   });
+  sum_over_ranks(mesh, system.matrix);
+  sum_over_ranks(mesh, system.rhs);
   return system;
 }
 
@@ -181,6 +183,9 @@ OrderStepResult diffused(const Triangulation& mesh, const model::Material& mater
       for (int a = 0; a < 10; ++a) system.rhs[2 * mesh.triangles(a, e) + i] += vector[i][a];
     }
   });
+  for (auto& row : system.block)
+    for (SparseMatrix& block : row) sum_over_ranks(mesh, block);
+  sum_over_ranks(mesh, system.rhs);
   DirectSolver direct(Symmetry::general);
   if (!direct.factor(system.matrix())) return {};
   Eigen::VectorXd x = system.rhs;
@@ -226,6 +231,7 @@ Field order_force(const Triangulation& mesh, const model::Material& material, co
     }
     for (int a = 0; a < 10; ++a) force[mesh.triangles(a, e)] += local[a];
   });
+  sum_over_ranks(mesh, force);
   const Field h = solve_mass(curvature.mass, force, Field::Zero(mesh.nodes));
   return h.allFinite() ? h : Field();
 }

@@ -1,5 +1,7 @@
 #include "surface3d/split.h"
 
+#include "surface3d/parallel.h"
+
 #include <Eigen/IterativeLinearSolvers>
 
 #include <limits>
@@ -21,7 +23,13 @@ void Split::begin(const Triangulation& mesh, const Nodes& normals, double tau) {
   node_normals_ = normals;
   tangents_ = node_tangents(normals);
   normal_flux_ = mesh.scalars.zero();
-  triangles_.resize(std::size_t(mesh.count()));
+  triangles_.resize(mesh.own.size());
+  ranks_ = mesh.ranks;
+}
+
+void Split::end(const Triangulation& mesh) {
+  sum_over_ranks(mesh, motion_.rhs);
+  sum_over_ranks(mesh, normal_flux_);
 }
 
 void Split::add(const Triangulation& mesh, const MovingTriangle& t, const MeshEquation& equation,
@@ -30,7 +38,7 @@ void Split::add(const Triangulation& mesh, const MovingTriangle& t, const MeshEq
   add_to_motion(mesh, t, equation);
   mesh.scalars.add(t.e, equation.normal_mass_along(t.node_normals).transpose(),
                    normal_flux_);  // (Y1)
-  triangles_[std::size_t(t.e)] = {mesh.triangles.col(t.e), equation};
+  triangles_[std::size_t(mesh.place[std::size_t(t.e)])] = {mesh.triangles.col(t.e), equation};
 }
 
 // (H1) along the normals, with the displacement τ(V·n) n from the foot points: a test field Z = φ_a n_a
@@ -78,6 +86,7 @@ Eigen::VectorXd Split::motion_rhs(const Nodes& V, const Field& H) const {
   Nodes force = Nodes::Zero(3, V.cols());
   for (const auto& [nodes, equation] : triangles_)
     force(Eigen::all, nodes) += equation.mesh_force(H(nodes), Y(Eigen::all, nodes));  // (H1)
+  ranks_.sum({force.data(), std::size_t(force.size())});
   Eigen::VectorXd rhs = motion_.rhs;
   for (int k = 0; k < 2; ++k)
     rhs.reshaped(2, V.cols()).row(k) -=
@@ -95,7 +104,8 @@ Nodes Split::displacement(const Nodes& V, const Eigen::VectorXd&,
   Eigen::RowVectorXd flux = Eigen::RowVectorXd::Zero(V.cols());
   for (const auto& [nodes, equation] : triangles_)
     flux(nodes) += equation.normal_flux(missing(Eigen::all, nodes));  // (Y1)
-  Eigen::BiCGSTAB<SparseMatrix> solver(normal_flux_);                 // nearly a mass matrix
+  ranks_.sum({flux.data(), std::size_t(flux.size())});
+  Eigen::BiCGSTAB<SparseMatrix> solver(normal_flux_);  // nearly a mass matrix
   solver.setTolerance(1e-8);  // of the flux, which is of higher order in the mesh size
   const Field correction = solver.solve(flux.transpose());
   if (solver.info() != Eigen::Success) Y.setConstant(std::numeric_limits<double>::quiet_NaN());

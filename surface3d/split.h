@@ -23,6 +23,8 @@ class Split {
   /// What a triangle adds to the rows G and Z of the flow, and to the motion of the mesh.
   void add(const Triangulation& mesh, const MovingTriangle& t, const MeshEquation& equation,
            FlowPiece& piece);
+  /// After all have been added.
+  void end(const Triangulation& mesh);
 
   /// Where Y is not one of the flow: its tangential part, two components for each node, symmetric and
   /// positive definite. The right-hand side lacks what depends on the flow, see motion_rhs.
@@ -45,10 +47,11 @@ class Split {
   SparsePattern pattern_;
   LinearSystem motion_;
   double tau_ = 0;
-  Nodes node_normals_;             // 3 x nodes, of the old surface
-  std::array<Nodes, 2> tangents_;  // 3 x nodes, unit, orthogonal to each other and to the normals
-  SparseMatrix normal_flux_;       // of (Y1) along the node normals: (n_b·ν φ_b, φ_a)
-  std::vector<Triangle> triangles_;
+  Nodes node_normals_;               // 3 x nodes, of the old surface
+  std::array<Nodes, 2> tangents_;    // 3 x nodes, unit, orthogonal to each other and to the normals
+  SparseMatrix normal_flux_;         // of (Y1) along the node normals: (n_b·ν φ_b, φ_a)
+  std::vector<Triangle> triangles_;  // of this rank
+  Ranks ranks_;
 };
 
 }  // namespace sbeh::surface3d

@@ -4,9 +4,13 @@
 #include "model/numerics/quadrature.h"
 #include "surface3d/parallel.h"
 
+#include <metis.h>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <numeric>
 #include <set>
 #include <stdexcept>
 #include <vector>
@@ -16,22 +20,25 @@ namespace sbeh::surface3d {
 namespace {
 
 using Patch = Triangulation::Patch;
+using Triangles = decltype(Triangulation::triangles);
+
+// Corners have the first numbers.
+int corners_of(const Triangles& triangles) { return triangles.topRows<3>().maxCoeff() + 1; }
 
 // Grown from triangle to triangle over their corners, so that few nodes belong to several patches.
-std::vector<Patch> patches_of(const meshing::CurvedMesh& mesh) {
+std::vector<Patch> patches_of(const Triangles& triangles, const std::vector<int>& own) {
   constexpr std::size_t size = 16;
-  std::vector<std::vector<int>> at_corner(std::size_t(mesh.vertex_count()));
-  for (int e = 0; e < mesh.triangle_count(); ++e)
-    for (const int corner : mesh.triangles.col(e).head<3>())
-      at_corner[std::size_t(corner)].push_back(e);
-  std::vector<bool> taken(std::size_t(mesh.triangle_count()), false);
+  std::vector<std::vector<int>> at_corner(std::size_t(corners_of(triangles)));
+  for (const int e : own)
+    for (const int corner : triangles.col(e).head<3>()) at_corner[std::size_t(corner)].push_back(e);
+  std::vector<bool> taken(std::size_t(triangles.cols()), false);
   std::vector<Patch> patches;
-  for (int first = 0; first < mesh.triangle_count(); ++first) {
+  for (const int first : own) {
     if (taken[std::size_t(first)]) continue;
     Patch& patch = patches.emplace_back(Patch{first});
     taken[std::size_t(first)] = true;
     for (std::size_t k = 0; k < patch.size(); ++k)
-      for (const int corner : mesh.triangles.col(patch[k]).head<3>())
+      for (const int corner : triangles.col(patch[k]).head<3>())
         for (const int e : at_corner[std::size_t(corner)])
           if (!taken[std::size_t(e)] && patch.size() < size) {
             patch.push_back(e);
@@ -42,14 +49,14 @@ std::vector<Patch> patches_of(const meshing::CurvedMesh& mesh) {
 }
 
 // Each patch is given the first colour that no other has at its corners.
-std::vector<std::vector<Patch>> coloured(const meshing::CurvedMesh& mesh,
+std::vector<std::vector<Patch>> coloured(const Triangles& triangles,
                                          const std::vector<Patch>& patches) {
   std::vector<std::vector<Patch>> colours;
-  std::vector<std::set<int>> met(std::size_t(mesh.vertex_count()));  // colours at the corners
+  std::vector<std::set<int>> met(std::size_t(corners_of(triangles)));  // colours at the corners
   for (const Patch& patch : patches) {
     std::set<int> corners;
     for (const int e : patch)
-      for (const int corner : mesh.triangles.col(e).head<3>()) corners.insert(corner);
+      for (const int corner : triangles.col(e).head<3>()) corners.insert(corner);
     int colour = 0;
     while (std::ranges::any_of(
         corners, [&](int corner) { return met[std::size_t(corner)].contains(colour); }))
@@ -59,6 +66,30 @@ std::vector<std::vector<Patch>> coloured(const meshing::CurvedMesh& mesh,
     colours[std::size_t(colour)].push_back(patch);
   }
   return colours;
+}
+
+std::vector<int> all_of(int count) {
+  std::vector<int> all(std::size_t(count), 0);
+  std::iota(all.begin(), all.end(), 0);
+  return all;
+}
+
+// Those of a rank, by METIS: parts of one size with few sides between them.
+std::vector<int> part_of(const Triangles& triangles, const Ranks& ranks) {
+  idx_t elements = idx_t(triangles.cols()), corners = idx_t(corners_of(triangles)), common = 2,
+        parts = ranks.count(), cut = 0;
+  std::vector<idx_t> start{0}, corner_of, part(std::size_t(elements), 0),
+      part_of_corner(std::size_t(corners), 0);
+  for (idx_t e = 0; e < elements; ++e) {
+    for (const int corner : triangles.col(e).head<3>()) corner_of.push_back(corner);
+    start.push_back(idx_t(corner_of.size()));
+  }
+  METIS_PartMeshDual(&elements, &corners, start.data(), corner_of.data(), nullptr, nullptr, &common,
+                     &parts, nullptr, nullptr, &cut, part.data(), part_of_corner.data());
+  std::vector<int> own;
+  for (idx_t e = 0; e < elements; ++e)
+    if (part[std::size_t(e)] == ranks.rank()) own.push_back(e);
+  return own;
 }
 
 }  // namespace
@@ -71,12 +102,23 @@ Triangulation::Triangulation(const meshing::CurvedMesh& mesh)
       nodes(mesh.node_count()),
       quadratic_nodes(mesh.vertex_count() + mesh.edge_count()),
       scalars(nodes, mesh.triangles, SparsePattern::Mask::Constant(10, 10, true)),
-      colours(coloured(mesh, patches_of(mesh))) {
+      own(all_of(count())),
+      place(own),
+      colours(coloured(triangles, patches_of(triangles, own))) {
   const int vertices = mesh.vertex_count();
   quadratic.topRows<3>() = triangles.topRows<3>();
   for (int e = 0; e < count(); ++e)
     for (int k = 0; k < 3; ++k)  // two consecutive P3 nodes are one edge
       quadratic(3 + k, e) = vertices + (triangles(3 + 2 * k, e) - vertices) / 2;
+}
+
+Triangulation::Triangulation(const Triangulation& whole, const Ranks& all) : Triangulation(whole) {
+  if (all.is_alone()) return;
+  ranks = all;
+  own = part_of(triangles, ranks);
+  std::ranges::fill(place, -1);
+  for (std::size_t k = 0; k < own.size(); ++k) place[std::size_t(own[k])] = int(k);
+  colours = coloured(triangles, patches_of(triangles, own));
 }
 
 ShapeValues shape_values(const Eigen::Vector2d& x, double weight) {
@@ -138,23 +180,18 @@ SurfacePoint surface_point(const ElementNodes& X, const ShapeValues& s) {
 }
 
 Target area_and_volume(const Triangulation& mesh, const Nodes& X) {
-  std::vector<Target> parts(std::size_t(mesh.count()), Target{});
-  in_parallel(mesh.count(), [&](int e) {
+  const auto sum = sum_over_triangles<2>(mesh, [&](int e) {
     const ElementNodes local = on_element(mesh, e, X);
-    Target& part = parts[std::size_t(e)];
+    Eigen::Array2d part = Eigen::Array2d::Zero();
     for (const ShapeValues& s : diagnostic_points()) {
       const Eigen::Vector3d a1 = local * Shapes(s.dphi[0].data()),
                             a2 = local * Shapes(s.dphi[1].data()), normal = a1.cross(a2);
-      part.area += s.weight * normal.norm();
-      part.volume += s.weight * value_at(local, s).dot(normal) / 3;
+      part[0] += s.weight * normal.norm();
+      part[1] += s.weight * value_at(local, s).dot(normal) / 3;
     }
+    return part;
   });
-  Target sum{};
-  for (const Target& part : parts) {
-    sum.area += part.area;
-    sum.volume += part.volume;
-  }
-  return sum;
+  return {sum[0], sum[1]};
 }
 
 double area(const Triangulation& mesh, const Nodes& X) { return area_and_volume(mesh, X).area; }

@@ -7,6 +7,7 @@
 #include "meshing/curved_mesh.h"
 #include "model/numerics/area_volume.h"
 #include "model/terms.h"
+#include "surface3d/linear/ranks.h"
 #include "surface3d/linear/sparse_pattern.h"
 
 #include <Eigen/Core>
@@ -27,13 +28,19 @@ using Field = Eigen::VectorXd;
 struct Triangulation {
   /// Of a mesh of order 3; throws std::invalid_argument for another order.
   explicit Triangulation(const meshing::CurvedMesh& mesh);
+  /// The same triangles, parted among the ranks: what is computed with these is computed by all of them
+  /// together, each adding up its own triangles.
+  Triangulation(const Triangulation& whole, const Ranks& ranks);
 
   Eigen::Matrix<int, 10, Eigen::Dynamic> triangles;  // P3 nodes x triangles
   Eigen::Matrix<int, 6, Eigen::Dynamic> quadratic;   // P2 nodes x triangles: of the pressure
   int nodes;                                         ///< of P3
   int quadratic_nodes;                               ///< of P2
   SparsePattern scalars;                             ///< of matrices (P3, P3)
-  /// Every triangle, in patches of neighbours; patches of one colour have no node in common.
+  Ranks ranks;                                       ///< which share the triangles
+  std::vector<int> own;                              ///< triangles of this rank, ascending
+  std::vector<int> place;                            ///< of each triangle among them, else −1
+  /// Every triangle of this rank, in patches of neighbours; patches of one colour have no node in common.
   using Patch = std::vector<int>;
   std::vector<std::vector<Patch>> colours;
   int count() const { return int(triangles.cols()); }

@@ -60,19 +60,20 @@ struct Numbering {
   std::vector<int> first;
 };
 Numbering number(const Triangulation& mesh, const Layout& layout) {
-  Eigen::MatrixXi unknowns(layout.size(), mesh.count());
+  const int elements = int(mesh.own.size());
+  Eigen::MatrixXi unknowns(layout.size(), elements);
   std::vector<int> first{0};
   int row = 0;
   for (const Block& b : layout.blocks) {
-    for (int e = 0; e < mesh.count(); ++e)
+    for (int k = 0; k < elements; ++k)
       for (int i = 0; i < b.size; ++i)
-        unknowns(row + i, e) = first.back() + global_index(mesh, b, e, i);
+        unknowns(row + i, k) = first.back() + global_index(mesh, b, mesh.own[std::size_t(k)], i);
     row += b.size;
     first.push_back(first.back() + global_size(mesh, b));
   }
   const Block& last = layout.blocks.back();
   return {SparsePattern(first.back(), std::move(unknowns), mask_of(layout),
-                        last.components == 0 ? last.size : 0),
+                        last.components == 0 ? last.size : 0, mesh.place),
           std::move(first)};
 }
 

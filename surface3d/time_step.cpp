@@ -52,7 +52,7 @@ TimeStepper::TimeStepper(const std::shared_ptr<const Triangulation>& mesh,
       material_(effective(material, model)),
       model_(model),
       system_(*mesh, material_, numerics.scheme, area_constraint(model)),
-      solver_(numerics) {}
+      solver_(numerics, mesh->ranks) {}
 
 bool TimeStepper::recall(const StepperMemory& memory) {
   if (memory.solves > 0) {

@@ -4,6 +4,7 @@
 #include "studies/io/interrupt.h"
 #include "tools/commands/commands.h"
 #include "tools/commands/self_test.h"
+#include "tools/ranks.h"
 #include "tools/refusals.h"
 
 #include <malloc.h>
@@ -22,7 +23,7 @@ void keep_memory() {
   mallopt(M_TRIM_THRESHOLD, most);
 }
 
-int run(int argc, char** argv) {
+int run(int argc, char** argv, tools::RanksAtWork& ranks) {
   CLI::App program{"Shapes and dynamics of fluid lipid membranes with liquid-crystalline order.",
                    "sbeh"};
   program.set_version_flag("--version", SBEH_VERSION);
@@ -43,8 +44,11 @@ int run(int argc, char** argv) {
     return tools::refuse_words(program, error, {"command", "shape"});
   }
   studies::let_writes_fail();
-  for (const tools::Command& command : commands)
-    if (*command.app) return command.run();
+  for (const tools::Command& command : commands) {
+    if (!*command.app) continue;
+    ranks.begin(command.app->get_name());
+    return command.run();
+  }
   return tools::exit_bad_input;
 }
 
@@ -52,7 +56,13 @@ int run(int argc, char** argv) {
 
 int main(int argc, char** argv) {
   keep_memory();
-  const int code = tools::exit_code_of([&] { return run(argc, argv); });
+  const int code = tools::exit_code_of([&] {
+    tools::become_one_of_many(argv);
+    tools::RanksAtWork ranks;
+    if (ranks.is_first()) return run(argc, argv, ranks);
+    ranks.serve();
+    return 0;
+  });
   if (std::fflush(stdout) == 0) return code;
   tools::complain("standard output cannot be written");
   return code == 0 ? tools::exit_bad_input : code;

@@ -8,6 +8,7 @@
 #include "studies/evolution/run_start.h"
 #include "studies/io/description.h"
 #include "studies/io/interrupt.h"
+#include "surface3d/shared_flow.h"
 #include "surface3d/stationary/rest_ahead.h"
 #include "surface3d/symmetry.h"
 
@@ -109,7 +110,7 @@ surface3d::FlowResult run_observed(const RunInput& input, const FlowMoment& star
   if (over) schedule.end_time = start.record.time;
   surface3d::RestWatch rest(input.material, input.model, start.target, start.record);
   bool is_near = false;
-  surface3d::FlowResult run = surface3d::run_flow(
+  surface3d::FlowResult run = surface3d::run_shared_flow(
       input.material, input.model, start, input.numerics, schedule,
       [&](const FlowRecord& seen, const surface3d::State& state, const StepView& view, bool exact) {
         FlowRecord record = seen;
@@ -117,7 +118,8 @@ surface3d::FlowResult run_observed(const RunInput& input, const FlowMoment& star
             input.finish == RunFinish::newton && !seen.ends && rest.near(seen, *view.mesh, state);
         if (is_near) record.ends = FlowStop::near_rest;
         return observers.see(record, state, view, exact) && !is_near;
-      });
+      },
+      surface3d::Ranks::all());
   if (is_near) run.last.ends = run.stop = FlowStop::near_rest;
   if (over) run.stop = *over;
   return run;

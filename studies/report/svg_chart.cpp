@@ -134,7 +134,7 @@ struct ShownAxes {
 std::string drawn(const ChartFrame& frame, const std::vector<ChartLine>& lines,
                   const std::vector<Curve>& curves, const ShownAxes& axes) {
   if (!has_a_line(curves)) return "";
-  const auto& [x, y] = axes;
+  const ShownAxis &x = axes.x, &y = axes.y;
   const auto across = [&](double at) {
     return left + (width - left - right) * (at - x.low) / (x.high - x.low);
   };

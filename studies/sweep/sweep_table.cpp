@@ -131,7 +131,7 @@ Fields result_columns(InputKind kind) {
 
 // Empty fields where there is nothing to trust: of cases that have not ended, and of tables that a failure has cut off.
 Fields results_of(const SweepPlan& plan, const CaseState& state) {
-  const Fields none(result_columns(plan.kind).size());
+  Fields none(result_columns(plan.kind).size());
   const bool done = state.status == CaseStatus::done;
   const fs::path file = plan.results_of(state.number);
   if ((!done && state.status != CaseStatus::failed) || !fs::exists(file)) return none;

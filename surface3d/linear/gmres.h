@@ -12,11 +12,12 @@ Eigen::VectorXd product(const SparseMatrix& A, const Eigen::VectorXd& x);
 
 /// Solves A x = b by GMRES with the factors of an earlier matrix as left preconditioner, so that the
 /// residual measures the error of the solution. The factors are in single precision unless the tolerance
-/// is below `coarse`.
+/// is below `coarse`. Where several ranks share it each has a part of A, as in DirectSolver.
 class Gmres {
  public:
-  Gmres(Symmetry symmetry, double tolerance)
-      : direct_(symmetry, tolerance < coarse ? Precision::full : Precision::single),
+  Gmres(Symmetry symmetry, double tolerance, const Ranks& ranks = {})
+      : direct_(symmetry, tolerance < coarse ? Precision::full : Precision::single, ranks),
+        ranks_(ranks),
         tolerance_(tolerance) {}
 
   [[nodiscard]] bool factor(const SparseMatrix& A) { return direct_.factor(A); }
@@ -26,7 +27,13 @@ class Gmres {
   /// `floor` of x. Returns the number of times the factors were applied; 0 when `most_iterations` did not
   /// suffice, and then x is as it was.
   int solve(const SparseMatrix& A, const Eigen::VectorXd& b, Eigen::VectorXd& x) const {
-    return solve([&](const Eigen::VectorXd& v) { return product(A, v); }, b, x);
+    return solve(
+        [&](const Eigen::VectorXd& v) {
+          Eigen::VectorXd part = product(A, v);
+          ranks_.sum({part.data(), std::size_t(part.size())});
+          return part;
+        },
+        b, x);
   }
   /// The same with A as what it makes of a vector.
   int solve(const std::function<Eigen::VectorXd(const Eigen::VectorXd&)>& A,
@@ -44,6 +51,7 @@ class Gmres {
 
  private:
   DirectSolver direct_;
+  Ranks ranks_;
   double tolerance_;
 };
 

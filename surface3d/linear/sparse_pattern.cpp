@@ -19,8 +19,9 @@ std::vector<std::vector<Contribution>> contributions_of(int size, const Eigen::M
 }
 }  // namespace
 
-SparsePattern::SparsePattern(int size, Eigen::MatrixXi unknowns, Mask couples, int common)
-    : size_(size), common_(common), unknowns_(std::move(unknowns)) {
+SparsePattern::SparsePattern(int size, Eigen::MatrixXi unknowns, Mask couples, int common,
+                             std::vector<int> places)
+    : size_(size), common_(common), places_(std::move(places)), unknowns_(std::move(unknowns)) {
   const int locals = int(unknowns_.rows());
   std::vector<int> first_pair;  // of each local row
   std::vector<int> order(

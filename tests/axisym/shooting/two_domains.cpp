@@ -167,7 +167,7 @@ OnBranch follow(const DomainLine& line, const Shape& from) {
     const auto next = model::advance(line, *here, ds, shortest);
     if (!next) break;
     if (next->slope() <= 0) {
-      const OnBranch fold = model::locate_fold(line, *here, *next, ds);
+      OnBranch fold = model::locate_fold(line, *here, *next, ds);
       if (fold.parameter() < 1) return fold;
     }
     if (next->parameter() >= 1) {

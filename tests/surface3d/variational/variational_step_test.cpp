@@ -166,7 +166,7 @@ TEST(VariationalStep,
 
 TEST(VariationalStep, comes_to_rest_in_few_steps) {
   const Material material = paper_material(0.05);
-  const Surface s = ordered_spheroid(0.8, 80);
+  const Surface s = ordered_spheroid(0.7, 80);  // a minimum; above 0.75 oblates are saddles
   Numerics numerics;
   numerics.integrator = Integrator::variational;
   numerics.tolerance = 1e-2;
@@ -182,8 +182,8 @@ TEST(VariationalStep, comes_to_rest_in_few_steps) {
   EXPECT_LT((rest.state.X - run.state.X).cwiseAbs().maxCoeff(), 1e-5);
   // As multiplier of the flow λ is −P.
   EXPECT_NEAR(run.last.lambda, -rest.state.pressure, 1e-4);
-  // What still moves is the mesh along itself, which changes U by an error of discretisation: 2e-8 in the end.
-  EXPECT_NEAR(run.last.energy.total(), energy(material, *s.mesh, rest.state).total(), 1e-7);
+  // What still moves is the mesh along itself, which changes U by an error of discretisation: 3e-7 in the end.
+  EXPECT_NEAR(run.last.energy.total(), energy(material, *s.mesh, rest.state).total(), 1e-6);
 }
 
 TEST(VariationalStep, is_not_for_a_global_area_constraint) {
