@@ -2,6 +2,7 @@
 
 #include "studies/io/errors.h"
 #include "surface3d/shared_flow.h"
+#include "tools/refusals.h"
 
 #include <fmt/format.h>
 #include <sched.h>
@@ -22,6 +23,12 @@ namespace {
 int number_in(const char* variable) {
   const char* text = std::getenv(variable);
   return text ? std::max(1, std::atoi(text)) : 1;
+}
+
+bool is_first_started() {
+  for (const char* variable : {"OMPI_COMM_WORLD_RANK", "SLURM_PROCID"})
+    if (const char* rank = std::getenv(variable)) return std::atoi(rank) == 0;
+  return true;
 }
 
 // The cores of a machine among those that run on it.
@@ -48,7 +55,9 @@ int started_together() {
 void become_one_of_many(char** argv) {
   if (started_together() == 1 || surface3d::Ranks::by_mpi()) return;
   const auto other = std::filesystem::read_symlink("/proc/self/exe").parent_path() / "sbeh-mpi";
-  if (!std::filesystem::exists(other))
+  const bool is_there = std::filesystem::exists(other);
+  if (!is_there && !is_first_started()) std::_Exit(exit_bad_input);  // one of them says why
+  if (!is_there)
     throw studies::InputError(fmt::format(
         "started {} times at once, but this sbeh is built for one process: build it with "
         "-DSBEH_MPI=ON (tools/setup mpi), or start it once",
