@@ -4,6 +4,7 @@
 #include "model/relaxation.h"
 #include "model/time/flow.h"
 #include "model/time/implicit_euler.h"
+#include "model/time/multi_step.h"
 #include "surface3d/lipids.h"
 #include "surface3d/mesh/self_contact.h"
 #include "surface3d/order_step.h"
@@ -83,9 +84,9 @@ class Solver {
     remeshing_over_ = memory.remeshing_over;
     return stepper_->recall(memory.stepper);
   }
-  StepView view(const std::optional<model::Past<State>>& past) const {
+  StepView view(const model::StepHistory<State>& history) const {
     return {.fields = stepper_->fields(),
-            .memory = {stepper_->memory(), past, remeshing_over_},
+            .memory = {stepper_->memory(), history, remeshing_over_},
             .mesh = whole_,
             .indicators = indicators_,
             .remeshed = remeshed_};
@@ -130,7 +131,7 @@ using LinearSolver = Solver<TimeStepper>;
 using MinimalSolver = Solver<VariationalStepper>;
 static_assert(model::FlowSolver<LinearSolver> && model::TwoStepSolver<LinearSolver>);
 static_assert(model::FlowIntegrator<model::StepDoubling<LinearSolver>, State>);
-static_assert(model::FlowIntegrator<model::TwoStep<LinearSolver>, State>);
+static_assert(model::FlowIntegrator<model::MultiStep<LinearSolver>, State>);
 static_assert(model::FlowIntegrator<model::ImplicitEuler<MinimalSolver>, State>);
 
 template <class Stepper>
@@ -158,10 +159,11 @@ bool Solver<Stepper>::renew(State& state) {
 void Numerics::validate() const {
   model::check_parameters(*this);
   TimeControl::validate();
-  if (integrator == Integrator::two_step && !extrapolate)
-    throw std::invalid_argument(
-        "extrapolate = false: must be true with integrator = \"two-step\", which is of second "
-        "order");
+  if ((integrator == Integrator::multi_step || integrator == Integrator::two_step) && !extrapolate)
+    throw std::invalid_argument(fmt::format(
+        "extrapolate = false: must be true with integrator = \"{}\", which is of second "
+        "order at least",
+        name(integrator)));
 }
 
 namespace {
@@ -177,12 +179,12 @@ FlowResult run_with(Solver<Stepper>& solver, Memory& memory, Integrator& integra
             .last = start.record,
             .steps = 0,
             .fault = model::FlowFault::linear_solve};
-  memory.recall(start.memory.past);
+  memory.recall(start.memory.history);
   model::FlowObserver<State> observer;
   if (observe)
     observer = [&](const FlowRecord& record, const State& state, bool exact) {
       if (record.time_step == 0) solver.look_at(state);
-      return observe(record, state, solver.view(memory.past()), exact);
+      return observe(record, state, solver.view(memory.history()), exact);
     };
   return model::Flow(solver, integrator, numerics, at_rest)
       .run(start.state, start.record, schedule, observer);
@@ -231,10 +233,11 @@ FlowResult run_flow(const model::Material& given, model::Model model, const Flow
     return run(solver, steps, steps);
   }
   LinearSolver solver(start.mesh, material, model, numerics, start.symmetry, start.state, ranks);
-  model::TwoStep<LinearSolver> two_step(solver, target);
-  if (numerics.integrator != Integrator::step_doubling) return run(solver, two_step, two_step);
+  model::MultiStep<LinearSolver> steps(solver, target, numerics,
+                                       numerics.integrator == Integrator::two_step ? 2 : 3);
+  if (numerics.integrator != Integrator::step_doubling) return run(solver, steps, steps);
   model::StepDoubling<LinearSolver> doubling(solver, target, numerics.extrapolate);
-  return run(solver, two_step, doubling);
+  return run(solver, steps, doubling);
 }
 
 }  // namespace sbeh::surface3d

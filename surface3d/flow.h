@@ -4,7 +4,7 @@
 #include "meshing/point_group.h"
 #include "model/time/flow_record.h"
 #include "model/time/step_control.h"
-#include "model/time/two_step.h"
+#include "model/time/multi_step.h"
 #include "surface3d/diagnostics.h"
 #include "surface3d/mesh/remesh.h"
 #include "surface3d/mesh/resolution.h"
@@ -21,8 +21,8 @@ using model::same_time;
 /// The past of a run besides its state: with it a run goes on with the same bits.
 struct FlowMemory {
   StepperMemory stepper;
-  std::optional<model::Past<State>> past;  ///< of the two-step method
-  bool remeshing_over = false;             ///< no new mesh is tried any more
+  model::StepHistory<State> history = {};
+  bool remeshing_over = false;  ///< no new mesh is tried any more
 };
 /// Point groups about the origin; C1: none.
 struct FlowSymmetry {
@@ -62,7 +62,7 @@ inline constexpr const char* no_variational_steps =
 /// Runs the flow, keeping area and volume at the start's target, and its symmetry, to rounding. A run whose mesh does not
 /// resolve the surface (see resolution.h) goes on, on a new mesh with half as many triangles
 /// more where Numerics::remesh allows it. It ends where the mesh degenerates or the surface touches
-/// itself (see self_contact.h). Spheres, which do not move, have no variational steps, but those of TwoStep. Throws
+/// itself (see self_contact.h). Spheres, which do not move, have no variational steps, but those of MultiStep. Throws
 /// std::invalid_argument where the model has none, where the mesh has not the symmetry, and where lipids whose area depends on their order
 /// begin on a sphere. With lipid_density their number is kept, that of the start, and not the area.
 /// Several ranks run it together, with equal arguments and observers of one mind, and all have the result; see

@@ -10,11 +10,14 @@
 namespace sbeh::surface3d {
 
 enum class Integrator {
-  two_step,       ///< second order for one solve a step, see model/time/two_step.h
+  multi_step,  ///< third order, near rest second, for one solve a step, see model/time/multi_step.h
+  two_step,    ///< second order, likewise
   step_doubling,  ///< three solves a step, see model/time/step_doubling.h
   variational     ///< the energy falls in any step; first order, a few dear solves: variational/
 };
-constexpr auto names(Integrator) { return std::array{"two-step", "step-doubling", "variational"}; }
+constexpr auto names(Integrator) {
+  return std::array{"multi-step", "two-step", "step-doubling", "variational"};
+}
 
 /// How the mesh equations join the flow, see monolithic.h and split.h.
 enum class Scheme { split, monolithic };
@@ -33,7 +36,7 @@ struct Numerics : model::TimeControl {
     tolerance = 1e-4;
     first_step = 1e-5;
   }
-  Integrator integrator = Integrator::two_step;
+  Integrator integrator = Integrator::multi_step;
   Scheme scheme = Scheme::split;
   Factorisation factorisation = Factorisation::lagged;
   double solver_tolerance = 1e-5;
@@ -51,7 +54,8 @@ template <model::maybe_const<Numerics> N>
 void for_each_parameter(N& numerics, auto&& visit) {
   using P = model::Parameter;
   for_each_parameter(static_cast<model::const_as<model::TimeControl, N>&>(numerics), visit);
-  visit(P{"integrator", {}, "two-step needs extrapolate = true"}, numerics.integrator);
+  visit(P{"integrator", {}, "multi-step and two-step need extrapolate = true"},
+        numerics.integrator);
   visit(P{"scheme", {}, "of the coupled step, see surface3d/README.md"}, numerics.scheme);
   visit(P{"factorisation", {}, "how a step solves its linear systems"}, numerics.factorisation);
   visit(P{"solver_tolerance", model::between(1e-12, 1e-2), "of the linear systems"},

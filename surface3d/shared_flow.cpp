@@ -128,13 +128,17 @@ void pass(auto& visit, model::maybe_const<FlowMemory> auto& memory) {
   pass(visit, stepper.last);
   pass(visit, stepper.before);
   visit(memory.remeshing_over);
-  bool has_past = memory.past.has_value();
-  visit(has_past);
-  if (!has_past) return;
-  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(memory)>>) memory.past.emplace();
-  pass(visit, memory.past->state);
-  visit(memory.past->tau);
-  visit(memory.past->dissipation);
+  auto& history = memory.history;
+  visit(history.steps);
+  std::size_t count = history.past.size();
+  visit(count);
+  if constexpr (!std::is_const_v<std::remove_reference_t<decltype(memory)>>)
+    history.past.resize(count);
+  for (auto& past : history.past) {
+    pass(visit, past.state);
+    visit(past.tau);
+    visit(past.dissipation);
+  }
 }
 // All but the triangles.
 void pass(auto& visit, model::maybe_const<Task> auto& task) {

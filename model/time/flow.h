@@ -29,8 +29,8 @@ concept FlowIntegrator = requires(I integrator, const State& old, const FlowStep
                                   double tau) {
   { integrator.advance(old, tau) } -> std::same_as<FlowStep<State>>;
   integrator.accept(old, step, tau);
-  integrator.forget();                                   // the past, which lived on another mesh
-  { I::largest_growth } -> std::convertible_to<double>;  // of τ from one step to the next
+  integrator.forget();  // the past, which lived on another mesh
+  { integrator.largest_growth } -> std::convertible_to<double>;  // of τ from one step to the next
 };
 // One whose steps have a fault by themselves where their energy rises, but for the motion of the mesh along itself, has a
 // member guards_energy.
@@ -52,7 +52,7 @@ class Flow {
   FlowResult<State> run(const State& start, const FlowRecord& from, const FlowSchedule& schedule,
                         const FlowObserver<State>& observe = {}) {
     FlowResult<State> run{.stop = FlowStop::end_time, .state = start, .last = from, .steps = 0};
-    StepControl steps(control_, Integrator::largest_growth, from.next_step);
+    StepControl steps(control_, integrator_.largest_growth, from.next_step);
     Stops stops(schedule, from.time);
     run.last.energy = solver_.energy(start);
     Energy own = own_energy(start, run.last.energy);
@@ -70,10 +70,10 @@ class Flow {
           step.ok() ? steps.judge(step.error, allowed(own, own_after), own_after) : step.fault;
       if (run.fault != FlowFault::none) {
         ++run.last.rejected;
-        if (steps.reject(trial, run.fault, step.error)) continue;
+        if (steps.reject(trial, run.fault, step.error, step.error_order)) continue;
         return run.stop = FlowStop::step_too_small, run;
       }
-      steps.accept(trial, step.error);
+      steps.accept(trial, step.error, step.error_order);
       const EnergyRises rises = risen(run.last, own, own_after, trial.tau);
       run.last = record_of(step, trial.tau, run.state, run.last, energy, rises);
       own = own_after;
@@ -145,9 +145,7 @@ class Flow {
 
   std::optional<FlowStop> end_of(const FlowResult<State>& run, const FlowSchedule& schedule) {
     if (const auto obstacle = solver_.obstacle(run.state)) return obstacle;
-    if (schedule.stop_at_rest
-        && std::max(run.last.normal_speed, run.last.order_speed) < speed_at_rest_)
-      return FlowStop::at_rest;
+    if (schedule.stop_at_rest && run.last.speed() < speed_at_rest_) return FlowStop::at_rest;
     if (run.last.time >= schedule.end_time) return FlowStop::end_time;
     return {};
   }

@@ -31,7 +31,8 @@ struct FlowStep {
   Dissipation dissipation = {};
   double lambda = 0, speed_max = 0;
   double order_speed = 0;  ///< root mean square of β̇, the rate of the material
-  double error = 0;        ///< of a first-order step: largest normal distance or change of order
+  double error = 0;     ///< of a step of an order lower: largest normal distance or change of order
+  int error_order = 2;  ///< in τ
   bool ok() const { return fault == FlowFault::none; }
 };
 
@@ -75,6 +76,9 @@ struct FlowRecord {
   int rejected = 0;                   ///< steps rejected so far
   EnergyRises rises = {};             ///< so far
   std::optional<FlowStop> ends = {};  ///< why the run ends with this step, if it does
+
+  /// What is small at rest.
+  double speed() const { return std::max(normal_speed, order_speed); }
 };
 
 /// Whether the rises exceed in sum 1e-5 of the elastic energy, to which 320 triangles give that of a shape.

@@ -1,7 +1,7 @@
 // Implicit steps of first order, one solve each, whose error the last step tells.
 #pragma once
 
-#include "model/time/two_step.h"
+#include "model/time/multi_step.h"
 
 namespace sbeh::model {
 
@@ -18,29 +18,32 @@ class ImplicitEuler {
   ImplicitEuler(Solver& solver, const Target& target) : solver_(solver), target_(target) {}
 
   FlowStep<State> advance(const State& old, double tau) {
-    if (!past_) return StepDoubling<Solver>(solver_, target_, false).advance(old, tau);
+    if (history_.past.empty())
+      return StepDoubling<Solver>(solver_, target_, false).advance(old, tau);
     auto result = solver_.step(old, target_, tau);
     if (!result.ok()) return result;
-    const double r = tau / past_->tau;
-    const State ahead{old.X + r * (old.X - past_->state.X),
-                      old.beta + r * (old.beta - past_->state.beta)};
+    const Past<State>& last = history_.past.front();
+    const double r = tau / last.tau;
+    const State ahead{old.X + r * (old.X - last.state.X),
+                      old.beta + r * (old.beta - last.state.beta)};
     result.error = r / (1 + 2 * r) * solver_.distance(ahead, result.state).largest();
     complete(solver_, target_, result);
     return result;
   }
 
   void accept(const State& old, const FlowStep<State>& step, double tau) {
-    past_ = Past<State>{old, tau, step.dissipation};
+    history_.past = {Past<State>{old, tau, step.dissipation}};
   }
-  void forget() { past_.reset(); }
+  void forget() { history_ = {}; }
 
-  const std::optional<Past<State>>& past() const { return past_; }
-  void recall(const std::optional<Past<State>>& past) { past_ = past; }
+  const StepHistory<State>& history() const { return history_; }
+  /// Of which the last step counts.
+  void recall(const StepHistory<State>& history) { history_ = history; }
 
  private:
   Solver& solver_;
   Target target_;
-  std::optional<Past<State>> past_;
+  StepHistory<State> history_;
 };
 
 }  // namespace sbeh::model

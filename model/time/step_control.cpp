@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 namespace sbeh::model {
 
@@ -31,10 +32,11 @@ namespace {
 // error is not negligible; otherwise it is the mesh's, whose motion moves the discrete energy.
 constexpr double negligible_error = 1e-2;  // of the tolerance
 
-// The factor by which τ may change so that the error, of second order in τ, is the tolerance.
-double wanted_factor(double tolerance, double error) { return 0.9 * std::sqrt(tolerance / error); }
-
 }  // namespace
+
+double wanted_growth(double tolerance, double error, int order) {
+  return 0.9 * (order == 3 ? std::cbrt(tolerance / error) : std::sqrt(tolerance / error));
+}
 
 StepControl::StepControl(const TimeControl& control, double largest_growth, double tau)
     : control_(control),
@@ -53,16 +55,19 @@ FlowFault StepControl::judge(double error, const Energy& before, const Energy& a
                                                                 : FlowFault::none;
 }
 
-bool StepControl::reject(const Trial& trial, FlowFault fault, double error) {
-  const double factor = fault == FlowFault::error
-                          ? std::clamp(wanted_factor(control_.tolerance, error), 0.1, 0.5)
-                          : 0.1;
+bool StepControl::reject(const Trial& trial, FlowFault fault, double error, int error_order) {
+  const double factor = fault == FlowFault::error ? std::clamp(
+                            wanted_growth(control_.tolerance, error, error_order), 0.1, 0.5)
+                                                  : 0.1;
   tau_ = trial.tau * factor;
+  rejected_ = true;
   return tau_ >= control_.smallest_step;
 }
 
-void StepControl::accept(const Trial& trial, double error) {
-  const double factor = std::clamp(wanted_factor(control_.tolerance, error), 0.3, 2.);
+void StepControl::accept(const Trial& trial, double error, int error_order) {
+  const double most = std::exchange(rejected_, false) ? 1. : 2.;
+  const double factor =
+      std::clamp(wanted_growth(control_.tolerance, error, error_order), 0.3, most);
   // A step cut short by a stop says little about the next one.
   const double wanted = std::max(trial.exact ? tau_ : 0, trial.tau * factor);
   tau_ = std::min({control_.largest_step, trial.tau * largest_growth_, wanted});

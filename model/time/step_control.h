@@ -78,6 +78,9 @@ class Stops {
 /// Changes of the energy below it are rounding.
 inline double energy_noise(const Energy& energy) { return 1e-10 * energy.magnitude(); }
 
+/// The factor by which τ may change so that an error of this order in τ is the tolerance, with a little room.
+double wanted_growth(double tolerance, double error, int order);
+
 /// A step to be tried.
 struct Trial {
   double tau;
@@ -98,8 +101,8 @@ class StepControl {
   /// and the step's error is not negligible.
   FlowFault judge(double error, const Energy& before, const Energy& after) const;
   /// The next try is shorter; false when it would be too short.
-  [[nodiscard]] bool reject(const Trial& trial, FlowFault fault, double error);
-  void accept(const Trial& trial, double error);
+  [[nodiscard]] bool reject(const Trial& trial, FlowFault fault, double error, int error_order);
+  void accept(const Trial& trial, double error, int error_order);
   /// A new mesh has to settle.
   void restart();
 
@@ -107,6 +110,7 @@ class StepControl {
   TimeControl control_;
   double largest_growth_;
   double tau_;
+  bool rejected_ = false;  // since the last accepted step: the next one is no longer than this
 };
 
 }  // namespace sbeh::model

@@ -17,7 +17,7 @@ class SeriesWriter {
 
   /// A row where one is due, with what `diagnose()` gives.
   void see(const model::FlowRecord& record, bool exact, auto&& diagnose) {
-    if (times_.every_step || (exact && contains(times_.rows, record.time))) add(record, diagnose());
+    if (row_is_due(times_, record, exact)) add(record, diagnose());
   }
   /// The last row, unless it is there.
   void finish(const model::FlowRecord& record, auto&& diagnose) {

@@ -8,6 +8,9 @@
 
 #include <fmt/format.h>
 
+#include <array>
+#include <string>
+
 namespace sbeh::studies {
 
 namespace {
@@ -34,7 +37,7 @@ void set_step(surface3d::FlowRecord& r, const Eigen::VectorXd& step) {
 
 // Of a frame; throws when the file has it not, or not of this size.
 template <class Map>
-const auto& part(const Map& parts, const char* name, Eigen::Index size,
+const auto& part(const Map& parts, const std::string& name, Eigen::Index size,
                  const std::filesystem::path& path) {
   const auto found = parts.find(name);
   if (found == parts.end() || found->second.size() != size)
@@ -82,6 +85,41 @@ surface3d::StepperMemory memory_of(const CurvedFile& file, const std::filesystem
           .before = solution_of(file.globals, "solution_before")};
 }
 
+// The steps before, the last one first, by their names in a frame.
+constexpr std::array past_steps{"past", "earlier"};
+
+void remember(const model::StepHistory<surface3d::State>& history, NodeFields& at_nodes,
+              Globals& globals) {
+  if (history.past.empty()) return;
+  globals["formula_steps"] = number(history.steps);
+  for (std::size_t k = 0; k < history.past.size(); ++k) {
+    const auto& past = history.past[k];
+    const std::string name = past_steps.at(k);
+    at_nodes[name] = past.state.X;
+    at_nodes[name + "_order"] = past.state.beta.transpose();
+    const auto& [friction, order, viscous] = past.dissipation;
+    globals[name + "_step"] = Eigen::Vector4d(past.tau, friction, order, viscous);
+  }
+}
+
+// Frames of 0.1.0 have at most one step.
+model::StepHistory<surface3d::State> history_of(const CurvedFile& file,
+                                                const std::filesystem::path& path) {
+  model::StepHistory<surface3d::State> history;
+  const Eigen::Index nodes = file.mesh.node_count();
+  for (const std::string name : past_steps) {
+    if (!file.globals.contains(name + "_step")) break;
+    const Eigen::VectorXd& step = part(file.globals, name + "_step", 4, path);
+    history.past.push_back({.state = {part(file.fields, name, 3 * nodes, path),
+                                      part(file.fields, name + "_order", nodes, path).transpose()},
+                            .tau = step[0],
+                            .dissipation = {step[1], step[2], step[3]}});
+  }
+  if (file.globals.contains("formula_steps"))
+    history.steps = int(part(file.globals, "formula_steps", 1, path)[0]);
+  return history;
+}
+
 CurvedFile read_curved(const std::filesystem::path& path) {
   auto curved = read_curved_mesh(path);
   if (!curved || curved->mesh.order != 3)
@@ -110,14 +148,7 @@ FlowMoment moment_of(const CurvedFile& file, const std::filesystem::path& path) 
   frame.target = {target[0], target[1]};
   frame.memory.remeshing_over = part(file.globals, "remeshing_over", 1, path)[0] != 0;
   frame.memory.stepper = memory_of(file, path);
-  if (file.globals.contains("past_step")) {
-    const Eigen::VectorXd& step = part(file.globals, "past_step", 4, path);
-    const Eigen::Index nodes = mesh.node_count();
-    frame.memory.past = {.state = {part(file.fields, "past", 3 * nodes, path),
-                                   part(file.fields, "past_order", nodes, path).transpose()},
-                         .tau = step[0],
-                         .dissipation = {step[1], step[2], step[3]}};
-  }
+  frame.memory.history = history_of(file, path);
   return frame;
 }
 
@@ -156,12 +187,7 @@ void write_frame(const std::filesystem::path& path, const FlowMoment& m, const P
                   {"remeshing_over", number(m.memory.remeshing_over)}};
   write_physics(physics, globals);
   remember(m.memory.stepper, at_nodes, globals);
-  if (const auto& past = m.memory.past) {
-    at_nodes["past"] = past->state.X;
-    at_nodes["past_order"] = past->state.beta.transpose();
-    const auto& [friction, order, viscous] = past->dissipation;
-    globals["past_step"] = Eigen::Vector4d(past->tau, friction, order, viscous);
-  }
+  remember(m.memory.history, at_nodes, globals);
   write_file(path, vtu_text(curved_mesh(m), at_nodes, globals));
 }
 

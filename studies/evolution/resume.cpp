@@ -74,7 +74,7 @@ std::vector<double> later(std::vector<double> times, double than) {
 }
 
 bool same_from(double t, const Times& a, const Times& b) {
-  return a.end == b.end && later(a.rows, t) == later(b.rows, t)
+  return a.end == b.end && a.exact_rows == b.exact_rows && later(a.rows, t) == later(b.rows, t)
       && later(a.states, t) == later(b.states, t);
 }
 
@@ -93,7 +93,10 @@ void tell_missed(const fs::path& folder, const Times& before, const Times& asked
     return std::ranges::count_if(
         here, [&](double time) { return !is_later(time, t) && !contains(there, time); });
   };
-  const auto rows = missed(before.rows, asked.rows), frames = missed(before.states, asked.states);
+  const auto rows = asked.exact_rows
+                      ? missed(before.exact_rows ? before.rows : std::vector<double>{}, asked.rows)
+                      : 0,
+             frames = missed(before.states, asked.states);
   if (rows + frames > 0)
     tell(
         fmt::format("sbeh: {}: has gone to t = {:.6g} without {} of the times that output asks "

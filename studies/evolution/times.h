@@ -11,8 +11,9 @@
 namespace sbeh::studies {
 
 struct Times {
-  double end = 0;              ///< > 0
-  std::vector<double> rows;    ///< key `output`: rows of series.csv; 0 … end, ascending
+  double end = 0;            ///< > 0
+  std::vector<double> rows;  ///< key `output`: rows of series.csv; 0 … end, ascending
+  bool exact_rows = true;    ///< else, without the key, each at the end of the step that passes it
   std::vector<double> states;  ///< key `profiles` or `frames`: whole states; likewise
   bool every_step = false;     ///< a row after each step too
   bool stop_at_rest = true;    ///< end before `end` when nothing moves any more
@@ -24,13 +25,17 @@ struct Times {
 Times read_times(const TomlTable& time, std::string_view states);
 void write_times(TomlText& toml, const Times& times, std::string_view states);
 
-/// 0 and 200 times in equal ratios up to `end`, from 1e-5 or, if smaller, end/100.
+/// 0, `end`, and between them, from 1e-5 or, if smaller, end/100 on, 32 in a decade in equal ratios, among them its power of 10: a later end adds
+/// to them.
 std::vector<double> default_row_times(double end);
 /// 0, `end` and 6 times in equal ratios between, from 1e-3 or, if smaller, end/100.
 std::vector<double> default_state_times(double end);
 
-/// The flow that meets all of the times.
+/// The flow that meets the times of states, and the exact ones of rows.
 model::FlowSchedule schedule_of(const Times& times);
+
+/// Whether a row is due at the end of a step; `exact`: it ends at a time of the schedule.
+bool row_is_due(const Times& times, const model::FlowRecord& record, bool exact);
 
 /// Whether a time is one of these, ascending: the same number, perhaps reached by another sum.
 bool contains(const std::vector<double>& times, double time);

@@ -220,7 +220,7 @@ std::optional<PointOutcome> flow_to_rest(const StationaryCase& of, double end_ti
 
   PointOutcome point =
       outcome_of(of, StationaryState{run.state}, axisym::diagnose(of.material, run.state));
-  point.row.residual = std::max(run.last.normal_speed, run.last.order_speed);
+  point.row.residual = run.last.speed();
   if (run.stop == axisym::FlowStop::at_rest) {
     if (const auto polished = settled(of, run.state)) {
       point = resolved_point(of, *polished);

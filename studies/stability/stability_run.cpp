@@ -46,7 +46,7 @@ class Observer {
     if (!unresolved_from && !resolved(view.indicators)) unresolved_from = record.time;
     if (record.time >= settling_time_) follow(record.time, amplitude);
     if (has_grown) {
-      const double speed = std::max(record.normal_speed, record.order_speed);
+      const double speed = record.speed();
       fastest_ = std::max(fastest_, speed);
       settled = speed < rest_share * fastest_;
     }

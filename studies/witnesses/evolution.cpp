@@ -138,7 +138,9 @@ WitnessState evolution_on_triangles(const RunInput& run) {
   const RunStart start = studies::start_of(run);
   BriefProgress progress(run.times.end, "surface3d: ");
   WitnessState found{.witness = Witness::surface3d};
-  model::FlowSchedule schedule = schedule_of(run.times);
+  Times times = run.times;
+  times.exact_rows = true;
+  model::FlowSchedule schedule = schedule_of(times);
   schedule.stop_at_rest = false;
   int triangles = start.moment.mesh->count();
   const surface3d::FlowResult result =

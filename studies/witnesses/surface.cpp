@@ -81,7 +81,7 @@ Rest flow_to_rest(const StationaryCase& of, const SurfaceMethod& method,
   const std::string stop =
       fmt::format("{} triangles, {} at t = {:.4g} after {} steps, speed {:.1e}",
                   rest.mesh.triangle_count(), surface3d::describe(run.stop), run.last.time,
-                  run.steps, std::max(run.last.normal_speed, run.last.order_speed));
+                  run.steps, run.last.speed());
   rest.mesh.nodes = run.state.X;
   rest.beta = run.state.beta;
   rest.lambda = run.last.lambda;

@@ -16,7 +16,7 @@ namespace {
 // Of a run that begins it is not known.
 double speed(const model::FlowRecord& record) {
   return record.time_step == 0 ? std::numeric_limits<double>::infinity()
-                               : std::max(record.normal_speed, record.order_speed);
+                               : record.speed();
 }
 
 }  // namespace

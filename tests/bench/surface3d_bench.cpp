@@ -10,7 +10,7 @@
 
 #include "meshing/shapes.h"
 #include "meshing/spherical_harmonics.h"
-#include "model/time/two_step.h"
+#include "model/time/multi_step.h"
 #include "surface3d/flow.h"
 #include "surface3d/linear/direct_solver.h"
 

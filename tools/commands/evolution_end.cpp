@@ -11,7 +11,7 @@ using model::FlowStop;
 void print_end(FlowStop stop, const model::FlowRecord& last, int steps, double at_rest) {
   fmt::print("{} at t = {:.6g} after {} steps ({} rejected): energy {:.10g}\n",
              model::describe(stop), last.time, steps, last.rejected, last.energy.total());
-  const double speed = std::max(last.normal_speed, last.order_speed);
+  const double speed = last.speed();
   if (stop == FlowStop::end_time && speed >= at_rest)
     fmt::print("not at rest: it moves by {:.2g} per unit of time, at rest it is below {:.2g}\n",
                speed, at_rest);

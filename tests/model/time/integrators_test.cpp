@@ -1,11 +1,14 @@
 // The integrators alone, on two small equations whose solutions are known.
 #include "model/time/flow.h"
-#include "model/time/two_step.h"
+#include "model/time/multi_step.h"
 #include "tests/order_table.h"
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <numeric>
+#include <utility>
 #include <vector>
 
 namespace sbeh::model {
@@ -70,10 +73,21 @@ struct Rotation {
 };
 
 static_assert(TwoStepSolver<Decay> && TwoStepSolver<Rotation>);
-static_assert(FlowIntegrator<StepDoubling<Decay>, Pair> && FlowIntegrator<TwoStep<Decay>, Pair>);
+static_assert(FlowIntegrator<StepDoubling<Decay>, Pair> && FlowIntegrator<MultiStep<Decay>, Pair>);
 
 constexpr Target unit{1, 0};
 constexpr double duration = 1;
+
+// The smaller it is the more a higher order pays.
+constexpr TimeControl strict{.tolerance = 1e-9, .largest_step = 1e3};
+template <class Problem>
+auto two_step(Problem& problem) {
+  return MultiStep(problem, unit, strict, 2);
+}
+template <class Problem>
+auto three_step(Problem& problem) {
+  return MultiStep(problem, unit, strict, 3);
+}
 
 struct Outcome {
   Pair end;
@@ -126,11 +140,20 @@ TEST(StepDoubling, is_of_second_order_with_extrapolation_and_of_first_without) {
   EXPECT_NEAR(order_of<Decay>("decay by two half steps", halves, equal), 1, slack);
 }
 
-TEST(TwoStep, is_of_second_order_with_equal_and_with_changing_steps) {
-  const auto two_step = [](auto& problem) { return TwoStep(problem, unit); };
-  EXPECT_NEAR(order_of<Decay>("decay by two-step, equal steps", two_step, equal), 2, slack);
-  EXPECT_NEAR(order_of<Decay>("decay by two-step, ratios 2 and 1/2", two_step, changing), 2, slack);
-  EXPECT_NEAR(order_of<Rotation>("rotation by two-step, equal steps", two_step, equal), 2, slack);
+TEST(MultiStep, of_two_is_of_second_order_with_equal_and_with_changing_steps) {
+  const auto two = [](auto& problem) { return two_step(problem); };
+  EXPECT_NEAR(order_of<Decay>("decay by two-step, equal steps", two, equal), 2, slack);
+  EXPECT_NEAR(order_of<Decay>("decay by two-step, ratios 2 and 1/2", two, changing), 2, slack);
+  EXPECT_NEAR(order_of<Rotation>("rotation by two-step, equal steps", two, equal), 2, slack);
+}
+
+TEST(MultiStep, of_three_is_of_third_order_with_equal_and_with_changing_steps) {
+  const auto three = [](auto& problem) { return three_step(problem); };
+  const std::vector<double> gently{1, 1.4};
+  EXPECT_NEAR(order_of<Decay>("decay by three steps, equal steps", three, equal), 3, slack);
+  EXPECT_NEAR(order_of<Decay>("decay by three steps, ratios 1.4 and 1/1.4", three, gently), 3,
+              slack);
+  EXPECT_NEAR(order_of<Rotation>("rotation by three steps, equal steps", three, equal), 3, slack);
 }
 
 template <class Integrator>
@@ -149,8 +172,80 @@ void expect_dissipation_of_second_order(const char* what, auto&& make_integrator
 TEST(Integrators, dissipate_what_the_energy_loses_to_second_order) {
   expect_dissipation_of_second_order<StepDoubling<Decay>>(
       "energy balance of step doubling", [](Decay& d) { return StepDoubling(d, unit, true); });
-  expect_dissipation_of_second_order<TwoStep<Decay>>("energy balance of two-step",
-                                                     [](Decay& d) { return TwoStep(d, unit); });
+  expect_dissipation_of_second_order<MultiStep<Decay>>("energy balance of two-step",
+                                                       [](Decay& d) { return two_step(d); });
+}
+
+// Of a run that has begun: the first steps are of second order.
+TEST(MultiStep, of_three_dissipates_what_the_energy_loses_to_third_order) {
+  OrderTable table("energy balance of three steps", "tau");
+  for (const int steps : {32, 64, 128, 256, 512}) {
+    Decay problem;
+    const double tau = duration / steps;
+    MultiStep integrator = three_step(problem);
+    const auto rates = [](double t) { return Dissipation{.friction = std::pow(1 + 2 * t, -3)}; };
+    integrator.recall(
+        {.past = {{Decay::exact(-tau), tau, rates(0)}, {Decay::exact(-2 * tau), tau, rates(-tau)}},
+         .steps = 3});
+    const Outcome r = run<Decay>(integrator, steps, equal);
+    table.add(tau, Decay::energy(Decay::exact(0)) - Decay::energy(r.end) - r.dissipated);
+  }
+  EXPECT_GT(table.print(), 3 - 0.05);
+}
+
+// β̇ = −25 β explicitly and −60 β implicitly: with steps of 0.1 three steps oscillate and grow, two do not.
+struct Stiff : Decay {
+  static constexpr double explicit_rate = -25, implicit_rate = -60;
+  FlowStep<Pair> step(const Pair& old, const std::optional<Target>&, double tau) {
+    return step(old, old, tau);
+  }
+  FlowStep<Pair> step(const Pair& at, const Pair& from, double tau) {
+    auto result = Decay::step(at, from, tau);
+    result.state.beta = next(at.beta, from.beta, tau);
+    return result;
+  }
+  static double next(double at, double from, double tau) {
+    return (from + tau * explicit_rate * at) / (1 - tau * implicit_rate);
+  }
+};
+
+TEST(MultiStep, takes_two_steps_where_three_oscillate) {
+  const double tau = 0.1;
+  const StepWeights w = step_weights({tau, 0, -tau, -2 * tau}, 3);
+  std::array<double, 3> x{1, 1, 1};
+  for (int k = 0; k < 100; ++k) {
+    const auto sum = [&](const auto& weights) {
+      return std::inner_product(x.begin(), x.end(), weights.begin(), 0.);
+    };
+    x = {Stiff::next(sum(w.ahead), sum(w.from), w.tau), x[0], x[1]};
+  }
+  EXPECT_GT(std::abs(x[0]), 10);  // of the formula of three steps alone
+
+  for (const double largest : {tau, 1e3}) {
+    Stiff problem;
+    MultiStep integrator(problem, unit, TimeControl{.tolerance = 1e-4, .largest_step = largest}, 3);
+    Pair state{0, 1e-5};  // steps whose errors exceed the tolerance would not be accepted
+    for (int k = 0; k < 100; ++k) {
+      const auto step = integrator.advance(state, tau);
+      integrator.accept(state, step, tau);
+      state = step.state;
+    }
+    EXPECT_LT(std::abs(state.beta), 1e-8) << largest;
+  }
+}
+
+TEST(MultiStep, of_three_reports_the_error_of_the_two_step_formula) {
+  Rotation problem;
+  const std::vector<double> gently{1, 1.4};
+  for (const auto& [lengths, ratio] : {std::pair(equal, 1.), std::pair(gently, 1.4)}) {
+    MultiStep integrator = three_step(problem);
+    const Outcome r = run<Rotation>(integrator, 512, lengths);
+    const double third = distance_of({0, 0}, Rotation::exact(duration)).largest();
+    // of x(t_new) by the derivative of the parabola: τ³ (1 + r)² x⃛/(6 r (1 + 2r))
+    const double error =
+        std::pow(r.last_tau, 3) * std::pow(1 + ratio, 2) / (6 * ratio * (1 + 2 * ratio)) * third;
+    EXPECT_NEAR(r.last_error / error, 1, slack);
+  }
 }
 
 TEST(Integrators, report_a_quarter_of_tau_squared_times_the_acceleration_as_error) {
@@ -161,7 +256,7 @@ TEST(Integrators, report_a_quarter_of_tau_squared_times_the_acceleration_as_erro
     EXPECT_NEAR(r.last_error / (r.last_tau * r.last_tau * acceleration / 4), 1, slack);
   };
   expect_quarter(StepDoubling(problem, unit, true));
-  expect_quarter(TwoStep(problem, unit));
+  expect_quarter(two_step(problem));
 }
 
 TEST(Integrators, keep_the_area_to_rounding) {
@@ -172,21 +267,27 @@ TEST(Integrators, keep_the_area_to_rounding) {
   };
   expect_kept(StepDoubling(problem, unit, true));
   expect_kept(StepDoubling(problem, unit, false));
-  expect_kept(TwoStep(problem, unit));
+  expect_kept(two_step(problem));
+  expect_kept(three_step(problem));
 }
 
-TEST(TwoStep, that_forgets_steps_as_from_a_start_and_one_that_recalls_as_before) {
+TEST(MultiStep, that_forgets_steps_as_from_a_start_and_one_that_recalls_as_before) {
   Decay problem;
-  TwoStep integrator(problem, unit), other(problem, unit);
-  const Pair start = Decay::exact(0);
-  const double tau = 0.1;
-  const auto first = integrator.advance(start, tau);
-  integrator.accept(start, first, tau);
-  other.recall(integrator.past());
-  EXPECT_EQ(other.advance(first.state, tau).state.X, integrator.advance(first.state, tau).state.X);
-  integrator.forget();
-  EXPECT_EQ(integrator.advance(first.state, tau).state.X,
-            StepDoubling(problem, unit, true).advance(first.state, tau).state.X);
+  for (const int most : {2, 3}) {
+    MultiStep integrator(problem, unit, strict, most), other(problem, unit, strict, most);
+    Pair state = Decay::exact(0);
+    const double tau = 0.1;
+    for (int k = 0; k < 4; ++k) {
+      const auto step = integrator.advance(state, tau);
+      integrator.accept(state, step, tau);
+      state = step.state;
+      other.recall(integrator.history());
+      EXPECT_EQ(other.advance(state, tau).state.X, integrator.advance(state, tau).state.X);
+    }
+    integrator.forget();
+    EXPECT_EQ(integrator.advance(state, tau).state.X,
+              StepDoubling(problem, unit, true).advance(state, tau).state.X);
+  }
 }
 
 // A solver whose step or restoration fails.
@@ -208,9 +309,9 @@ struct Failing : Decay {
 
 TEST(Integrators, say_what_was_wrong_with_a_step) {
   const auto fault_of = [](Failing problem) {
-    TwoStep integrator(problem, unit);
+    MultiStep integrator = two_step(problem);
     const FlowFault at_first = integrator.advance(Decay::exact(0), 0.1).fault;
-    integrator.recall(Past<Pair>{Decay::exact(0), 0.1, {}});
+    integrator.recall({.past = {{Decay::exact(0), 0.1, {}}}});
     EXPECT_EQ(integrator.advance(Decay::exact(0.1), 0.1).fault, at_first);
     return at_first;
   };

@@ -20,14 +20,14 @@ const TimeControl control{
 
 StepControl at(double tau) { return {control, unlimited, tau}; }
 
-double after_rejection(FlowFault fault, double error) {
+double after_rejection(FlowFault fault, double error, int error_order = 2) {
   StepControl steps = at(1e-2);
-  EXPECT_TRUE(steps.reject({1e-2, false}, fault, error));
+  EXPECT_TRUE(steps.reject({1e-2, false}, fault, error, error_order));
   return steps.tau() / 1e-2;
 }
-double after_acceptance(double error, double largest_growth = unlimited) {
+double after_acceptance(double error, double largest_growth = unlimited, int error_order = 2) {
   StepControl steps(control, largest_growth, 1e-2);
-  steps.accept({1e-2, false}, error);
+  steps.accept({1e-2, false}, error, error_order);
   return steps.tau() / 1e-2;
 }
 
@@ -37,7 +37,8 @@ TEST(StepControl, begins_with_the_first_step_and_goes_on_with_the_one_it_is_give
 }
 
 TEST(StepControl, shortens_a_rejected_step_by_what_its_error_asks_for_within_limits) {
-  EXPECT_NEAR(after_rejection(FlowFault::error, 9e-4), 0.3, 1e-12);  // 0.9 √(1/9)
+  EXPECT_NEAR(after_rejection(FlowFault::error, 9e-4), 0.3, 1e-12);      // 0.9 √(1/9)
+  EXPECT_NEAR(after_rejection(FlowFault::error, 27e-4, 3), 0.3, 1e-12);  // 0.9 ∛(1/27)
   EXPECT_NEAR(after_rejection(FlowFault::error, 1.01e-4), 0.5, 1e-12);
   EXPECT_NEAR(after_rejection(FlowFault::error, 1), 0.1, 1e-12);
   EXPECT_NEAR(after_rejection(FlowFault::linear_solve, 0), 0.1, 1e-12);
@@ -46,19 +47,30 @@ TEST(StepControl, shortens_a_rejected_step_by_what_its_error_asks_for_within_lim
 
 TEST(StepControl, gives_up_below_the_smallest_step) {
   StepControl steps = at(1e-7);
-  EXPECT_TRUE(steps.reject({steps.tau(), false}, FlowFault::error, 2e-4));
-  EXPECT_FALSE(steps.reject({steps.tau(), false}, FlowFault::degenerate, 0));
+  EXPECT_TRUE(steps.reject({steps.tau(), false}, FlowFault::error, 2e-4, 2));
+  EXPECT_FALSE(steps.reject({steps.tau(), false}, FlowFault::degenerate, 0, 2));
 }
 
 TEST(StepControl, changes_an_accepted_step_by_what_its_error_allows_within_limits) {
   EXPECT_NEAR(after_acceptance(0.81e-4), 1, 1e-12);
   EXPECT_NEAR(after_acceptance(0.36e-4), 1.5, 1e-12);
+  EXPECT_NEAR(after_acceptance(0.216e-4, unlimited, 3), 1.5, 1e-12);
   EXPECT_NEAR(after_acceptance(0), 2, 1e-12);
   EXPECT_NEAR(after_acceptance(0, 1.2), 1.2, 1e-12);  // of the integrator
   EXPECT_NEAR(after_acceptance(1), 0.3, 1e-12);
   StepControl steps = at(0.09);
-  steps.accept({0.09, false}, 0);
+  steps.accept({0.09, false}, 0, 2);
   EXPECT_EQ(steps.tau(), control.largest_step);
+}
+
+TEST(StepControl, lets_the_step_after_a_rejected_one_be_no_longer) {
+  StepControl steps = at(1e-2);
+  EXPECT_TRUE(steps.reject({1e-2, false}, FlowFault::error, 9e-4, 2));
+  const double tau = steps.tau();
+  steps.accept({tau, false}, 0, 2);
+  EXPECT_EQ(steps.tau(), tau);
+  steps.accept({tau, false}, 0, 2);
+  EXPECT_EQ(steps.tau(), 2 * tau);
 }
 
 TEST(StepControl, is_not_made_timid_by_a_step_cut_short) {
@@ -66,7 +78,7 @@ TEST(StepControl, is_not_made_timid_by_a_step_cut_short) {
   const Trial cut = steps.trial(1e-5);
   EXPECT_TRUE(cut.exact);
   EXPECT_EQ(cut.tau, 1e-5);
-  steps.accept(cut, 1e-12);
+  steps.accept(cut, 1e-12, 2);
   EXPECT_EQ(steps.tau(), 1e-2);
 }
 

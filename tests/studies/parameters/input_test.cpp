@@ -135,16 +135,45 @@ TEST(RelaxInput, has_output_times_in_equal_ratios_unless_told) {
   for (const double end : {1e-4, 10.0, 1.0 / 3, 1e4}) {
     const std::vector<double> output = default_row_times(end);
     const std::vector<double> profiles = default_state_times(end);
-    EXPECT_EQ(output.size(), 201u);
-    EXPECT_EQ(output[1], std::min(1e-5, end / 100));
+    const double ratio = std::pow(10, 1. / 32);
+    EXPECT_NEAR(output[2] / output[1], ratio, 1e-12);
+    EXPECT_GE(output[1], std::min(1e-5, end / 100) * (1 - 1e-9));
+    EXPECT_LT(output[1], std::min(1e-5, end / 100) * ratio);
+    EXPECT_LE(end / output[output.size() - 2], ratio * (1 + 1e-9));
     EXPECT_EQ(profiles.size(), 8u);
+    EXPECT_NEAR(profiles[2] / profiles[1], end / profiles[6], 1e-9);
     for (const auto& times : {output, profiles}) {
       EXPECT_EQ(times.front(), 0);
       EXPECT_EQ(times.back(), end);
       EXPECT_TRUE(std::is_sorted(times.begin(), times.end()));
-      EXPECT_NEAR(times[2] / times[1], times.back() / times[times.size() - 2], 1e-9);
+    }
+    const std::vector<double> longer = default_row_times(10 * end);
+    for (const double time : output) {
+      if (time < longer[1] || time == end) continue;
+      EXPECT_TRUE(std::ranges::binary_search(longer, time)) << time;
     }
   }
+}
+
+// Steps to 0.1, 0.3, 0.35, 1, 2.
+TEST(Times, without_output_a_row_is_due_at_the_end_of_each_step_that_passes_one) {
+  Times times{.end = 3, .rows = {0, 0.2, 0.25, 1, 3}, .exact_rows = false, .states = {}};
+  const auto due = [&](double from, double to) {
+    model::FlowRecord record;
+    record.time = to;
+    record.time_step = to - from;
+    return row_is_due(times, record, false);
+  };
+  EXPECT_TRUE(due(0, 0));
+  EXPECT_FALSE(due(0, 0.1));
+  EXPECT_TRUE(due(0.1, 0.3));
+  EXPECT_FALSE(due(0.3, 0.35));
+  EXPECT_TRUE(due(0.35, 1));
+  EXPECT_FALSE(due(1, 2));
+  EXPECT_EQ(schedule_of(times).output_times, std::vector{0.});
+  times.exact_rows = true;
+  EXPECT_FALSE(due(0.1, 0.3));
+  EXPECT_EQ(schedule_of(times).output_times, times.rows);
 }
 
 TEST(RelaxInput, takes_an_ellipsoid_with_axes_and_order) {
