@@ -29,7 +29,7 @@ BentPoints rim_points(const Eigen::Vector2d& from, const Eigen::Vector2d& to) {
 
 const BentPoints& inner_points() {
   static const BentPoints points = [] {
-    const model::TriangleRule rule = model::triangle_rule(8);
+    const model::TriangleRule rule = model::symmetric_triangle_rule();
     BentPoints table;
     for (int k = 0; k < rule.size(); ++k)
       table.push_back(bent_shapes(rule.points.col(k), rule.weights[k]));

@@ -14,7 +14,7 @@ struct BentShapes : ShapeValues {
 };
 using BentPoints = std::vector<BentShapes>;
 
-/// Of degree 8.
+/// Of degree 10: those of the assembly.
 const BentPoints& inner_points();
 /// On two sides, (0, 0) to (0, 1) and (1, 0) to (0, 1), weights summing to 1.
 const BentPoints& first_rim();

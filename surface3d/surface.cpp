@@ -145,7 +145,7 @@ std::vector<ShapeValues> tabulate(const model::TriangleRule& rule) {
 }  // namespace
 
 std::span<const ShapeValues> assembly_points() {
-  static const std::vector<ShapeValues> table = tabulate(model::triangle_rule(8));
+  static const std::vector<ShapeValues> table = tabulate(model::symmetric_triangle_rule());
   return table;
 }
 

@@ -63,7 +63,7 @@ struct ShapeValues {
 /// At a point of the reference triangle.
 ShapeValues shape_values(const Eigen::Vector2d& x, double weight);
 
-/// Quadrature points of the assembly (degree 8) and of the diagnostics (degree 12).
+/// Quadrature points of the assembly (degree 10, with the symmetry of the triangle) and of the diagnostics (degree 12).
 std::span<const ShapeValues> assembly_points();
 std::span<const ShapeValues> diagnostic_points();
 /// The ten nodes as points, weight 0.

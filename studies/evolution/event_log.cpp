@@ -51,8 +51,12 @@ EventLog::EventLog(const OutputFolder& folder, bool remesh, double until, Progre
     : table_(folder / "events.csv", header_of(event_columns()), until),
       remesh_(remesh),
       line_(line) {
-  for (const EventRow& row : rows_of(event_columns(), table_.kept()))
-    if (!unresolved_from_ && row.event == "unresolved") unresolved_from_ = row.time;
+  for (const EventRow& row : rows_of(event_columns(), table_.kept())) {
+    if (row.event == "resolved") resolved_ = true;
+    if (row.event != "unresolved") continue;
+    resolved_ = false;
+    if (!unresolved_from_) unresolved_from_ = row.time;
+  }
 }
 
 void EventLog::append(const EventRow& event) {
@@ -65,9 +69,15 @@ void EventLog::see(const surface3d::FlowRecord& record, const surface3d::StepVie
   if (view.remeshed) see_new_mesh(t, r, *view.remeshed);
   if (view.remeshed && view.remeshed->mesh) return;
   const bool may_change = remesh_ && !view.memory.remeshing_over;
-  if (unresolved_from_ || may_change || surface3d::resolved(r)) return;
-  unresolved_from_ = t;
-  append({t, "unresolved", view.mesh->count(), r, {}});
+  const bool resolved = surface3d::resolved(r);
+  if (resolved == resolved_ || (may_change && !resolved)) return;
+  resolved_ = resolved;
+  append({t, resolved ? "resolved" : "unresolved", view.mesh->count(), r, {}});
+  if (resolved) {
+    line_.say(fmt::format("sbeh: resolved again from t = {:.6g}", t));
+    return;
+  }
+  if (!unresolved_from_) unresolved_from_ = t;
   line_.say(fmt::format("sbeh: unresolved from t = {:.6g}: {}{}", t, passed_limits(r),
                         remesh_ ? "" : "; more triangles, or [numerics] remesh = true, may help"));
 }

@@ -14,7 +14,7 @@ namespace sbeh::studies {
 /// A row of events.csv.
 struct EventRow {
   double time;
-  std::string event;  ///< "unresolved", "remeshed" or "not-remeshed"
+  std::string event;  ///< "unresolved", "resolved" (again), "remeshed" or "not-remeshed"
   int triangles;
   surface3d::Indicators indicators;  ///< before
   surface3d::RemeshReport report;    ///< of new triangles
@@ -24,7 +24,7 @@ const Columns<EventRow>& event_columns();
 /// Which limits of `surface3d::resolved` are passed, in words.
 std::string passed_limits(const surface3d::Indicators& indicators);
 
-/// A mesh that is or is not replaced, and the first time at which a mesh that stays is too coarse.
+/// A mesh that is or is not replaced, and the times from which a mesh that stays is too coarse and no longer is.
 class EventLog {
  public:
   /// `remesh`: whether meshes may be replaced. Keeps the events up to `until` of an earlier run. Throws
@@ -32,7 +32,7 @@ class EventLog {
   EventLog(const OutputFolder& folder, bool remesh, double until, ProgressLine& line);
 
   void see(const surface3d::FlowRecord& record, const surface3d::StepView& view);
-  /// The time from which the mesh did not resolve the surface; empty when it always did.
+  /// The first time at which the mesh did not resolve the surface; empty when it always did.
   const std::optional<double>& unresolved_from() const { return unresolved_from_; }
 
  private:
@@ -43,6 +43,7 @@ class EventLog {
   TimedTable table_;
   bool remesh_;
   ProgressLine& line_;
+  bool resolved_ = true;  // by the last event that says so
   std::optional<double> unresolved_from_;
 };
 

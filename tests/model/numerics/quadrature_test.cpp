@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <vector>
 
 namespace sbeh::model {
 namespace {
@@ -80,6 +83,48 @@ TEST(TriangleRule, has_positive_weights_and_points_inside) {
     EXPECT_GT(rule.points.minCoeff(), 0);
     EXPECT_LT(rule.points.colwise().sum().maxCoeff(), 1);
   }
+}
+
+TEST(SymmetricTriangleRule, is_exact_up_to_degree_10_and_no_further) {
+  const TriangleRule rule = symmetric_triangle_rule();
+  double beyond = 0;
+  for (int a = 0; a <= 11; ++a)
+    for (int b = 0; a + b <= 11; ++b) {
+      const double error =
+          integral_of_monomial(rule, a, b) - factorial(a) * factorial(b) / factorial(a + b + 2);
+      if (a + b <= 10)
+        EXPECT_NEAR(error, 0, 1e-15) << "x^" << a << " y^" << b;
+      else
+        beyond = std::max(beyond, std::abs(error));
+    }
+  EXPECT_GT(beyond, 1e-8);
+}
+
+TEST(SymmetricTriangleRule, has_positive_weights_and_points_inside) {
+  const TriangleRule rule = symmetric_triangle_rule();
+  ASSERT_EQ(rule.size(), 25);
+  ASSERT_EQ(rule.points.cols(), 25);
+  EXPECT_GT(rule.weights.minCoeff(), 0);
+  EXPECT_GT(rule.points.minCoeff(), 0);
+  EXPECT_LT(rule.points.colwise().sum().maxCoeff(), 1);
+}
+
+TEST(SymmetricTriangleRule, is_taken_to_itself_by_the_six_permutations_of_the_corners) {
+  const TriangleRule rule = symmetric_triangle_rule();
+  Eigen::Matrix3Xd coordinates(3, rule.size());  // barycentric
+  coordinates << rule.points, 1 - rule.points.colwise().sum().array();
+  std::array corners{0, 1, 2};
+  do {
+    std::vector<bool> taken(std::size_t(rule.size()), false);
+    for (int k = 0; k < rule.size(); ++k) {
+      const Eigen::Vector3d image = coordinates.col(k)(corners);
+      Eigen::Index nearest = 0;
+      EXPECT_LT((coordinates.colwise() - image).colwise().norm().minCoeff(&nearest), 1e-15);
+      EXPECT_EQ(rule.weights[nearest], rule.weights[k]);
+      EXPECT_FALSE(taken[std::size_t(nearest)]);
+      taken[std::size_t(nearest)] = true;
+    }
+  } while (std::next_permutation(corners.begin(), corners.end()));
 }
 
 }  // namespace
