@@ -18,4 +18,16 @@ std::vector<TouchingSpheres> with_ideal_necks(const model::Material& material, i
 std::optional<TouchingSpheres> closing_shape(const model::Material& material,
                                              const Diagnostics& state);
 
+/// Measures of states on the way to a closed neck of radius a > 0.
+struct ClosingMeasures {
+  double radius;
+  std::vector<double> values;  ///< as many in each
+};
+struct ClosedMeasures {
+  std::vector<double> values, errors;  ///< estimated
+};
+/// What they tend to, as v + a (α + β ln a) (Fourcade et al., Phys. Rev. E 49, 5276, 1994): by the states whose radii are about one, two and
+/// four times the last; the errors are what two, four and eight times give differently. Empty where the way is too short for that.
+std::optional<ClosedMeasures> with_closed_neck(const std::vector<ClosingMeasures>& way);
+
 }  // namespace sbeh::axisym

@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 #include <span>
 
 namespace sbeh::studies {
@@ -52,13 +53,36 @@ std::string child_at(const std::vector<DiagramBranch>& branches, const DiagramBr
   for (const DiagramBranch& child : branches)
     if (child.from == parent.name
         && (std::abs(child.start_volume - reduced_volume) < same
-            || (child.end_volume && std::abs(*child.end_volume - reduced_volume) < near_return)))
+            || (child.end_volume
+                && std::abs(*child.end_volume - reduced_volume) < axisym::near_return)))
       return child.name;
   return parent.name == "prolate" ? "pear" : "stomatocyte";
 }
 
-// Spheres that touch stand for the last state of a branch whose necks close; without them it is that state.
-Bifurcation limit_of(double value, const DiagramBranch& branch, const axisym::TracePoint& last) {
+// To what H₀, W₂, V_r and the energy tend where some of the necks close, and nothing is known in closed form. `points` are in the
+// order of the way.
+template <class Points>
+void extrapolate(const Line& line, const Points& points, int leg, Bifurcation& limit) {
+  constexpr double narrow = 0.1;
+  std::vector<axisym::ClosingMeasures> way;
+  for (const axisym::TracePoint& p : points) {
+    const double radius = axisym::thinnest_neck(p.state.X);
+    if (p.leg != leg || radius > narrow) continue;
+    if (!way.empty() && radius >= way.back().radius) way.clear();  // closes from here on
+    const DiagramPlace at = place_of(limit.at.value, line, p.state);
+    way.push_back({radius, {at.H0, at.W2, at.reduced_volume, at.energy}});
+  }
+  const auto closed = axisym::with_closed_neck(way);
+  if (!closed) return;
+  const auto& v = closed->values;
+  limit.at = {limit.at.value, v[0], v[1], v[2], v[3]};
+  limit.error = closed->errors[2];
+}
+
+// Spheres that touch stand for the last state of a branch whose necks close; without them its last states tell what they tend to.
+Bifurcation limit_of(double value, const DiagramBranch& branch, bool at_end) {
+  const auto& points = branch.trace.points;
+  const axisym::TracePoint& last = at_end ? points.back() : points.front();
   const model::Material material = branch.line.material_at(last.state.mu);
   Bifurcation limit{
       "limit",   branch.name, branch.from,      place_of(value, branch.line, last.state),
@@ -73,6 +97,10 @@ Bifurcation limit_of(double value, const DiagramBranch& branch, const axisym::Tr
                                : closing_H0(*spheres);
     limit.at = {value, H0, d.W2, d.reduced_volume, energy_of(material, d.energy)};
     limit.error = 0;
+  } else if (at_end) {
+    extrapolate(branch.line, points, last.leg, limit);
+  } else {
+    extrapolate(branch.line, std::views::reverse(points), last.leg, limit);
   }
   return limit;
 }
@@ -149,9 +177,8 @@ std::vector<Bifurcation> bifurcations_of(const DiagramInput& input, double value
     }
     if (branch.trace.points.empty()) continue;
     if (branch.trace.begin == axisym::TraceEnd::limit)
-      rows.push_back(limit_of(value, branch, branch.trace.points.front()));
-    if (branch.trace.end == axisym::TraceEnd::limit)
-      rows.push_back(limit_of(value, branch, branch.trace.points.back()));
+      rows.push_back(limit_of(value, branch, false));
+    if (branch.trace.end == axisym::TraceEnd::limit) rows.push_back(limit_of(value, branch, true));
   }
   add_equal_energies(input, value, branches, rows);
   return rows;
