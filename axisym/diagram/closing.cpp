@@ -107,19 +107,9 @@ std::vector<double> extrapolated(const std::array<const ClosingMeasures*, 3>& at
 
 }  // namespace
 
-std::optional<ClosedMeasures> with_closed_neck(const std::vector<ClosingMeasures>& way) {
-  if (way.empty()) return {};
-  std::array<const ClosingMeasures*, 4> at{};
-  double wanted = way.back().radius;
-  auto here = way.rbegin();
-  for (const ClosingMeasures*& one : at) {
-    while (here != way.rend() && here->radius < wanted) ++here;
-    if (here == way.rend()) return {};
-    one = &*here;
-    wanted = 2 * one->radius;
-  }
-  const auto fine = extrapolated({at[0], at[1], at[2]}),
-             coarse = extrapolated({at[1], at[2], at[3]});
+ClosedMeasures with_closed_neck(const std::array<ClosingMeasures, 4>& way) {
+  const auto fine = extrapolated({&way[0], &way[1], &way[2]}),
+             coarse = extrapolated({&way[1], &way[2], &way[3]});
   ClosedMeasures closed{fine, {}};
   for (std::size_t i = 0; i < fine.size(); ++i)
     closed.errors.push_back(std::abs(fine[i] - coarse[i]));

@@ -4,6 +4,7 @@
 #include "axisym/diagnostics.h"
 #include "axisym/stationary/limit_shape.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -26,8 +27,8 @@ struct ClosingMeasures {
 struct ClosedMeasures {
   std::vector<double> values, errors;  ///< estimated
 };
-/// What they tend to, as v + a (α + β ln a) (Fourcade et al., Phys. Rev. E 49, 5276, 1994): by the states whose radii are about one, two and
-/// four times the last; the errors are what two, four and eight times give differently. Empty where the way is too short for that.
-std::optional<ClosedMeasures> with_closed_neck(const std::vector<ClosingMeasures>& way);
+/// What they tend to, as v + a (α + β ln a) (Fourcade et al., Phys. Rev. E 49, 5276, 1994), by the three with the narrowest necks; the errors
+/// are what the three others give differently. Narrowest first, with radii that differ by about a factor of two.
+ClosedMeasures with_closed_neck(const std::array<ClosingMeasures, 4>& way);
 
 }  // namespace sbeh::axisym

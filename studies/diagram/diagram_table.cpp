@@ -4,10 +4,12 @@
 #include "axisym/diagram/closing.h"
 #include "axisym/diagram/equal_energy.h"
 #include "axisym/shape_class.h"
+#include "axisym/stationary/accuracy.h"
 
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <ranges>
@@ -59,28 +61,44 @@ std::string child_at(const std::vector<DiagramBranch>& branches, const DiagramBr
   return parent.name == "prolate" ? "pear" : "stomatocyte";
 }
 
-// To what H₀, W₂, V_r and the energy tend where some of the necks close, and nothing is known in closed form. `points` are in the
-// order of the way.
+// Of the points of a leg from its end on, those with about one, two, four and eight times the neck's last radius.
 template <class Points>
-void extrapolate(const Line& line, const Points& points, int leg, Bifurcation& limit) {
+std::vector<const axisym::TracePoint*> into_the_neck(const Points& from_end) {
   constexpr double narrow = 0.1;
-  std::vector<axisym::ClosingMeasures> way;
-  for (const axisym::TracePoint& p : points) {
+  std::vector<const axisym::TracePoint*> picked;
+  double wanted = 0;
+  for (const axisym::TracePoint& p : from_end) {
     const double radius = axisym::thinnest_neck(p.state.X);
-    if (p.leg != leg || radius > narrow) continue;
-    if (!way.empty() && radius >= way.back().radius) way.clear();  // closes from here on
-    const DiagramPlace at = place_of(limit.at.value, line, p.state);
-    way.push_back({radius, {at.H0, at.W2, at.reduced_volume, at.energy}});
+    if (picked.size() == 4 || p.leg != from_end.front().leg || radius > narrow) break;
+    if (radius < wanted) continue;
+    picked.push_back(&p);
+    wanted = 2 * radius;
   }
-  const auto closed = axisym::with_closed_neck(way);
-  if (!closed) return;
-  const auto& v = closed->values;
-  limit.at = {limit.at.value, v[0], v[1], v[2], v[3]};
-  limit.error = closed->errors[2];
+  return picked;
+}
+
+// To what H₀, W₂, V_r and the energy tend where some of the necks close, and nothing is known in closed form.
+void extrapolate(const DiagramInput& input, const Line& line,
+                 const std::vector<const axisym::TracePoint*>& points, Bifurcation& limit) {
+  std::array<axisym::ClosingMeasures, 4> way;
+  if (points.size() < way.size()) return;
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    const PathState& state = points[k]->state;
+    const model::Material material = line.material_at(state.mu);
+    const axisym::ResolvedState there =
+        axisym::resolved(material, line.model, {state, line.at(state.mu), 0}, input.numerics());
+    const DiagramPlace at = place_of(limit.at.value, material, there.state);
+    way[k] = {axisym::thinnest_neck(there.state.X),
+              {at.H0, at.W2, line.at(state.mu).reduced_volume, at.energy}};
+  }
+  const auto [values, errors] = axisym::with_closed_neck(way);
+  limit.at = {limit.at.value, values[0], values[1], values[2], values[3]};
+  limit.error = errors[2];
 }
 
 // Spheres that touch stand for the last state of a branch whose necks close; without them its last states tell what they tend to.
-Bifurcation limit_of(double value, const DiagramBranch& branch, bool at_end) {
+Bifurcation limit_of(const DiagramInput& input, double value, const DiagramBranch& branch,
+                     bool at_end) {
   const auto& points = branch.trace.points;
   const axisym::TracePoint& last = at_end ? points.back() : points.front();
   const model::Material material = branch.line.material_at(last.state.mu);
@@ -98,9 +116,9 @@ Bifurcation limit_of(double value, const DiagramBranch& branch, bool at_end) {
     limit.at = {value, H0, d.W2, d.reduced_volume, energy_of(material, d.energy)};
     limit.error = 0;
   } else if (at_end) {
-    extrapolate(branch.line, points, last.leg, limit);
+    extrapolate(input, branch.line, into_the_neck(std::views::reverse(points)), limit);
   } else {
-    extrapolate(branch.line, std::views::reverse(points), last.leg, limit);
+    extrapolate(input, branch.line, into_the_neck(points), limit);
   }
   return limit;
 }
@@ -177,8 +195,9 @@ std::vector<Bifurcation> bifurcations_of(const DiagramInput& input, double value
     }
     if (branch.trace.points.empty()) continue;
     if (branch.trace.begin == axisym::TraceEnd::limit)
-      rows.push_back(limit_of(value, branch, false));
-    if (branch.trace.end == axisym::TraceEnd::limit) rows.push_back(limit_of(value, branch, true));
+      rows.push_back(limit_of(input, value, branch, false));
+    if (branch.trace.end == axisym::TraceEnd::limit)
+      rows.push_back(limit_of(input, value, branch, true));
   }
   add_equal_energies(input, value, branches, rows);
   return rows;
