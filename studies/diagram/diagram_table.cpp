@@ -4,7 +4,6 @@
 #include "axisym/diagram/closing.h"
 #include "axisym/diagram/equal_energy.h"
 #include "axisym/shape_class.h"
-#include "axisym/stationary/accuracy.h"
 
 #include <fmt/format.h>
 
@@ -77,28 +76,23 @@ std::vector<const axisym::TracePoint*> into_the_neck(const Points& from_end) {
   return picked;
 }
 
-// To what H₀, W₂, V_r and the energy tend where some of the necks close, and nothing is known in closed form.
-void extrapolate(const DiagramInput& input, const Line& line,
-                 const std::vector<const axisym::TracePoint*>& points, Bifurcation& limit) {
+// To what V_r tends where some of the necks close, and nothing is known in closed form.
+void extrapolate(const Line& line, const std::vector<const axisym::TracePoint*>& points,
+                 Bifurcation& limit) {
   std::array<axisym::ClosingMeasures, 4> way;
   if (points.size() < way.size()) return;
   for (std::size_t k = 0; k < way.size(); ++k) {
     const PathState& state = points[k]->state;
-    const model::Material material = line.material_at(state.mu);
-    const axisym::ResolvedState there =
-        axisym::resolved(material, line.model, {state, line.at(state.mu), 0}, input.numerics());
-    const DiagramPlace at = place_of(limit.at.value, material, there.state);
-    way[k] = {axisym::thinnest_neck(there.state.X),
-              {at.H0, at.W2, line.at(state.mu).reduced_volume, at.energy}};
+    way[k] = {axisym::thinnest_neck(state.X), {line.at(state.mu).reduced_volume}};
   }
-  const auto [values, errors] = axisym::with_closed_neck(way);
-  limit.at = {limit.at.value, values[0], values[1], values[2], values[3]};
-  limit.error = errors[2];
+  const auto closed = axisym::with_closed_neck(way);
+  limit.at.reduced_volume = closed.values[0];
+  limit.error = closed.errors[0];
 }
 
-// Spheres that touch stand for the last state of a branch whose necks close; without them its last states tell what they tend to.
-Bifurcation limit_of(const DiagramInput& input, double value, const DiagramBranch& branch,
-                     bool at_end) {
+// Spheres that touch stand for the last state of a branch whose necks close; without them it is that state, and its last ones
+// tell V_r.
+Bifurcation limit_of(double value, const DiagramBranch& branch, bool at_end) {
   const auto& points = branch.trace.points;
   const axisym::TracePoint& last = at_end ? points.back() : points.front();
   const model::Material material = branch.line.material_at(last.state.mu);
@@ -116,9 +110,9 @@ Bifurcation limit_of(const DiagramInput& input, double value, const DiagramBranc
     limit.at = {value, H0, d.W2, d.reduced_volume, energy_of(material, d.energy)};
     limit.error = 0;
   } else if (at_end) {
-    extrapolate(input, branch.line, into_the_neck(std::views::reverse(points)), limit);
+    extrapolate(branch.line, into_the_neck(std::views::reverse(points)), limit);
   } else {
-    extrapolate(input, branch.line, into_the_neck(points), limit);
+    extrapolate(branch.line, into_the_neck(points), limit);
   }
   return limit;
 }
@@ -195,9 +189,8 @@ std::vector<Bifurcation> bifurcations_of(const DiagramInput& input, double value
     }
     if (branch.trace.points.empty()) continue;
     if (branch.trace.begin == axisym::TraceEnd::limit)
-      rows.push_back(limit_of(input, value, branch, false));
-    if (branch.trace.end == axisym::TraceEnd::limit)
-      rows.push_back(limit_of(input, value, branch, true));
+      rows.push_back(limit_of(value, branch, false));
+    if (branch.trace.end == axisym::TraceEnd::limit) rows.push_back(limit_of(value, branch, true));
   }
   add_equal_energies(input, value, branches, rows);
   return rows;

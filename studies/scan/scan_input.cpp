@@ -246,8 +246,8 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
   if (input.beyond_fold) require_folds(table, input);
   input.modes = table.integer("modes", 0, axisym::most_modes, input.modes);
   input.start_order = read_order_pattern(table, true);
-  if (input.start_order.is_there()) check_domains(table, input);
   table.reject_unknown_keys();
+  if (input.start_order.is_there()) check_domains(table, input);
   if (point_count(input) > most_points)
     table.fail("L",
                fmt::format("must have fewer values: that makes {} points with the other lists, "

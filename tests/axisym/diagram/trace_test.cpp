@@ -3,7 +3,6 @@
 #include "axisym/diagram/equal_energy.h"
 #include "axisym/shape_class.h"
 #include "axisym/shooting/seifert_shooting.h"
-#include "axisym/stationary/accuracy.h"
 #include "tests/axisym/diagram/traced.h"
 
 namespace sbeh::axisym::test {
@@ -106,29 +105,20 @@ TEST(Trace, of_pears_folds_and_ends_where_the_neck_closes) {
   EXPECT_NEAR(limit, volume_of_ideal_pair(c0), 1e-12);
   EXPECT_NEAR(d.reduced_volume, limit, 0.02);  // a neck of radius a is off by a ln(1/a)
 
-  // The way into the neck tells as much without knowing the spheres.
+  // The way into the neck tells its V_r without knowing the spheres.
   std::array<ClosingMeasures, 4> way;
   double wanted = 0;
   auto point = found.points.rbegin();
   for (ClosingMeasures& at : way) {
     while (thinnest_neck(point->state.X) < wanted) ++point;
-    const ResolvedState there = resolved(pears.material, pears.model,
-                                         {point->state, pears.at(point->state.mu), 0}, numerics);
-    at = {thinnest_neck(there.state.X),
-          {there.state.at.reduced_volume, there.diagnostics.W2, there.diagnostics.energy.total()}};
-    wanted = 2 * thinnest_neck(point->state.X);
+    at = {thinnest_neck(point->state.X), {pears.at(point->state.mu).reduced_volume}};
+    wanted = 2 * at.radius;
   }
   const ClosedMeasures closed = with_closed_neck(way);
-  const Diagnostics ideal = diagnose(pears.material, *spheres);
-  const double known[]{limit, ideal.W2, ideal.energy.total()};
-  for (std::size_t i = 0; i < 3; ++i) {
-    SCOPED_TRACE(i);
-    EXPECT_LT(closed.errors[i], 1e-3 * std::abs(known[i]));
-    EXPECT_NEAR(closed.values[i], known[i], closed.errors[i]);
-  }
+  EXPECT_LT(closed.errors[0], 1e-3);
+  EXPECT_NEAR(closed.values[0], limit, closed.errors[0]);
 }
 
-// The classical oblate falls into m = 2, twice, above V_r = 0.749729; with few modes that is not known.
 TEST(Trace, counts_directions_among_all_shapes_where_enough_modes_tell) {
   const Line line = down_to(0.6, bare(0), true);
   for (const int largest_m : {3, 4})
