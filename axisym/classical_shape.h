@@ -12,9 +12,18 @@
 namespace sbeh::axisym {
 
 /// The branches of Seifert, Berndl and Lipowsky, Phys. Rev. A 44 (1991) 1182, without spontaneous
-/// curvature. Oblates and prolates are symmetric top to bottom, stomatocytes are not.
-enum class Branch { oblate, prolate, stomatocyte };
-constexpr auto names(Branch) { return std::array{"oblate", "prolate", "stomatocyte"}; }
+/// curvature, and the pears that leave its prolates where there is some (or an area difference). Oblates and prolates are symmetric top
+/// to bottom, stomatocytes and pears are not.
+enum class Branch { oblate, prolate, stomatocyte, pear };
+constexpr auto names(Branch) { return std::array{"oblate", "prolate", "stomatocyte", "pear"}; }
+
+constexpr bool is_symmetric(Branch branch) {
+  return branch == Branch::oblate || branch == Branch::prolate;
+}
+
+/// Those that are there without spontaneous curvature.
+inline constexpr std::array classical_branches{Branch::oblate, Branch::prolate,
+                                               Branch::stomatocyte};
 
 /// One shape, in the units of the sphere of the same area: R = 1, A = 4π.
 struct ClassicalShape {

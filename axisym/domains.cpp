@@ -1,5 +1,6 @@
 #include "axisym/domains.h"
 
+#include <cmath>
 #include <numbers>
 
 namespace sbeh::axisym {
@@ -27,6 +28,20 @@ model::Domains domains_of(const State& state) {
     if (ends) ++domains.count;
   }
   return domains;
+}
+
+std::vector<Interface> interfaces(const State& state) {
+  std::vector<Interface> found;
+  const double low = state.beta.minCoeff(), high = state.beta.maxCoeff();
+  if (high - low < model::Domains::least_contrast) return found;
+  const Field height = state.beta.array() - (low + high) / 2;
+  for (Eigen::Index i = 0; i + 1 < height.size(); ++i) {
+    if ((height[i] > 0) == (height[i + 1] > 0)) continue;
+    const double step = std::abs(height[i + 1] - height[i]),
+                 length = (state.X.col(i + 1) - state.X.col(i)).norm();
+    found.push_back({double(i) + std::abs(height[i]) / step, (high - low) / 2 * length / step});
+  }
+  return found;
 }
 
 }  // namespace sbeh::axisym

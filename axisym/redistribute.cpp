@@ -1,6 +1,7 @@
 #include "axisym/redistribute.h"
 
 #include "axisym/curvature.h"
+#include "axisym/domains.h"
 #include "axisym/shape_class.h"
 
 #include <Eigen/LU>
@@ -47,22 +48,42 @@ class Cumulative {
   std::vector<double> sum_;
 };
 
-// Σ depth length/√(distance² + a²) over the necks, a their radii: as many for each factor e of the distance from a
-// neck, over which what it does to the curve decays.
-Eigen::VectorXd near_necks(const Nodes& X, const Eigen::VectorXd& length) {
+// Where the curve needs nodes: at a place, on the scale of a radius.
+struct Centre {
+  double node, radius, weight;
+};
+
+// Necks, by their depths; and interfaces between phases, whose orders differ by more than those of one phase do.
+std::vector<Centre> centres(const State& state) {
+  constexpr double one_phase = 0.3, two_phases = 0.4;  // of the orders that there are
+  std::vector<Centre> found;
+  for (const Neck& neck : necks(state.X))
+    found.push_back({double(neck.node), neck.radius, neck.depth});
+  const double contrast = state.beta.maxCoeff() - state.beta.minCoeff(),
+               weight = std::clamp((contrast - one_phase) / (two_phases - one_phase), 0., 1.);
+  if (weight > 0)
+    for (const Interface& at : interfaces(state)) found.push_back({at.node, at.width, weight});
+  return found;
+}
+
+// Σ weight length/√(distance² + radius²) over them: as many for each factor e of the distance, over which what a neck does to the
+// curve decays.
+Eigen::VectorXd near_centres(const State& state, const Eigen::VectorXd& length) {
   const Cumulative arc(length);
   Eigen::VectorXd shares = Eigen::VectorXd::Zero(length.size());
-  for (const Neck& neck : necks(X)) {
-    const double s = arc.at(samples / 3. * double(neck.node));
+  for (const Centre& centre : centres(state)) {
+    const double s = arc.at(samples / 3. * centre.node);
     for (Eigen::Index k = 0; k < length.size(); ++k)
-      shares[k] += neck.depth * length[k] / std::hypot(arc.at(double(k) + 0.5) - s, neck.radius);
+      shares[k] +=
+          centre.weight * length[k] / std::hypot(arc.at(double(k) + 0.5) - s, centre.radius);
   }
   return shares;
 }
 
 // The Gauss–Lobatto points of the new elements on the old curve, joints shared. 0 elements: as many as before.
-std::vector<Place> places(const Nodes& X, const Field& H, double grading, int elements) {
-  constexpr double necks = 0.2;
+std::vector<Place> places(const State& state, const Field& H, double grading, int elements) {
+  constexpr double narrow = 0.2;
+  const Nodes& X = state.X;
   if (elements == 0) elements = element_count(X);
   const int intervals = samples * element_count(X);
   Eigen::VectorXd length(intervals), bend(intervals);
@@ -77,8 +98,8 @@ std::vector<Place> places(const Nodes& X, const Field& H, double grading, int el
     length[k] = p.stretch / samples;
     bend[k] = length[k] * std::abs(value_at(H, k / samples, s) - p.B_phi);
   }
-  const Cumulative arc(length),
-      measure(length / length.sum() + grading * bend / bend.sum() + necks * near_necks(X, length));
+  const Cumulative arc(length), measure(length / length.sum() + grading * bend / bend.sum()
+                                        + narrow * near_centres(state, length));
   const auto place = [&](double interval) {
     const int e = std::min(int(interval) / samples, element_count(X) - 1);
     return Place{e, interval / samples - e};
@@ -133,15 +154,15 @@ Field nodal_values(const Field& at_lobatto) {
 }
 
 Field sample_at_lobatto(const State& state, const Field& f, double grading, int elements) {
-  return sample(f, places(state.X, mean_curvature(state.X), grading, elements));
+  return sample(f, places(state, mean_curvature(state.X), grading, elements));
 }
 
 State redistribute(const State& state, double grading, int elements) {
-  return interpolate(state, places(state.X, mean_curvature(state.X), grading, elements));
+  return interpolate(state, places(state, mean_curvature(state.X), grading, elements));
 }
 
 StationaryState redistribute(const StationaryState& state, double grading, int elements) {
-  const auto at = places(state.X, state.H, grading, elements);
+  const auto at = places(state, state.H, grading, elements);
   return {interpolate(static_cast<const State&>(state), at),
           interpolate(state.H, at),
           interpolate(state.Lambda, at),

@@ -8,7 +8,8 @@ namespace sbeh::axisym {
 
 /// Moves the nodes along the curve so that every element carries the same share of
 ///   ∫ (1/length + grading · |B_ss| / ∫|B_ss|) ds,
-/// B_ss the curvature of the generating curve. Within an element the fields become the cubics through
+/// B_ss the curvature of the generating curve, and more of them near necks and interfaces between phases, on the scale of their radii
+/// and widths. Within an element the fields become the cubics through
 /// their values at its Gauss–Lobatto points in arc length: their error has no mean, so that area and
 /// volume keep order 6. All fields are interpolated; the curve changes by its interpolation error only.
 /// elements = 0 keeps their number.

@@ -20,12 +20,13 @@ namespace sbeh::axisym {
 using std::numbers::pi;
 
 Nodes nodes_on(const std::function<Eigen::Vector2d(double)>& curve, int elements, double grading) {
-  // A fine curve, uniform in θ, tells where the nodes belong; θ itself rides along as its field.
+  // A fine curve, uniform in θ, tells where the nodes belong.
   const int fine = 8 * elements;
-  State dense{.X = Nodes(2, 3 * fine + 1), .beta = Field::LinSpaced(3 * fine + 1, 0, pi)};
-  for (Eigen::Index i = 0; i < dense.X.cols(); ++i) dense.X.col(i) = curve(dense.beta[i]);
+  const Field angles = Field::LinSpaced(3 * fine + 1, 0, pi);
+  State dense{.X = Nodes(2, 3 * fine + 1), .beta = Field::Zero(3 * fine + 1)};
+  for (Eigen::Index i = 0; i < dense.X.cols(); ++i) dense.X.col(i) = curve(angles[i]);
   dense.X(0, 0) = dense.X(0, dense.X.cols() - 1) = 0;
-  const Field theta = sample_at_lobatto(dense, dense.beta, grading, elements);
+  const Field theta = sample_at_lobatto(dense, angles, grading, elements);
   Nodes points(2, theta.size()), X(2, theta.size());
   for (Eigen::Index i = 0; i < theta.size(); ++i) points.col(i) = curve(theta[i]);
   for (int k = 0; k < 2; ++k) X.row(k) = nodal_values(points.row(k).transpose()).transpose();

@@ -2,7 +2,10 @@
 
 #include "model/numerics/root.h"
 
+#include <Eigen/LU>
+
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <functional>
 #include <numbers>
@@ -83,6 +86,34 @@ std::optional<TouchingSpheres> closing_shape(const model::Material& material,
     }
   }
   return best;
+}
+
+namespace {
+
+// Of the states of these radii.
+std::vector<double> extrapolated(const std::array<const ClosingMeasures*, 3>& at) {
+  Eigen::Matrix3d rows;
+  for (int k = 0; k < 3; ++k) {
+    const double a = at[std::size_t(k)]->radius;
+    rows.row(k) << 1, a, a * std::log(a);
+  }
+  const Eigen::Vector3d weights = rows.transpose().inverse().col(0);
+  std::vector<double> values(at[0]->values.size(), 0.);
+  for (int k = 0; k < 3; ++k)
+    for (std::size_t i = 0; i < values.size(); ++i)
+      values[i] += weights[k] * at[std::size_t(k)]->values[i];
+  return values;
+}
+
+}  // namespace
+
+ClosedMeasures with_closed_neck(const std::array<ClosingMeasures, 4>& way) {
+  const auto fine = extrapolated({&way[0], &way[1], &way[2]}),
+             coarse = extrapolated({&way[1], &way[2], &way[3]});
+  ClosedMeasures closed{fine, {}};
+  for (std::size_t i = 0; i < fine.size(); ++i)
+    closed.errors.push_back(std::abs(fine[i] - coarse[i]));
+  return closed;
 }
 
 }  // namespace sbeh::axisym

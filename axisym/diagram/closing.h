@@ -4,6 +4,7 @@
 #include "axisym/diagnostics.h"
 #include "axisym/stationary/limit_shape.h"
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -17,5 +18,17 @@ std::vector<TouchingSpheres> with_ideal_necks(const model::Material& material, i
 /// To which of these, or of chains of equal spheres, a state with a narrow neck is near in V_r and W₂ both. Empty where none is.
 std::optional<TouchingSpheres> closing_shape(const model::Material& material,
                                              const Diagnostics& state);
+
+/// Measures of states on the way to a closed neck of radius a > 0.
+struct ClosingMeasures {
+  double radius;
+  std::vector<double> values;  ///< as many in each
+};
+struct ClosedMeasures {
+  std::vector<double> values, errors;  ///< estimated
+};
+/// What they tend to, as v + a (α + β ln a) (Fourcade et al., Phys. Rev. E 49, 5276, 1994), by the three with the narrowest necks; the errors
+/// are what the three others give differently. Narrowest first, with radii that differ by about a factor of two.
+ClosedMeasures with_closed_neck(const std::array<ClosingMeasures, 4>& way);
 
 }  // namespace sbeh::axisym

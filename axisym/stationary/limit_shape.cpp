@@ -32,6 +32,16 @@ TouchingSpheres sphere_in_sphere(double reduced_volume) {
   return {{outer, std::sqrt(1 - outer * outer)}, true};
 }
 
+std::optional<TouchingSpheres> sphere_beside_sphere(double reduced_volume) {
+  const auto miss = [&](double larger) {
+    return larger * larger * larger + std::pow(1 - larger * larger, 1.5) - reduced_volume;
+  };
+  const double equal = std::sqrt(0.5);
+  if (miss(equal) > 0 || miss(1) < 0) return {};
+  const double larger = model::root_between(miss, equal, 1).middle();
+  return TouchingSpheres{{larger, std::sqrt(1 - larger * larger)}, false};
+}
+
 TouchingSpheres chain_of_spheres(int count) {
   return {std::vector<double>(std::size_t(count), 1 / std::sqrt(count)), false};
 }

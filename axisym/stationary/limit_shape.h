@@ -3,6 +3,7 @@
 
 #include "axisym/diagnostics.h"
 
+#include <optional>
 #include <vector>
 
 namespace sbeh::axisym {
@@ -15,6 +16,9 @@ struct TouchingSpheres {
 
 /// Those of a reduced volume 0 < V_r < 1: R₁² + R₂² = 1, R₁³ − R₂³ = V_r.
 TouchingSpheres sphere_in_sphere(double reduced_volume);
+
+/// Two beside each other, of 1/√2 <= V_r < 1: R₁² + R₂² = 1, R₁³ + R₂³ = V_r; empty below.
+std::optional<TouchingSpheres> sphere_beside_sphere(double reduced_volume);
 
 /// So many equal ones, of V_r = 1/√count: symmetric shapes with all necks closed.
 TouchingSpheres chain_of_spheres(int count);

@@ -17,6 +17,8 @@ struct StationaryCase {
   model::Model model = model::Model::SBEH;  ///< SBEH or SSH
   Branch branch = Branch::oblate;
   double reduced_volume = 0;  ///< 0 < V_r <= 1
+  int interfaces =
+      0;  ///< between phases of the order (domains.h); 0: the branch begins with a uniform one
   model::Material material{};
   Numerics numerics{};
 

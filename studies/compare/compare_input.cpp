@@ -39,7 +39,7 @@ void require_harmonic_shape(const TomlTable& table, const CompareInput& input) {
 void read_case(const TomlTable& table, CompareInput& input) {
   axisym::StationaryCase& state = input.state;
   state.model = table.choice("model", rest_models);
-  read_value(table, "branch", state.branch);
+  state.branch = table.choice("branch", axisym::classical_branches, std::optional(state.branch));
   state.reduced_volume = table.number("reduced_volume", reduced_volumes);
   if (state.reduced_volume == 1)
     table.fail("reduced_volume", "must be < 1: there is only the sphere, and nothing to compare");

@@ -1,5 +1,6 @@
 #include "studies/diagram/diagram_input.h"
 
+#include "axisym/diagram/traced_branches.h"
 #include "axisym/modes/stability_3d.h"
 #include "axisym/stationary/classical_branches.h"
 #include "studies/io/toml_reader.h"
@@ -34,11 +35,10 @@ model::Material DiagramInput::material(double value) const {
 }
 
 axisym::Line DiagramInput::line(double value) const {
-  constexpr double nearly_round = 0.99;
   const model::Material of = material(value);
   return {.material = of,
           .model = model::Model::SSH,
-          .from = {nearly_round, of.L1},
+          .from = {axisym::nearly_round, of.L1},
           .to = {least_volume, of.L1}};
 }
 

@@ -8,8 +8,10 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
+#include <ranges>
 #include <span>
 
 namespace sbeh::studies {
@@ -52,13 +54,47 @@ std::string child_at(const std::vector<DiagramBranch>& branches, const DiagramBr
   for (const DiagramBranch& child : branches)
     if (child.from == parent.name
         && (std::abs(child.start_volume - reduced_volume) < same
-            || (child.end_volume && std::abs(*child.end_volume - reduced_volume) < near_return)))
+            || (child.end_volume
+                && std::abs(*child.end_volume - reduced_volume) < axisym::near_return)))
       return child.name;
   return parent.name == "prolate" ? "pear" : "stomatocyte";
 }
 
-// Spheres that touch stand for the last state of a branch whose necks close; without them it is that state.
-Bifurcation limit_of(double value, const DiagramBranch& branch, const axisym::TracePoint& last) {
+// Of the points of a leg from its end on, those with about one, two, four and eight times the neck's last radius.
+template <class Points>
+std::vector<const axisym::TracePoint*> into_the_neck(const Points& from_end) {
+  constexpr double narrow = 0.1;
+  std::vector<const axisym::TracePoint*> picked;
+  double wanted = 0;
+  for (const axisym::TracePoint& p : from_end) {
+    const double radius = axisym::thinnest_neck(p.state.X);
+    if (picked.size() == 4 || p.leg != from_end.front().leg || radius > narrow) break;
+    if (radius < wanted) continue;
+    picked.push_back(&p);
+    wanted = 2 * radius;
+  }
+  return picked;
+}
+
+// To what V_r tends where some of the necks close, and nothing is known in closed form.
+void extrapolate(const Line& line, const std::vector<const axisym::TracePoint*>& points,
+                 Bifurcation& limit) {
+  std::array<axisym::ClosingMeasures, 4> way;
+  if (points.size() < way.size()) return;
+  for (std::size_t k = 0; k < way.size(); ++k) {
+    const PathState& state = points[k]->state;
+    way[k] = {axisym::thinnest_neck(state.X), {line.at(state.mu).reduced_volume}};
+  }
+  const auto closed = axisym::with_closed_neck(way);
+  limit.at.reduced_volume = closed.values[0];
+  limit.error = closed.errors[0];
+}
+
+// Spheres that touch stand for the last state of a branch whose necks close; without them it is that state, and its last ones
+// tell V_r.
+Bifurcation limit_of(double value, const DiagramBranch& branch, bool at_end) {
+  const auto& points = branch.trace.points;
+  const axisym::TracePoint& last = at_end ? points.back() : points.front();
   const model::Material material = branch.line.material_at(last.state.mu);
   Bifurcation limit{
       "limit",   branch.name, branch.from,      place_of(value, branch.line, last.state),
@@ -73,6 +109,10 @@ Bifurcation limit_of(double value, const DiagramBranch& branch, const axisym::Tr
                                : closing_H0(*spheres);
     limit.at = {value, H0, d.W2, d.reduced_volume, energy_of(material, d.energy)};
     limit.error = 0;
+  } else if (at_end) {
+    extrapolate(branch.line, into_the_neck(std::views::reverse(points)), limit);
+  } else {
+    extrapolate(branch.line, into_the_neck(points), limit);
   }
   return limit;
 }
@@ -149,9 +189,8 @@ std::vector<Bifurcation> bifurcations_of(const DiagramInput& input, double value
     }
     if (branch.trace.points.empty()) continue;
     if (branch.trace.begin == axisym::TraceEnd::limit)
-      rows.push_back(limit_of(value, branch, branch.trace.points.front()));
-    if (branch.trace.end == axisym::TraceEnd::limit)
-      rows.push_back(limit_of(value, branch, branch.trace.points.back()));
+      rows.push_back(limit_of(value, branch, false));
+    if (branch.trace.end == axisym::TraceEnd::limit) rows.push_back(limit_of(value, branch, true));
   }
   add_equal_energies(input, value, branches, rows);
   return rows;

@@ -8,6 +8,7 @@
 #include "studies/io/description.h"
 #include "studies/io/interrupt.h"
 #include "studies/states/profile_file.h"
+#include "studies/states/revolved_order.h"
 
 #include <fmt/format.h>
 
@@ -66,34 +67,10 @@ axisym::State make(const Harmonics& sphere, const RelaxInput& input) {
 
 axisym::State make(const ScanRow& row, const RelaxInput&) { return state_of(row); }
 
-// On a meridian and the opposite one.
-AreaSamples samples_of(const axisym::Nodes& X) {
-  std::vector<Eigen::Vector4d> all;
-  axisym::for_each_point(X, axisym::assembly_points(),
-                         [&](int, const axisym::ShapeValues&, const axisym::CurvePoint& p) {
-                           for (const double side : {-1, 1})
-                             all.emplace_back(side * p.x[0], 0, p.x[1], p.dS / 2);
-                         });
-  AreaSamples samples{Eigen::Matrix3Xd(3, all.size()), Eigen::VectorXd(all.size())};
-  for (std::size_t k = 0; k < all.size(); ++k) {
-    samples.points.col(Eigen::Index(k)) = all[k].head<3>();
-    samples.areas[Eigen::Index(k)] = all[k][3];
-  }
-  return samples;
-}
-
 // Domains, and the mean of a conserved order.
 void complete_order(const RelaxInput& input, axisym::State& state) {
   try {
-    if (input.order_pattern.is_there()) {
-      Eigen::Matrix3Xd nodes = Eigen::Matrix3Xd::Zero(3, state.X.cols());
-      nodes.row(0) = state.X.row(0);
-      nodes.row(2) = state.X.row(1);
-      state.beta = with_pattern(state.beta, input.order_pattern, nodes, samples_of(state.X));
-    }
-    if (input.material.conserves_order())
-      state.beta.array() +=
-          shift_to_mean(input.material, axisym::diagnose(input.material, state).order_mean);
+    complete_order(input.material, input.order_pattern, state);
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("[start] {}", error.what()));
   }

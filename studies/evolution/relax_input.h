@@ -4,11 +4,11 @@
 #include "axisym/options.h"
 #include "axisym/start_shapes.h"
 #include "model/material.h"
-#include "studies/evolution/initial_order.h"
 #include "studies/evolution/start_shape.h"
 #include "studies/evolution/times.h"
 #include "studies/parameters/units.h"
 #include "studies/scan/scan_row.h"
+#include "studies/states/initial_order.h"
 
 #include <filesystem>
 #include <optional>

@@ -3,11 +3,11 @@
 
 #include "meshing/spherical_harmonics.h"
 #include "model/material.h"
-#include "studies/evolution/initial_order.h"
 #include "studies/evolution/start_shape.h"
 #include "studies/evolution/times.h"
 #include "studies/parameters/units.h"
 #include "studies/scan/scan_row.h"
+#include "studies/states/initial_order.h"
 #include "surface3d/flow.h"
 #include "surface3d/options.h"
 

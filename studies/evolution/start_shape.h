@@ -7,6 +7,7 @@
 #include "studies/io/toml_text.h"
 #include "studies/parameters/material_input.h"
 #include "studies/parameters/physics.h"
+#include "studies/states/initial_order.h"
 
 #include <algorithm>
 #include <optional>
@@ -16,9 +17,6 @@
 #include <vector>
 
 namespace sbeh::studies {
-
-inline constexpr Interval orders = between(0, 1);
-inline constexpr int largest_degree = 32;  ///< of harmonics
 
 /// A shape in the list of an input: its place there is that of its type in the variant Input::start.
 template <class Input>

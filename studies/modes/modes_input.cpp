@@ -98,7 +98,7 @@ std::string text_of(const axisym::StationaryCase& of) {
 
 ModesCost cost_of(const ModesInput& input) {
   const axisym::StationaryCase& s = input.state;
-  const bool parities = s.branch != axisym::Branch::stomatocyte;  // each over half of the state
+  const bool parities = is_symmetric(s.branch);  // each over half of the state
   const int modes = (parities ? 2 : 1) * (input.largest_m + 1) * input.number;
   return {
       .modes = modes,

@@ -40,7 +40,7 @@ const std::vector<Contents>& all_contents() {
        {{"diagram", "The stationary shapes over reduced volume and L"},
         {"cuts", "Cross sections"},
         {"energy", "Energy over time"}},
-       {{"folds.csv", "Folds in which the branches end as L grows"},
+       {{"folds.csv", "Folds in which the branches end"},
         {"equal_energy.csv", "Where two branches have equal energy"},
         {"lowest.csv", "The branch that is lowest"},
         {"beyond_fold.csv", "Beyond the fold"},

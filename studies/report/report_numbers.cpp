@@ -115,6 +115,14 @@ double L_of_state(const PointResult& row) {
   return row.fold_side == "at" ? row.fold_L.value_or(row.key.L) : row.key.L;
 }
 
+Fact fact_of(const FoldRow& fold) {
+  if (is_along_volume(fold))
+    return {fmt::format("fold of the {} at L = {:.6g}", name(fold.branch), fold.L),
+            "V_r = " + text_of(fold.reduced_volume)};
+  return {fmt::format("fold of the {} at V_r = {:.6g}", name(fold.branch), fold.reduced_volume),
+          "L = " + text_of(fold.L) + (fold.kind ? fmt::format(" ({})", name(*fold.kind)) : "")};
+}
+
 KeyNumbers of_scan(const fs::path& folder, const ShownUnits& units) {
   using Row = PointResult;
   const auto points = rows_of(scan_columns(), folder / "scan.csv");
@@ -143,9 +151,7 @@ KeyNumbers of_scan(const fs::path& folder, const ShownUnits& units) {
                             * range_of(points, measured(&axisym::Diagnostics::H_abs_max)).high),
                 dimension::curvature));
   for (const FoldRow& fold : few_rows(fold_columns(), folder / "folds.csv"))
-    facts.push_back(
-        {fmt::format("fold of the {} at V_r = {:.6g}", name(fold.branch), fold.reduced_volume),
-         "L = " + text_of(fold.L) + (fold.kind ? fmt::format(" ({})", name(*fold.kind)) : "")});
+    facts.push_back(fact_of(fold));
   return {fmt::format("Stationary shapes: {} over {} points", words_of(points, model_of<Row>),
                       points.size()),
           facts};

@@ -1,5 +1,6 @@
 #include "studies/scan/branch_lines.h"
 
+#include "axisym/domains.h"
 #include "axisym/stationary/stationary.h"
 #include "studies/scan/collect.h"
 
@@ -16,6 +17,26 @@ namespace {
 
 bool is_stationary(const std::optional<PointOutcome>& point) {
   return point && point->row.status == PointStatus::stationary && point->state;
+}
+
+bool is_ours(const ScanInput& input, const axisym::ResolvedState& fold) {
+  return input.interfaces == 0 || int(axisym::interfaces(fold.state).size()) == input.interfaces;
+}
+
+// The fold along V_r that states with domains have run into at an L.
+std::vector<FoldRow> fold_in_volume(const ScanInput& input, axisym::Branch branch, double L,
+                                    const PointLookup& point) {
+  for (const double v : input.reduced_volume) {
+    const auto reached = point({v, L, Model::SBEH, branch});
+    if (!reached || !reached->row.fold_reduced_volume || reached->row.fold_side != "at") continue;
+    const PointResult& row = reached->row;
+    const axisym::Diagnostics& d = *row.diagnostics;
+    FoldRow fold{branch, *row.fold_reduced_volume, L, d.energy.total(), d.order_min, d.H_abs_max};
+    fold.energy_error = row.error ? row.error->energy : not_known;
+    fold.reduced_volume_error = row.fold_reduced_volume_error.value_or(not_known);
+    return {fold};
+  }
+  return {};
 }
 
 // The fold that the scan has run into, or else the one ahead of its largest L.
@@ -39,7 +60,7 @@ std::vector<FoldRow> fold_of(const ScanInput& input, axisym::Branch branch, doub
   const auto last = point({v, L, Model::SBEH, branch});
   const auto fold =
       is_stationary(last) ? fold_above(case_of(input, last->row.key), *last->state) : std::nullopt;
-  if (!fold) return {};
+  if (!fold || !is_ours(input, *fold)) return {};
   return fold_at(fold->state.at.L, fold->place_error, fold->diagnostics, fold->error.energy,
                  fold->state);
 }
@@ -101,10 +122,15 @@ std::vector<EqualEnergyRow> meetings_at(const ScanInput& input, Model model, dou
 
 std::vector<FoldRow> find_folds(const ScanInput& input, const PointLookup& point) {
   const std::size_t volumes = input.reduced_volume.size();
-  return collect<FoldRow>(volumes * input.branches.size(), [&](std::size_t k) {
+  std::vector<FoldRow> rows = collect<FoldRow>(volumes * input.branches.size(), [&](std::size_t k) {
     const double v = input.reduced_volume[k % volumes];
     return v < 1 ? fold_of(input, input.branches[k / volumes], v, point) : std::vector<FoldRow>{};
   });
+  if (input.interfaces == 0) return rows;
+  for (const axisym::Branch branch : input.branches)
+    for (const double L : input.L)
+      for (const FoldRow& row : fold_in_volume(input, branch, L, point)) rows.push_back(row);
+  return rows;
 }
 
 std::vector<EqualEnergyRow> find_equal_energies(const ScanInput& input, const PointLookup& point) {
@@ -124,6 +150,7 @@ const Columns<FoldRow>& fold_columns() {
       column("kind", &FoldRow::kind),
       known_column("L_error", &FoldRow::L_error, "{:.3g}"),
       known_column("energy_error", &FoldRow::energy_error, "{:.3g}"),
+      known_column("reduced_volume_error", &FoldRow::reduced_volume_error, "{:.3g}"),
   };
   return columns;
 }

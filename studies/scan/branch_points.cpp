@@ -1,5 +1,6 @@
 #include "studies/scan/branch_points.h"
 
+#include "axisym/diagram/closing.h"
 #include "axisym/shape_class.h"
 #include "axisym/start_shapes.h"
 #include "axisym/stationary/newton_system.h"
@@ -9,6 +10,7 @@
 #include "studies/io/interrupt.h"
 #include "studies/io/stopwatch.h"
 #include "studies/scan/point_outcome.h"
+#include "studies/scan/traced_states.h"
 
 #include <fmt/format.h>
 
@@ -89,7 +91,7 @@ void add_modes(const StationaryCase& of, int largest_m, PointOutcome& point) {
 constexpr double largest_fold = 2;  // of L
 
 std::optional<axisym::ResolvedState> fold_above(const StationaryCase& of, const State& state) {
-  const auto start = settled(of, state);
+  const auto start = of.L() < largest_fold ? settled(of, state) : std::nullopt;
   if (!start) return {};
   const auto result = follow_up(of, *start, largest_fold);
   if (result.arrival != axisym::Arrival::fold) return {};
@@ -101,12 +103,20 @@ PointOutcome without_ssh(const StationaryCase& of, const PointOutcome& ssh, doub
     PointOutcome same = ssh;  // no shape of SSH depends on L
     same.row.wall_seconds = 0;
     double v = of.reduced_volume;
-    if (of.branch != Branch::stomatocyte) {
-      if (!ssh.row.diagnostics) return same;
+    if (!ssh.row.diagnostics) return same;
+    if (is_symmetric(of.branch)) {
       v = ssh.row.diagnostics->volume / axisym::target_of(1).volume;
     }
-    if (const auto spheres = limit_of(of.branch, v, int(std::lround(1 / (v * v)))))
-      same.row.diagnostics = axisym::diagnose(of.material, *spheres);
+    if (of.L() == computed_at) return same;
+    std::optional<axisym::TouchingSpheres>
+        spheres;  // with an area difference the shapes of two L differ
+    if (!of.material.area_difference.is_there()) {
+      spheres = limit_of(of.branch, v, int(std::lround(1 / (v * v))));
+      if (!spheres) spheres = axisym::closing_shape(of.material, *same.row.diagnostics);
+    }
+    same.row.diagnostics.reset();
+    same.row.error.reset();
+    if (spheres) put_limit(of, *spheres, same.row);
     return same;
   }
   if (of.model == Model::SSH && ssh.row.fold_side == "at" && ssh.state) {
@@ -135,7 +145,10 @@ PointOutcome follow_to(const StationaryCase& of, const Neighbour& from) {
   constexpr double near = 1e-4;  // the branch is not left from there
   const auto start = settled(moved_to(from.at, of), from.state, near);
   if (!start) return failed_point("Newton's method failed at the neighbouring point");
-  PointOutcome point = outcome_of(of, follow_up(of, *start, of.L()));
+  PointOutcome point =
+      outcome_of(of, from.at.reduced_volume == of.reduced_volume
+                         ? follow_up(of, *start, of.L())
+                         : axisym::follow(of.material, of.model, *start, of.at(), of.numerics));
   point.row.wall_seconds = watch.seconds();
   return point;
 }
@@ -151,8 +164,37 @@ PointOutcome rescale_to(const StationaryCase& of, const Neighbour& from) {
   return point;
 }
 
+namespace {
+
+// The end of a branch in a fold at so small an L that the tension of full order drowns it in rounding, as that of a narrow neck is:
+// with a potential from which the value at full order is taken, which makes no difference where the area is kept. Empty where it is
+// not found.
+std::optional<PointOutcome> end_at_tiny_L(const StationaryCase& of, const State& ssh) {
+  constexpr double tiny_L = 1e-8, least_L = 1e-13, factor = 4;
+  std::vector<double> powers = of.material.potential.coefficients();
+  if (of.material.has_lipid_density() || powers.empty()) return {};
+  StationaryCase from_full = of;
+  powers[0] -= of.material.potential.value(model::full_order);
+  from_full.material.potential = model::Potential(powers);
+  for (double L = tiny_L; L > least_L; L /= factor) {
+    const auto first =
+        settled(moved_to({of.reduced_volume, L}, scaled(from_full, L / of.L())), ssh);
+    if (!first) continue;
+    PointOutcome point = order_up(from_full, *first);
+    if (point.row.status == PointStatus::failed) return {};
+    if (point.state)
+      point.row.diagnostics =
+          axisym::diagnose(of.material.with_L1(point.row.fold_L.value_or(of.L())), *point.state);
+    return point;
+  }
+  return {};
+}
+
+}  // namespace
+
 PointOutcome order_from(const StationaryCase& of, const State& ssh) {
   const Stopwatch watch;
+  constexpr double narrow = 0.02;
   // As L → 0 the shape is SSH's and the order full: at some small L Newton gets there directly. It must be
   // well below any fold: beyond one, Newton may find a state of another branch.
   const double first_L = std::min(of.L(), small_L);
@@ -163,14 +205,34 @@ PointOutcome order_from(const StationaryCase& of, const State& ssh) {
     point.row.wall_seconds = watch.seconds();
     return point;
   }
-  return failed_point("Newton's method found no ordered state near the SSH shape, even at small L");
+  if (auto fold = end_at_tiny_L(of, ssh)) {
+    fold->row.wall_seconds = watch.seconds();
+    return *fold;
+  }
+  const double neck = axisym::thinnest_neck(ssh.X);
+  PointOutcome none = failed_point(fmt::format(
+      "Newton's method found no ordered state near the SSH shape, even at small L{}",
+      neck < narrow ? fmt::format(": its neck, of radius {:.2g}, is so narrow that it loses its "
+                                  "order at an L at which rounding outweighs all elastic energy",
+                                  neck)
+                    : ""));
+  if (neck < narrow) none.row.status = PointStatus::unresolved;
+  none.row.wall_seconds = watch.seconds();
+  return none;
 }
+
+namespace {
+PointOutcome first_of_branch(const StationaryCase& of) {
+  if (of.branch == Branch::pear) return TracedStates(of.material, of.numerics).point(of);
+  axisym::SshBranch branch(of.branch, of.material, of.numerics);
+  return ssh_point(of, branch);
+}
+}  // namespace
 
 PointOutcome branch_point(const StationaryCase& of) {
   StationaryCase classical = of;
   classical.model = Model::SSH;
-  axisym::SshBranch branch(of.branch, of.material, of.numerics);
-  PointOutcome ssh = ssh_point(classical, branch);
+  const PointOutcome ssh = first_of_branch(classical);
   if (of.model == Model::SSH) return ssh;
   return has_state_here(ssh) ? order_from(of, *ssh.state) : without_ssh(of, ssh, of.L());
 }

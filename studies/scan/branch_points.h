@@ -49,7 +49,7 @@ PointOutcome without_ssh(const axisym::StationaryCase& of, const PointOutcome& s
 /// SSH's state of the branch.
 PointOutcome ssh_point(const axisym::StationaryCase& of, axisym::SshBranch& branch);
 
-/// Follows the branch of SBEH along L from a neighbour at the same reduced volume to the case.
+/// Follows the branch to the case from a neighbour: along L at the same reduced volume, or straight on.
 PointOutcome follow_to(const axisym::StationaryCase& of, const Neighbour& from);
 
 /// SSH's state with another elastic constant: the same shape unless k₀ or H₀ is there.

@@ -1,5 +1,7 @@
 #include "studies/scan/point_outcome.h"
 
+#include "axisym/diagram/closing.h"
+#include "axisym/domains.h"
 #include "axisym/shape_class.h"
 #include "axisym/stationary/fold_kind.h"
 #include "axisym/stationary/newton_system.h"
@@ -33,6 +35,24 @@ PointOutcome failed_point(std::string reason) {
   return {{.status = PointStatus::failed, .stop_reason = std::move(reason)}, {}};
 }
 
+namespace {
+
+// Why a state is not of the branch that is asked for; empty where it is. The shape of states with domains may go from one class to
+// another, their interfaces stay.
+std::string why_another_branch(const StationaryCase& of, const PointResult& row) {
+  if (of.interfaces == 0)
+    return row.shape == name(of.branch)
+             ? ""
+             : fmt::format("the state found is of class {}: the branch was left", row.shape);
+  if (row.interfaces == of.interfaces) return "";
+  if (row.interfaces == 0)
+    return "the domains have vanished: the order of the state found is uniform";
+  return fmt::format("the state found has {} interface{} and not {}: the branch was left",
+                     *row.interfaces, row.interfaces == 1 ? "" : "s", of.interfaces);
+}
+
+}  // namespace
+
 PointOutcome outcome_of(const StationaryCase& of, const StationaryState& state,
                         const axisym::Diagnostics& diagnostics) {
   PointOutcome point{
@@ -41,6 +61,7 @@ PointOutcome outcome_of(const StationaryCase& of, const StationaryState& state,
   PointResult& row = point.row;
   const double resolution = row.diagnostics->resolution;
   row.shape = sbeh::name(axisym::classify(state.X));
+  row.interfaces = int(axisym::interfaces(state).size());
   row.self_contact = axisym::crosses_itself(state.X);
   const auto is = [&](PointStatus status, std::string reason) {
     row.status = status;
@@ -53,18 +74,20 @@ PointOutcome outcome_of(const StationaryCase& of, const StationaryState& state,
                    resolution, axisym::largest_resolution));
   else if (row.self_contact)
     is(PointStatus::unresolved, "the surface passes through itself: contact is not in the model");
-  else if (row.shape != name(of.branch))
-    is(PointStatus::failed,
-       fmt::format("the state found is of class {}: the branch was left", row.shape));
+  else if (const std::string reason = why_another_branch(of, row); !reason.empty())
+    is(PointStatus::failed, reason);
   return point;
 }
 
 namespace {
 
-// As a clause; empty where the order is fixed.
+bool is_along_L(const axisym::Line& line) { return line.from.L != line.to.L; }
+
+// As a clause; empty where the order is not what gives way.
 std::string what_gives_way(const StationaryCase& of, const BranchState& fold) {
-  const auto kind =
-      of.model == Model::SBEH ? axisym::fold_kind(of.material, fold.at.L, fold) : std::nullopt;
+  const auto kind = of.model == Model::SBEH && of.interfaces == 0
+                      ? axisym::fold_kind(of.material, fold.at.L, fold)
+                      : std::nullopt;
   if (!kind) return "";
   return *kind == axisym::FoldKind::whole
            ? ", where the order of the whole surface is lost"
@@ -72,14 +95,13 @@ std::string what_gives_way(const StationaryCase& of, const BranchState& fold) {
 }
 
 // What the branch's end in a fold means for the point.
-void describe_fold(const StationaryCase& of, const axisym::ResolvedState& fold, PointResult& row) {
+void describe_fold(const StationaryCase& of, const axisym::ResolvedState& fold, bool along_L,
+                   PointResult& row) {
   const PlanePoint& at = fold.state.at;
   row.status = PointStatus::unresolved;
   row.fold_side = "at";
-  if (of.model == Model::SBEH) {
-    row.fold_L = at.L;
-    row.fold_L_error = fold.place_error;
-  }
+  (along_L ? row.fold_L : row.fold_reduced_volume) = along_L ? at.L : at.reduced_volume;
+  (along_L ? row.fold_L_error : row.fold_reduced_volume_error) = fold.place_error;
   row.stop_reason = fmt::format(
       "the smooth {} branch ends in a fold at V_r = {:.6g}{}{}; the values are those at the fold{}",
       name(of.branch), at.reduced_volume,
@@ -88,12 +110,11 @@ void describe_fold(const StationaryCase& of, const axisym::ResolvedState& fold, 
       row.self_contact ? ", where the surface passes through itself" : "");
 }
 
-// A state of the case itself, over as many elements as its errors need.
-
 }  // namespace
 
 std::optional<axisym::TouchingSpheres> limit_of(Branch branch, double reduced_volume, int spheres) {
   if (branch == Branch::stomatocyte) return axisym::sphere_in_sphere(reduced_volume);
+  if (branch == Branch::pear) return axisym::sphere_beside_sphere(reduced_volume);
   const double equal = 1 / std::sqrt(spheres);
   if (std::abs(reduced_volume - equal) > 0.01) return {};
   return axisym::chain_of_spheres(spheres);
@@ -128,32 +149,50 @@ int parts_of(const axisym::Nodes& X) {
          }));
 }
 
-std::string text_of(const axisym::TouchingSpheres& spheres) {
-  const double v = axisym::diagnose({}, spheres).reduced_volume;
-  const std::string shapes =
-      spheres.nested ? fmt::format("two spheres one within the other, of radii {:.6g} and {:.6g}",
-                                   spheres.radii[0], spheres.radii[1])
-                     : fmt::format("a chain of {} spheres of radius {:.6g}", spheres.radii.size(),
-                                   spheres.radii[0]);
-  return fmt::format(
-      "; the branch tends to {}, with V_r = {:.6g}, whose neck closes at H0 = {:.6g}; the values "
-      "are theirs",
-      shapes, v, axisym::closing_H0(spheres));
+std::string shapes_of(const axisym::TouchingSpheres& spheres) {
+  const auto& radii = spheres.radii;
+  if (radii.front() == radii.back())
+    return fmt::format("a chain of {} spheres of radius {:.6g}", radii.size(), radii[0]);
+  if (radii.size() == 2)
+    return fmt::format("two spheres one {} the other, of radii {:.6g} and {:.6g}",
+                       spheres.nested ? "within" : "beside", radii.front(), radii.back());
+  return fmt::format("{} spheres {}, of radii {:.6g} and {:.6g}", radii.size(),
+                     spheres.nested ? "within each other" : "in a chain", radii.front(),
+                     radii.back());
 }
 
-// What the branch's end in a closed neck means for the point: what it tends to.
+std::optional<axisym::TouchingSpheres> spheres_beyond(const StationaryCase& of,
+                                                      const BranchState& last) {
+  const model::AreaDifference& ad = of.material.area_difference;
+  const double v = is_symmetric(of.branch) ? last.at.reduced_volume : of.reduced_volume;
+  if (!ad.is_there())
+    if (auto spheres = limit_of(of.branch, v, parts_of(last.X))) return spheres;
+  const model::Material there = of.material.with_L1(last.at.L);
+  return axisym::closing_shape(there, axisym::diagnose(there, last));
+}
+
+}  // namespace
+
+void put_limit(const StationaryCase& of, const axisym::TouchingSpheres& spheres, PointResult& row) {
+  row.diagnostics = axisym::diagnose(of.material, spheres);
+  row.error = axisym::Accuracy{.energy = 0, .W2 = 0, .H_pole = not_known};
+}
+
 PointOutcome limit_point(const StationaryCase& of, const BranchState& last) {
   PointOutcome point{{.status = PointStatus::limit}, {}};
   point.row.stop_reason =
       fmt::format("a neck closes: its radius is {:.2g}", axisym::thinnest_neck(last.X));
-  if (of.model != Model::SSH || of.material.area_difference.is_there()) return point;
-  const double v = of.branch == Branch::stomatocyte ? of.reduced_volume : last.at.reduced_volume;
-  const auto spheres = limit_of(of.branch, v, parts_of(last.X));
+  const auto spheres = of.model == Model::SSH ? spheres_beyond(of, last) : std::nullopt;
   if (!spheres) return point;
-  point.row.diagnostics = axisym::diagnose(of.material, *spheres);
-  point.row.stop_reason += text_of(*spheres);
+  put_limit(of, *spheres, point.row);
+  point.row.stop_reason += fmt::format(
+      "; the branch tends to {}, with V_r = {:.6g}, whose neck closes at H0 = {:.6g}; the values "
+      "are theirs",
+      shapes_of(*spheres), point.row.diagnostics->reduced_volume, axisym::closing_H0(*spheres));
   return point;
 }
+
+namespace {
 
 PointOutcome fold_point(const StationaryCase& of, const axisym::FollowResult& result) {
   const axisym::ResolvedState fold = axisym::resolved_fold(result, of.numerics);
@@ -165,7 +204,7 @@ PointOutcome fold_point(const StationaryCase& of, const axisym::FollowResult& re
   // At the fold itself one eigenvalue is zero, and rounding would say whether it counts.
   row.negative_directions =
       axisym::negative_directions(of.material.with_L1(result.before.at.L), of.model, result.before);
-  if (row.status != PointStatus::failed) describe_fold(of, fold, row);
+  if (row.status != PointStatus::failed) describe_fold(of, fold, is_along_L(result.line), row);
   return point;
 }
 
@@ -199,7 +238,7 @@ PointOutcome outcome_of(const StationaryCase& of, const axisym::FollowResult& re
   where.push_back(fmt::format("V_r = {:.6g}", at.reduced_volume));
   where.push_back(fmt::format("L = {:.6g}", at.L));
   const std::string place = fmt::format("{}", fmt::join(where, ", "));
-  if (result.arrival == axisym::Arrival::lost && shape != name(of.branch))
+  if (result.arrival == axisym::Arrival::lost && of.interfaces == 0 && shape != name(of.branch))
     return none_here(fmt::format("the states to which the {} branch leads are of class {} at {}",
                                  name(of.branch), shape, place));
   if (result.arrival == axisym::Arrival::lost)

@@ -18,9 +18,16 @@ PointOutcome outcome_of(const axisym::StationaryCase& of, const axisym::Stationa
 /// A state that is there, on as many elements as its errors need.
 PointOutcome resolved_point(const axisym::StationaryCase& of, const axisym::BranchState& state);
 
-/// What SSH's stomatocytes and dumbbells of about this V_r tend to; nothing where dumbbells have unequal parts.
+/// What SSH's stomatocytes, pears and dumbbells of about this V_r tend to; nothing where dumbbells have unequal parts.
 std::optional<axisym::TouchingSpheres> limit_of(axisym::Branch branch, double reduced_volume,
                                                 int spheres);
+
+/// The values of such a limit, which are exact.
+void put_limit(const axisym::StationaryCase& of, const axisym::TouchingSpheres& spheres,
+               PointResult& row);
+
+/// Where a neck closes, of which `last` is the last state: what the branch tends to.
+PointOutcome limit_point(const axisym::StationaryCase& of, const axisym::BranchState& last);
 
 /// Where the following of a line has ended. `share`: of what is given of κ, κ_G, f, at the line's end.
 PointOutcome outcome_of(const axisym::StationaryCase& of, const axisym::FollowResult& result,

@@ -2,6 +2,8 @@
 
 #include "studies/scan/scan_stack.h"
 
+#include <algorithm>
+
 namespace sbeh::studies {
 
 namespace {
@@ -24,9 +26,16 @@ double seconds_of(const ScanInput& input) {
   }
   if (input.method != Method::newton) return 0.5 * double(point_count(input));
   const auto volumes = double(input.reduced_volume.size());
+  if (input.interfaces > 0)
+    return double(input.branches.size())
+         * (2 + double(point_count(input)) * (0.3 + 0.05 * input.modes));
   const auto branches = double(input.branches.size());
   const double entered = is_followed_to(input.material) ? 0.075 : 0.035;
+  constexpr double traced = 2;  // of all branches of a material
   double seconds = input.beyond_fold ? 0.75 * volumes : 0;
+  if (input.further
+      || std::ranges::find(input.branches, axisym::Branch::pear) != input.branches.end())
+    seconds += traced;
   for (const model::Model model : input.models) {
     const double lengths = model == model::Model::SSH ? 1 : double(input.L.size());
     seconds += branches * volumes * (entered + 0.004 * lengths);

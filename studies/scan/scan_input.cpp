@@ -1,8 +1,10 @@
 #include "studies/scan/scan_input.h"
 
+#include "axisym/domains.h"
 #include "axisym/modes/stability_3d.h"
 #include "studies/parameters/material_input.h"
 #include "studies/parameters/material_number.h"
+#include "studies/scan/domain_start.h"
 #include "studies/scan/scan_stack.h"
 
 #include <fmt/format.h>
@@ -39,15 +41,32 @@ axisym::StationaryCase case_of(const StateGrid& grid, const PointKey& key) {
   return {.model = key.model,
           .branch = key.branch,
           .reduced_volume = key.reduced_volume,
+          .interfaces = grid.interfaces,
           .material = grid.material.with_L1(key.L),
           .numerics = grid.numerics};
 }
 
 namespace {
+
+// Whether `branches` is no list but the word all.
+bool asks_for_all(const TomlTable& table) {
+  const auto word = [&]() -> std::string {
+    try {
+      return table.text("branches", "");
+    } catch (const InputError&) {
+      return "";  // a list
+    }
+  }();
+  if (!word.empty() && word != "all") table.fail("branches", "must be a list, or \"all\"");
+  return word == "all";
+}
+
 void read_models_and_branches(const TomlTable& table, StateGrid& grid,
                               const std::vector<axisym::Branch>& branches) {
   grid.models = table.choices("models", rest_models, std::optional(grid.models));
-  grid.branches = table.choices("branches", branches, std::optional(grid.branches));
+  grid.branches = asks_for_all(table)
+                    ? branches
+                    : table.choices("branches", branches, std::optional(grid.branches));
 }
 }  // namespace
 
@@ -146,6 +165,70 @@ void check_axes(const TomlTable& scan, const TomlTable& material, const ScanInpu
   }
 }
 
+const char* key_of(const OrderPattern& pattern) {
+  return pattern.formula.empty() ? "domains" : "order_formula";
+}
+
+// Of states that begin with an order of several phases.
+void check_domains(const TomlTable& table, const ScanInput& input) {
+  const char* key = key_of(input.start_order);
+  if (input.has(model::Model::SSH))
+    table.fail(key, "needs models = [\"SBEH\"]: the order of SSH is uniform");
+  if (input.method != Method::newton) table.fail(key, "needs method = \"newton\"");
+  if (input.beyond_fold)
+    table.fail(key, "must not be given with beyond_fold: sharp rims are known of one phase");
+  if (!std::ranges::all_of(input.branches, [](axisym::Branch b) { return is_symmetric(b); }))
+    table.fail(key, "begins from spheroids: branches must be \"oblate\" or \"prolate\"");
+  if (input.reduced_volume.back() == 1)
+    table.fail("reduced_volume", fmt::format("must be < 1 with {}", key));
+}
+
+// How many interfaces the start has, which all states keep.
+void count_interfaces(const TomlTable& scan, ScanInput& input) {
+  if (!input.start_order.is_there()) return;
+  const char* key = key_of(input.start_order);
+  if (!input.material.conserves_order())
+    scan.fail(key, "needs order = \"conserved\" and a mean_order in [material]");
+  const auto count = [&](const ScanInput& layer) {
+    const PointKey first{layer.reduced_volume.back(), layer.L.front(), model::Model::SBEH,
+                         layer.branches.front()};
+    try {
+      return int(
+          axisym::interfaces(spheroid_with(case_of(layer, first), layer.start_order)).size());
+    } catch (const std::invalid_argument& error) {
+      scan.fail(key, error.what());
+    }
+  };
+  input.interfaces = count(input);
+  if (input.interfaces == 0)
+    scan.fail(key, fmt::format("must make orders that differ by {} at least",
+                               model::Domains::least_contrast));
+  for (const ScanAxis& axis : input.axes)
+    if (axis.parameter == "mean_order")
+      for (const ScanLayer& layer : layers_of(input))
+        if (count(layer.input) != input.interfaces)
+          scan.fail(key, "must make the same number of domains at each mean_order");
+}
+
+// What is traced.
+void read_further(const TomlTable& table, ScanInput& input) {
+  constexpr int most = 10;
+  if (table.has("further")) input.further = table.integer("further", 0, most);
+  if (input.method == Method::newton) return;
+  if (input.further) table.fail("further", "needs method = \"newton\"");
+  if (std::ranges::find(input.branches, axisym::Branch::pear) != input.branches.end())
+    table.fail("branches", "needs method = \"newton\" for the pear");
+}
+
+void check_traced(const TomlTable& scan, const ScanInput& input) {
+  const model::AreaDifference& ad = input.material.area_difference;
+  if (!ad.is_there() || ad.compliance() > 0) return;
+  constexpr const char* reason = "needs an area_difference of finite stiffness: see sbeh diagram";
+  if (input.further) scan.fail("further", reason);
+  if (std::ranges::find(input.branches, axisym::Branch::pear) != input.branches.end())
+    scan.fail("branches", std::string(reason) + " for the pear");
+}
+
 void read_scan_table(const TomlTable& table, ScanInput& input) {
   for (const model::Model flow : {model::Model::HelfrichLocal, model::Model::HelfrichGlobal})
     table.refuse_word("models", name(flow),
@@ -154,6 +237,7 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
   read_axes(table, input);
   read_models_and_branches(table, input, {branches.begin(), branches.end()});
   read_value(table, "method", input.method);
+  read_further(table, input);
   table.refuse_misspelt({"method"});
   if (input.method != Method::flow)
     table.refuse("end_time", "must not be given without method = \"flow\"");
@@ -161,7 +245,9 @@ void read_scan_table(const TomlTable& table, ScanInput& input) {
   input.beyond_fold = table.boolean("beyond_fold", input.beyond_fold);
   if (input.beyond_fold) require_folds(table, input);
   input.modes = table.integer("modes", 0, axisym::most_modes, input.modes);
+  input.start_order = read_order_pattern(table, true);
   table.reject_unknown_keys();
+  if (input.start_order.is_there()) check_domains(table, input);
   if (point_count(input) > most_points)
     table.fail("L",
                fmt::format("must have fewer values: that makes {} points with the other lists, "
@@ -204,8 +290,10 @@ ScanInput scan_in(const TomlTable& file) {
   material.measured_by(lengths_of(input.units));
   input.material = read_material_without_L(material, input.L);
   check_axes(scan, material, input);
+  check_traced(scan, input);
   for (const ScanLayer& layer : layers_of(input)) refuse_given(material, layer.input);
   input.numerics = read_numerics<axisym::Numerics>(numerics);
+  count_interfaces(scan, input);
   return input;
 }
 
@@ -216,7 +304,9 @@ std::string describe(const ScanInput& input, std::string_view version) {
   toml.value("method", input.method);
   if (input.method == Method::flow) toml.value("end_time", input.flow_end_time);
   if (input.method == Method::newton) toml.value("beyond_fold", input.beyond_fold);
+  if (input.further) toml.value("further", *input.further);
   toml.value("modes", input.modes);
+  write_order_pattern(toml, input.start_order);
   if (!input.axes.empty()) toml.table("scan.axes");
   for (const ScanAxis& axis : input.axes) toml.value(axis.parameter, axis.values);
   write_material_without_L(toml, input.material, keys_of(input.axes));

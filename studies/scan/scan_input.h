@@ -6,6 +6,7 @@
 #include "studies/io/toml_reader.h"
 #include "studies/io/toml_text.h"
 #include "studies/parameters/units.h"
+#include "studies/states/initial_order.h"
 
 #include <array>
 #include <filesystem>
@@ -31,6 +32,7 @@ struct StateGrid {
   std::vector<axisym::Branch> branches{axisym::Branch::oblate};
   model::Material material;  ///< its L1, L2, L3 give way to L of the point: material.with_L1(L)
   axisym::Numerics numerics;
+  int interfaces = 0;  ///< of the states, see StationaryCase
 
   bool has(model::Model model) const;
 
@@ -72,7 +74,12 @@ struct ScanAxis {
 struct ScanInput : StateGrid {
   /// Beside reduced_volume and L, which may stand among them; see scan_stack.h.
   std::vector<ScanAxis> axes;
+  /// Keys `domains`, `domain_width`, `order_formula`: the order of the spheroid from which each branch begins, at the highest
+  /// reduced volume and the least L; `interfaces` are those that it has. For a conserved order, SBEH and method newton.
+  OrderPattern start_order;
   Method method = Method::newton;
+  /// further.csv has the other states of each branch with at most so many negative directions; none without it. See traced_states.h.
+  std::optional<int> further{};
   bool beyond_fold =
       false;  ///< also the saddles and sharp rims of SBEH's oblates; method newton, two
               ///< seconds per reduced volume with a fold

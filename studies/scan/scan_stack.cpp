@@ -17,7 +17,8 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::array tables{"scan.csv",         "folds.csv",  "stability_lines.csv",
-                            "equal_energy.csv", "lowest.csv", "beyond_fold.csv"};
+                            "equal_energy.csv", "lowest.csv", "beyond_fold.csv",
+                            "further.csv"};
 
 // A value for each axis.
 std::string joined(const ScanInput& input, const auto& part) {

@@ -62,6 +62,9 @@ const Columns<PointResult>& scan_columns() {
       error("W2_error", &Accuracy::W2),
       error("H_pole_error", &Accuracy::H_pole),
       column("fold_L_error", &Row::fold_L_error, "{:.3g}"),
+      column("interfaces", &Row::interfaces),
+      column("fold_reduced_volume", &Row::fold_reduced_volume),
+      column("fold_reduced_volume_error", &Row::fold_reduced_volume_error, "{:.3g}"),
   };
   static const Columns<Row> all = with_modes(columns);
   return all;

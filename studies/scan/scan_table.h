@@ -31,13 +31,16 @@ struct PointResult {
   double residual = 0;                               ///< largest force and order residual per area
   std::optional<int> steps{};  ///< time steps of the evolution to rest; none by Newton's method
   double wall_seconds = 0;
-  std::string shape{};  ///< class of the shape, see axisym/shape_class.h
+  std::string shape{};              ///< class of the shape, see axisym/shape_class.h
+  std::optional<int> interfaces{};  ///< between phases of the order, see axisym/domains.h
   std::optional<int>
       negative_directions{};  ///< see axisym/stationary/stability.h; at a fold: before it
   bool self_contact = false;  ///< the surface passes through itself
   std::string fold_side{};    ///< "before" the branch's fold, or "at" it
   /// Of SBEH: the L of the fold of its branch, to which at the fold the diagnostics belong; its estimated error.
   std::optional<double> fold_L{}, fold_L_error{};
+  /// The same where the branch folds on its way in V_r: of SSH, and of states with domains.
+  std::optional<double> fold_reduced_volume{}, fold_reduced_volume_error{};
   std::string stop_reason{};
   std::optional<axisym::Accuracy>
       error{};  ///< estimated, of the values; none where there is no estimate

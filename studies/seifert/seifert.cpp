@@ -64,7 +64,7 @@ WitnessReport report_of_elements(const axisym::Numerics& numerics) {
   const Stopwatch watch;
   axisym::ElementBranches branches(numerics);
   WitnessReport r{"elements", {}, {}, 0};
-  for (const Branch branch : values_of(Branch{})) {
+  for (const Branch branch : axisym::classical_branches) {
     const auto states = branches.states(branch, volumes_of(branch));
     for (const axisym::BranchState& state : states) {
       r.shapes.push_back(axisym::shape_of(branch, state));
@@ -84,7 +84,7 @@ template <class Shapes, class Points>
 WitnessReport report(std::string name, Shapes&& shapes_of, Points&& points) {
   const Stopwatch watch;
   WitnessReport r{std::move(name), {}, {}, 0};
-  for (const Branch branch : values_of(Branch{}))
+  for (const Branch branch : axisym::classical_branches)
     for (const ClassicalShape& shape : shapes_of(branch, volumes_of(branch)))
       r.shapes.push_back(shape);
   r.points = points();
@@ -191,7 +191,7 @@ SeifertSummary run_seifert(const std::filesystem::path& path, int elements) {
       tbb::simple_partitioner());
   for (std::size_t i = 0; i < 3; ++i)
     for (std::size_t j = i + 1; j < 3; ++j)
-      for (const Branch branch : values_of(Branch{}))
+      for (const Branch branch : axisym::classical_branches)
         summary.disagreements.push_back(
             disagreement(summary.witnesses[i], summary.witnesses[j], branch));
   summary.points = agreed_points(summary.witnesses);

@@ -128,7 +128,7 @@ TEST_F(Modes, are_refused_for_states_that_are_not_there) {
   must_refuse({"modes", "--reduced-volume", "1", "--L", "0.05"},
               "--reduced-volume 1: must be < 1: a sphere may have any tension");
   for (const std::vector<std::string>& words :
-       std::vector<std::vector<std::string>>{{"--branch", "pear"},
+       std::vector<std::vector<std::string>>{{"--branch", "bud"},
                                              {"--model", "Helfrich-local"},
                                              {"--largest-m", "51"},
                                              {"--largest-m", "-1"},

@@ -19,7 +19,8 @@ const std::string columns =
     "variance,H_pole,H_rim,"
     "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,"
     "stop_reason,class,negative_directions,self_contact,fold_side,fold_L,"
-    "energy_error,W2_error,H_pole_error,fold_L_error,negative_directions_3d,unstable_modes,rigid_"
+    "energy_error,W2_error,H_pole_error,fold_L_error,interfaces,fold_reduced_volume,"
+    "fold_reduced_volume_error,negative_directions_3d,unstable_modes,rigid_"
     "residual,"
     "eigenvalue_m0,eigenvalue_m1,eigenvalue_m2,eigenvalue_m3,eigenvalue_m4,eigenvalue_m5,"
     "eigenvalue_m6,rate_m0,rate_m1,rate_m2,rate_m3,rate_m4,rate_m5,rate_m6";

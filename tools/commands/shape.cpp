@@ -71,7 +71,7 @@ Command add_shape(CLI::App& program) {
       ->check(positive);
   app->add_option("--branch", w.branch,
                   "oblate (biconcave discs too), prolate, stomatocyte (oblate)")
-      ->check(CLI::IsMember(words_of(values_of(axisym::Branch{}))));
+      ->check(CLI::IsMember(words_of(axisym::classical_branches)));
   app->add_option("--model", w.model, "SSH: the classical shape; SBEH: with free order (SSH)")
       ->check(CLI::IsMember({"SSH", "SBEH"}));
   app->add_option("--L", w.L, "elastic constant of SBEH (0.05)")->check(positive);

@@ -104,9 +104,21 @@ TEST(Trace, of_pears_folds_and_ends_where_the_neck_closes) {
   const double limit = diagnose(pears.material, *spheres).reduced_volume;
   EXPECT_NEAR(limit, volume_of_ideal_pair(c0), 1e-12);
   EXPECT_NEAR(d.reduced_volume, limit, 0.02);  // a neck of radius a is off by a ln(1/a)
+
+  // The way into the neck tells its V_r without knowing the spheres.
+  std::array<ClosingMeasures, 4> way;
+  double wanted = 0;
+  auto point = found.points.rbegin();
+  for (ClosingMeasures& at : way) {
+    while (thinnest_neck(point->state.X) < wanted) ++point;
+    at = {thinnest_neck(point->state.X), {pears.at(point->state.mu).reduced_volume}};
+    wanted = 2 * at.radius;
+  }
+  const ClosedMeasures closed = with_closed_neck(way);
+  EXPECT_LT(closed.errors[0], 1e-3);
+  EXPECT_NEAR(closed.values[0], limit, closed.errors[0]);
 }
 
-// The classical oblate falls into m = 2, twice, above V_r = 0.749729; with few modes that is not known.
 TEST(Trace, counts_directions_among_all_shapes_where_enough_modes_tell) {
   const Line line = down_to(0.6, bare(0), true);
   for (const int largest_m : {3, 4})

@@ -27,12 +27,12 @@ TEST(BuddingTables, have_the_sharp_interface_of_shooting) {
     expect_printed(folds[k][1], end.reduced_volume, 1e-8);
     expect_printed(folds[k][2], end.neck_radius, 1e-6);
   }
-  const auto widths = table_below("studies/docs/budding.md", "| w | elements |");
+  const auto widths = table_below("studies/docs/budding.md", "| w | V_r of the fold |");
   ASSERT_EQ(widths.back()[0], "sharp");
   const auto fold = soft_cap(2.6, 0, 0.785), open = soft_cap(2.6, 0, 0.82);
-  expect_printed(widths.back()[2], fold.reduced_volume, 1e-8);
-  expect_printed(widths.back()[3], fold.energy, 1e-7);
-  expect_printed(widths.back()[4], open.energy, 1e-7);
+  expect_printed(widths.back()[1], fold.reduced_volume, 1e-8);
+  expect_printed(widths.back()[2], fold.energy, 1e-7);
+  expect_printed(widths.back()[3], open.energy, 1e-7);
   for (const auto& row : table_below("studies/docs/budding.md", "| Δ | w |")) {
     if (row[1] != "sharp") continue;
     const auto moved = soft_cap(2.6, printed(row[0]).value, 0.82);

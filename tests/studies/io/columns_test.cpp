@@ -140,12 +140,14 @@ TEST(Tables, have_these_columns) {
          "order_variance,H_pole,H_rim,"
          "H_abs_max,radius_equator,thickness_pole,W2,area,volume,residual,steps,wall_seconds,"
          "stop_reason,class,negative_directions,self_contact,fold_side,fold_L,"
-         "energy_error,W2_error,H_pole_error,fold_L_error,negative_directions_3d,unstable_modes,"
+         "energy_error,W2_error,H_pole_error,fold_L_error,interfaces,fold_reduced_volume,"
+         "fold_reduced_volume_error,negative_directions_3d,unstable_modes,"
          "rigid_residual,"
          "eigenvalue_m0,eigenvalue_m1,eigenvalue_m2,eigenvalue_m3,eigenvalue_m4,eigenvalue_m5,"
          "eigenvalue_m6,rate_m0,rate_m1,rate_m2,rate_m3,rate_m4,rate_m5,rate_m6");
   expect(fold_columns(),
-         "reduced_volume,L,energy,order_min,H_abs_max,branch,kind,L_error,energy_error");
+         "reduced_volume,L,energy,order_min,H_abs_max,branch,kind,L_error,energy_error,reduced_"
+         "volume_error");
   expect(equal_energy_columns(), "first,second,L,reduced_volume,energy");
   expect(lowest_columns(),
          "model,L,reduced_volume,branch,energy,bound,bound_of,negative_directions_3d");

@@ -74,8 +74,8 @@ TEST(ModesInput, that_is_wrong_is_refused_with_line_key_and_value) {
        {"fluctuations = -1", ":4: [modes] fluctuations = -1: must be >= 0"},
        {"model = 'Helfrich-local'",
         ":4: [modes] model = 'Helfrich-local': must be one of 'SBEH', 'SSH'"},
-       {"branch = 'pear'",
-        ":4: [modes] branch = 'pear': must be one of 'oblate', 'prolate', 'stomatocyte'"},
+       {"branch = 'bud'",
+        ":4: [modes] branch = 'bud': must be one of 'oblate', 'prolate', 'stomatocyte', 'pear'"},
        {"bransh = 'oblate'",
         ":4: [modes] bransh: unknown key; did you mean 'branch'? Known: scan, model, branch, "
         "reduced_volume, L, largest_m, number, fluctuations"},

@@ -47,7 +47,8 @@ TEST(ScanInput, takes_what_the_file_says) {
 
 TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
   const std::string known =
-      "Known: reduced_volume, L, axes, models, branches, method, end_time, beyond_fold, modes";
+      "Known: reduced_volume, L, axes, models, branches, method, further, end_time, beyond_fold, "
+      "modes, order_formula, domains, domain_width";
   const std::string grid = "must be a number, a list of numbers, or a range { from, to, count }";
   const std::vector<Case> added{
       {"models = 'SSH'",
@@ -62,8 +63,8 @@ TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
       {"models = [3]", ":4: [scan] models = 3: must be one of 'SBEH', 'SSH'"},
       {"models = []", ":4: [scan] models = []: must not be empty"},
       {"models = ['SSH', 'SSH']", ":4: [scan] models = 'SSH': must not be there twice"},
-      {"branches = ['pear']",
-       ":4: [scan] branches = 'pear': must be one of 'oblate', 'prolate', 'stomatocyte'"},
+      {"branches = ['bud']",
+       ":4: [scan] branches = 'bud': must be one of 'oblate', 'prolate', 'stomatocyte', 'pear'"},
       {"method = 'fast'", ":4: [scan] method = 'fast': must be one of 'newton', 'flow'"},
       {"method = 1", ":4: [scan] method = 1: must be one of 'newton', 'flow'"},
       {"end_time = 3", ":4: [scan] end_time = 3: must not be given without method = 'flow'"},
@@ -109,7 +110,8 @@ TEST(ScanInput, that_is_wrong_is_refused_with_line_key_and_value) {
        "numerics, units"},
       {"[scan]\nreduced_volume = 0.7\nL = 1\nviscosity = 2",
        ":4: [scan] viscosity: unknown key. It has its place in [material]. Known here: "
-       "reduced_volume, L, axes, models, branches, method, end_time, beyond_fold, modes"},
+       "reduced_volume, L, axes, models, branches, method, further, end_time, beyond_fold, modes, "
+       "order_formula, domains, domain_width"},
   };
   expect_messages(read_scan, "", whole);
 }
@@ -293,7 +295,7 @@ TEST(RelaxInput, with_a_wrong_start_is_refused_with_line_key_and_value) {
       {"'scan'", ":2: [start] folder: missing; must be a text in quotes"},
       {"'scan'\nfolder = ''", ":4: [start] folder = '': must not be empty"},
       {"'scan'\nfolder = 'a'\nbranch = 'b'",
-       ":5: [start] branch = 'b': must be one of 'oblate', 'prolate', 'stomatocyte'"},
+       ":5: [start] branch = 'b': must be one of 'oblate', 'prolate', 'stomatocyte', 'pear'"},
       {"'scan'\nfolder = 'a'\nreduced_volume = 0.7\nL = 0", ":6: [start] L = 0: must be > 0"},
   };
   expect_messages(read_relax, "model = \"SBEH\"\n[start]\nshape = ", starts);

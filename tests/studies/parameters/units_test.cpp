@@ -134,7 +134,7 @@ TEST(Units, that_are_wrong_are_refused_with_line_key_and_value) {
         "radius_um, bending_rigidity_J, bending_rigidity_kT, surface_viscosity, friction"},
        {"units = 3",
         ":4: [scan] units: unknown key. Known: reduced_volume, L, axes, models, branches, "
-        "method, end_time, beyond_fold, modes"}});
+        "method, further, end_time, beyond_fold, modes, order_formula, domains, domain_width"}});
   const auto relax = [](const std::filesystem::path& path) { return read_relax(path); };
   expect_messages(relax, small_relax,
                   {{"[material]\nL = 0.05\nviscosity = 0\n" + vesicle,

@@ -32,6 +32,8 @@ LineStyle fold_style(axisym::Branch branch, bool whole) {
       return {{0, 70, 190}, line_width, whole ? Pattern::dashed : Pattern::dash_dotted};
     case axisym::Branch::stomatocyte:
       return {{0, 110, 80}, line_width, whole ? Pattern::dashed : Pattern::dotted};
+    case axisym::Branch::pear:
+      return {{150, 90, 0}, line_width, whole ? Pattern::dashed : Pattern::dash_dotted};
   }
   return {};
 }
@@ -110,6 +112,8 @@ LineStyle stability_style(axisym::Branch branch) {
       return {{0, 120, 150}, line_width, Pattern::dotted};
     case axisym::Branch::stomatocyte:
       return {{90, 110, 0}, line_width, Pattern::dotted};
+    case axisym::Branch::pear:
+      return {{150, 60, 60}, line_width, Pattern::dotted};
   }
   return {};
 }

@@ -1,4 +1,4 @@
-#include "studies/evolution/order_formula.h"
+#include "studies/states/order_formula.h"
 
 #include <fmt/format.h>
 #include <muParser.h>

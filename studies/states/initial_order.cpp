@@ -1,7 +1,6 @@
-#include "studies/evolution/initial_order.h"
+#include "studies/states/initial_order.h"
 
-#include "studies/evolution/order_formula.h"
-#include "studies/evolution/start_shape.h"
+#include "studies/states/order_formula.h"
 
 #include <Eigen/Geometry>
 #include <fmt/format.h>
@@ -172,25 +171,32 @@ VectorXd with_pattern(VectorXd beta, const OrderPattern& pattern, const Matrix3X
   return beta;
 }
 
-double outside_of(const TomlTable& start, const model::Material& material,
-                  const OrderPattern& pattern) {
+double outside_of(const model::Material& material, const OrderPattern& pattern) {
   double inside = 0, share = 0;
   for (const OrderCap& cap : pattern.caps) {
     inside += cap.fraction * cap.order;
     share += cap.fraction;
   }
   if (!pattern.caps.empty() && share >= 1 - 1e-12)
-    start.fail("domains",
-               fmt::format("have fractions whose sum is {:.6g}: must be < 1, since what is outside "
-                           "of them brings the mean to mean_order; with order given it need not",
-                           share));
+    throw std::invalid_argument(
+        fmt::format("have fractions whose sum is {:.6g}: must be < 1, since what is outside of "
+                    "them brings the mean to mean_order; with order given it need not",
+                    share));
   const double order = (*material.mean_order - inside) / (1 - share);
   if (!(std::abs(order) <= 1))
-    start.fail(
-        "domains",
+    throw std::invalid_argument(
         fmt::format("mean_order = {} leaves the order {:.3g} outside of them: must be in -1 ... 1",
                     *material.mean_order, order));
   return order;
+}
+
+double outside_of(const TomlTable& start, const model::Material& material,
+                  const OrderPattern& pattern) {
+  try {
+    return outside_of(material, pattern);
+  } catch (const std::invalid_argument& error) {
+    start.fail("domains", error.what());
+  }
 }
 
 double shift_to_mean(const model::Material& material, double mean) {

@@ -1,4 +1,4 @@
-// The order with which an evolution begins where its start brings none.
+// The order with which an evolution begins where its start brings none, and a branch of a scan.
 #pragma once
 
 #include "meshing/spherical_harmonics.h"
@@ -13,6 +13,9 @@
 #include <vector>
 
 namespace sbeh::studies {
+
+inline constexpr Interval orders = between(0, 1);
+inline constexpr int largest_degree = 32;  ///< of harmonics
 
 /// The part of a surface around where it meets an axis through its centre.
 struct OrderCap {
@@ -59,8 +62,10 @@ struct AreaSamples {
 Eigen::VectorXd with_pattern(Eigen::VectorXd beta, const OrderPattern& pattern,
                              const Eigen::Matrix3Xd& nodes, const AreaSamples& surface);
 
-/// The order outside of the domains that makes the mean of a conserved order, but for the width of their rims. Throws InputError where
-/// there is none.
+/// The order outside of the domains that makes the mean of a conserved order, but for the width of their rims. Throws std::invalid_argument
+/// where there is none.
+double outside_of(const model::Material& material, const OrderPattern& pattern);
+/// The same of what is read from a table. Throws InputError.
 double outside_of(const TomlTable& start, const model::Material& material,
                   const OrderPattern& pattern);
 

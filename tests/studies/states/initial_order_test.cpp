@@ -1,5 +1,5 @@
 // The order with which evolutions begin.
-#include "studies/evolution/initial_order.h"
+#include "studies/states/initial_order.h"
 
 #include "axisym/diagnostics.h"
 #include "studies/evolution/relax.h"
