@@ -22,7 +22,7 @@ constexpr int most_steps = 400;
 
 // It is not the way that counts: long steps, in which the energy falls. Tenths of a radius in one step would turn triangles over.
 surface3d::Numerics numerics_of(const Membrane& membrane, int triangles) {
-  constexpr int most_refined = 3;
+  constexpr int most_refined = 5;
   surface3d::Numerics numerics;
   numerics.remesh = true;
   numerics.most_triangles = std::min(most_refined * triangles, meshing::most_triangles);

@@ -41,8 +41,8 @@ struct Descent {
 using DescentObserver = std::function<void(const surface3d::FlowRecord&)>;
 
 /// The flow from a surface until Newton's method leads to a minimum nearby (surface3d/stationary/rest_ahead.h), nothing moves, it
-/// sharpens beyond what its triangles resolve, or can go no further, or an interrupt; on new triangles where it needs them, up to three
-/// times as many. In the long steps of Integrator::variational, where the material has them.
+/// sharpens beyond what its triangles resolve, or can go no further, or an interrupt; on new triangles where it needs them, up to five times
+/// as many. In the long steps of Integrator::variational, where the material has them.
 Descent descend(const Membrane& membrane, std::shared_ptr<const surface3d::Triangulation> mesh,
                 const surface3d::State& start, const DescentObserver& observe = {});
 

@@ -63,18 +63,27 @@ class Crossing {
   }
 
   PassEnd go_down(double side) {
-    const Descent flow = descend(membrane_, from_.mesh, start(side * amplitude_),
-                                 [this](const surface3d::FlowRecord& record) { show(record); });
-    PassEnd end{.energy = flow.energy, .time = flow.time, .stop_reason = flow.reason};
-    if (!flow.rests || interrupt_signal()) return end;
-    RestState there = rest_state_from(input_, at_, {flow.mesh, flow.state, {}, {}}, far);
-    if (there.failure.empty() && !resolved_by(*there.mesh, there.state.X))
-      there = on_new_triangles(input_, at_, there);
-    if (there.failure.empty())
-      take(there, end);
-    else
+    constexpr int most_tries = 3;
+    PassEnd end;
+    std::shared_ptr<const surface3d::Triangulation> mesh = from_.mesh;
+    surface3d::State from = start(side * amplitude_);
+    for (int tries = 1;; ++tries) {
+      const Descent flow = descend(membrane_, mesh, from,
+                                   [this](const surface3d::FlowRecord& record) { show(record); });
+      end.energy = flow.energy;
+      end.time = (tries == 1 ? 0 : end.time) + flow.time;
+      end.stop_reason = flow.reason;
+      if (!flow.rests || interrupt_signal()) return end;
+      const RestState there = state_near(flow);
+      if (there.failure.empty()) return take(there, end), end;
       end.stop_reason = there.failure;
-    return end;
+      // The way on to the state was too far for these triangles.
+      const RestStart on =
+          remeshed_start(*flow.mesh, flow.state, membrane_.material, flow.mesh->count() * 3 / 2);
+      if (!on.mesh || tries == most_tries) return end;
+      mesh = on.mesh;
+      from = on.state;
+    }
   }
 
   /// Whether a symmetry of the pass turns the one way into the other: what marks a state changes as the square of the amplitude then.
@@ -89,6 +98,14 @@ class Crossing {
  private:
   // From where a flow nearly rests Newton's method goes not far, but slowly next to a branching point.
   static inline const surface3d::NewtonOptions far{.most_iterations = 40, .far = 10};
+
+  // Resolved, or a failure.
+  RestState state_near(const Descent& flow) const {
+    RestState there = rest_state_from(input_, at_, {flow.mesh, flow.state, {}, {}}, far);
+    return there.failure.empty() && !resolved_by(*there.mesh, there.state.X)
+             ? on_new_triangles(input_, at_, there)
+             : there;
+  }
 
   surface3d::State start(double by) const {
     return displaced(membrane_, {*from_.mesh, from_.state, from_.normals}, mode_, by);
