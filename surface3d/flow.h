@@ -3,8 +3,8 @@
 
 #include "meshing/point_group.h"
 #include "model/time/flow_record.h"
-#include "model/time/step_control.h"
 #include "model/time/multi_step.h"
+#include "model/time/step_control.h"
 #include "surface3d/diagnostics.h"
 #include "surface3d/mesh/remesh.h"
 #include "surface3d/mesh/resolution.h"

@@ -69,7 +69,7 @@ const std::vector<Contents>& all_contents() {
       {ResultsKind::states,
        {"states.csv"},
        {{"surfaces", "The states"}, {"branches", "Branches"}},
-       {{"states.csv", "All states"}}},
+       {{"passes.csv", "Passes, and the states to which they lead"}, {"states.csv", "All states"}}},
       {ResultsKind::diagram,
        {"bifurcations.csv", "branches.csv"},
        {{"diagram", "The diagram"}},

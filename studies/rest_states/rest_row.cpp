@@ -7,15 +7,10 @@
 
 namespace sbeh::studies {
 
-namespace {
-
-// Neither V_r nor L, which have their columns.
-bool is_other(const StatesInput& input) {
+bool follows_other_number(const StatesInput& input) {
   return input.follow && input.follow->parameter != followed_volume
       && input.follow->parameter != "L";
 }
-
-}  // namespace
 
 double energy_of(const RestRow& row) {
   return row.measures ? row.measures->diagnostics.energy.total() : not_known;
@@ -94,19 +89,22 @@ Columns<RestRow> rest_columns(const StatesInput& input) {
   };
   numbered("eigenvalue", input.eigenpairs, &Row::eigenvalues);
   numbered("rate", input.rates, &Row::rates);
-  if (is_other(input)) {
+  if (follows_other_number(input)) {
     const std::string parameter = input.follow->parameter;
     columns.insert(columns.begin() + 5, column(parameter, &Row::followed));
   }
   if (input.follow)
     columns.insert(columns.begin() + 3, {column("path", &Row::path), column("point", &Row::point),
                                          column("from", &Row::from)});
-  if (input.search) columns.insert(columns.begin() + 3, column("from", &Row::from));
+  else if (input.passes)
+    columns.insert(columns.begin() + 3, {column("point", &Row::point), column("from", &Row::from)});
+  else if (input.search)
+    columns.insert(columns.begin() + 3, column("from", &Row::from));
   return columns;
 }
 
 std::string table_of(const StatesInput& input, const std::vector<RestRow>& rows) {
-  const bool other = is_other(input);
+  const bool other = follows_other_number(input);
   std::string text = fmt::format("{:>6} {:>8} {:>8} ", "number", "V_r", "L");
   if (other) text += fmt::format("{:>11} ", input.follow->parameter);
   text +=

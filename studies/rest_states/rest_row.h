@@ -36,10 +36,11 @@ enum class RestPoint {
   branching,  ///< where others leave
   joins,      ///< where it ends in a state with an axis
   renewed,    ///< the one before on new triangles
-  last        ///< at the end of the range
+  last,       ///< at the end of the range
+  end         ///< to which a pass leads
 };
 constexpr auto names(RestPoint) {
-  return std::array{"first", "step", "fold", "branching", "joins", "renewed", "last"};
+  return std::array{"first", "step", "fold", "branching", "joins", "renewed", "last", "end"};
 }
 
 /// A row of states.csv.
@@ -47,10 +48,11 @@ struct RestRow {
   int key = 0;  ///< its number
   model::Model model = model::Model::SBEH;
   std::string start;  ///< branch, or the word of its start
-  int path = 1;       ///< by [follow]: 1 the first, then in the order in which they are found
+  std::optional<int> path =
+      1;  ///< by [follow]: 1 the first, then in the order in which they are found; none of an end
   RestPoint point = RestPoint::first;
   std::optional<int>
-      from;  ///< the number of the state where its path leaves another, or near which [search] has found it
+      from;  ///< the number of the state where its path leaves another, near which [search] has found it, or of the pass
   double reduced_volume = 0, L = 0;
   double followed = 0;                              ///< the value of [follow]'s parameter
   PointStatus status = PointStatus::failed;         ///< stationary, unresolved or failed
@@ -65,6 +67,9 @@ struct RestRow {
   }
 };
 Columns<RestRow> rest_columns(const StatesInput& input);
+
+/// Whether [follow] is in neither V_r nor L, which have their columns.
+bool follows_other_number(const StatesInput& input);
 
 /// Not known where there is no state.
 double energy_of(const RestRow& row);

@@ -2,10 +2,7 @@
 
 #include "studies/io/interrupt.h"
 #include "studies/io/progress.h"
-#include "surface3d/curvature.h"
-#include "surface3d/flow.h"
-#include "surface3d/lipids.h"
-#include "surface3d/stationary/rest_ahead.h"
+#include "studies/rest_states/descent.h"
 
 #include <fmt/format.h>
 
@@ -41,8 +38,8 @@ class Search {
   Search(const StatesInput& input, const std::function<int()>& number, const TakeState& take)
       : input_(input),
         at_(places_of(input).front().at),
-        material_(input.material.with_L1(at_.L)),
-        target_(axisym::target_of(at_.reduced_volume)),
+        membrane_{input.material.with_L1(at_.L), input.model,
+                  axisym::target_of(at_.reduced_volume)},
         number_(number),
         take_(take) {}
 
@@ -71,12 +68,12 @@ class Search {
   void keep(const Mesh& mesh, PathSolution state, int from) {
     known_.push_back(marks_of(*mesh, state));
     const Found found{number_(), mesh, std::move(state)};
-    take_({1, RestPoint::step, from, found.state, found.mesh, {}});
+    take_({1, from == 0 ? RestPoint::first : RestPoint::step, from, found.state, found.mesh, {}});
     waiting_.push_back(found);
   }
 
   void look_around(const Found& from) {
-    surface3d::NewtonSystem system(*from.mesh, material_, input_.model);
+    surface3d::NewtonSystem system(*from.mesh, membrane_.material, input_.model);
     if (!system.linearise(from.state, from.state.normals)) return;
     const bool has_axis = system.rigid_count() < 6;
     const auto modes =
@@ -93,10 +90,13 @@ class Search {
   }
 
   void look_along(const Found& from, const Eigenmode& mode, double side) {
+    const auto start = [&](double share) {
+      return displaced(membrane_, {*from.mesh, from.state, from.state.normals}, mode,
+                       share * side * input_.search->reach);
+    };
     for (const double share : shares)
-      if (!ended()) by_newton(from, from.mesh, displaced(from, mode, share * side), known_);
-    if (mode.eigenvalue < 0 && !ended())
-      by_flow(from, displaced(from, mode, shares.front() * side));
+      if (!ended()) by_newton(from, from.mesh, start(share), known_);
+    if (mode.eigenvalue < 0 && !ended()) by_flow(from, start(shares.front()));
   }
 
   static bool alike(double a, double b) {
@@ -104,62 +104,33 @@ class Search {
     return std::abs(a - b) < apart * (1 + std::abs(a));
   }
 
-  State displaced(const Found& from, const Eigenmode& mode, double share) const {
-    const double largest = std::max(mode.u.cwiseAbs().maxCoeff(), mode.b.cwiseAbs().maxCoeff()),
-                 scale = share * input_.search->reach / largest;
-    State start = from.state;
-    start.X += from.state.normals * (scale * mode.u).asDiagonal();
-    start.beta += scale * mode.b;
-    surface3d::correct_lipids_volume(*from.mesh, effective(material_, input_.model), from.state.H,
-                                     target_, start);
-    return start;
-  }
-
   void by_newton(const Found& from, const Mesh& mesh, const State& start,
                  const surface3d::KnownStates& kept_away_from) {
     if (!surface3d::curvature_of(*mesh, start.X)) return;
-    surface3d::NewtonSystem system(*mesh, material_, input_.model);
-    const auto found = surface3d::solve_stationary(
-        system, target_, surface3d::guess_from(*mesh, material_, input_.model, start),
-        {.most_iterations = most_iterations, .far = far, .known = kept_away_from});
-    if (found.status != surface3d::NewtonStatus::converged || is_there(*mesh, found.state)) return;
-    if (resolved_by(*mesh, found.state.X)) {
-      keep(mesh, solution(found.state, found.normals), from.number);
-      return;
+    RestState there =
+        rest_state_from(input_, at_, {mesh, start, {}, {}},
+                        {.most_iterations = most_iterations, .far = far, .known = kept_away_from});
+    if (!there.failure.empty() || is_there(there)) return;
+    if (!resolved_by(*there.mesh, there.state.X)) {
+      there = on_new_triangles(input_, at_, there);
+      if (!there.failure.empty() || is_there(there)) return;
     }
-    const RestState there =
-        rest_state_from(input_, at_, remeshed_start(*mesh, found.state, material_, mesh->count()));
-    if (there.failure.empty() && !is_there(*there.mesh, there.state))
-      keep(there.mesh, solution(there.state, there.normals), from.number);
+    keep(there.mesh, solution(there.state, there.normals), from.number);
   }
 
-  bool is_there(const surface3d::Triangulation& mesh,
-                const surface3d::StationaryState& state) const {
-    return surface3d::is_known(known_, marks_of(mesh, state));
+  bool is_there(const RestState& found) const {
+    return surface3d::is_known(known_, marks_of(*found.mesh, found.state));
   }
 
   // Down to where it is slow, from there by Newton's method.
   void by_flow(const Found& from, const State& start) {
-    constexpr double longest = 200;
-    const surface3d::FlowMoment begin{from.mesh, start, target_};
-    surface3d::Numerics numerics;
-    numerics.remesh = true;
-    surface3d::RestWatch rest(material_, input_.model, target_);
-    Mesh mesh = from.mesh;
-    State last = start;
-    surface3d::run_flow(material_, input_.model, begin, numerics, {.end_time = longest},
-                        [&](const auto& record, const State& state, const auto& view, bool) {
-                          mesh = view.mesh;
-                          last = state;
-                          return !interrupt_signal() && !rest.near(record, *mesh, state);
-                        });
-    if (!interrupt_signal()) by_newton(from, mesh, last, {});
+    const Descent end = descend(membrane_, from.mesh, start);
+    if (!interrupt_signal()) by_newton(from, end.mesh, end.state, {});
   }
 
   const StatesInput& input_;
   axisym::PlanePoint at_;
-  model::Material material_;
-  surface3d::Target target_;
+  Membrane membrane_;
   const std::function<int()>& number_;
   const TakeState& take_;
   surface3d::KnownStates known_{};

@@ -107,7 +107,8 @@ namespace {
 
 // But for the system, which is linearised nearby.
 RestState rest_state_near(const StatesInput& input, const axisym::PlanePoint& at,
-                          const RestStart& start) {
+                          const RestStart& start,
+                          const surface3d::NewtonOptions& options = {.keeps_factors = true}) {
   RestState result{.mesh = start.mesh, .failure = start.failure};
   if (!start.mesh) return result;
   const model::Material material = input.material.with_L1(at.L);
@@ -117,8 +118,7 @@ RestState rest_state_near(const StatesInput& input, const axisym::PlanePoint& at
   result.system->set_material(material);
   auto found = surface3d::solve_stationary(
       *result.system, axisym::target_of(at.reduced_volume),
-      surface3d::guess_from(*start.mesh, material, input.model, start.state),
-      {.keeps_factors = true});
+      surface3d::guess_from(*start.mesh, material, input.model, start.state), options);
   if (found.status != NewtonStatus::converged) {
     result.failure = why(found.status);
     return result;
@@ -132,8 +132,8 @@ RestState rest_state_near(const StatesInput& input, const axisym::PlanePoint& at
 }  // namespace
 
 RestState rest_state_from(const StatesInput& input, const axisym::PlanePoint& at,
-                          const RestStart& start) {
-  RestState result = rest_state_near(input, at, start);
+                          const RestStart& start, const surface3d::NewtonOptions& options) {
+  RestState result = rest_state_near(input, at, start, options);
   if (result.failure.empty() && !result.system->linearise(result.state, result.normals))
     result.failure = why(NewtonStatus::singular);
   return result;
@@ -142,6 +142,20 @@ RestState rest_state_from(const StatesInput& input, const axisym::PlanePoint& at
 bool resolved_by(const Triangulation& mesh, const surface3d::Nodes& X) {
   const auto curvature = surface3d::curvature_of(mesh, X);
   return curvature && surface3d::resolved(surface3d::indicators_of(mesh, X, *curvature));
+}
+
+RestState on_new_triangles(const StatesInput& input, const axisym::PlanePoint& at,
+                           const RestState& state) {
+  const model::Material material = input.material.with_L1(at.L);
+  RestState there;
+  for (const double more : {1., 1.5, 2.}) {
+    there = rest_state_from(
+        input, at,
+        remeshed_start(*state.mesh, state.state, material, int(more * state.mesh->count())));
+    if (there.failure.empty() && resolved_by(*there.mesh, there.state.X)) return there;
+  }
+  if (there.failure.empty()) there.failure = "the triangles do not resolve the state";
+  return there;
 }
 
 RestMeasures measures_of(const SeenState& seen, const model::Material& material) {
@@ -206,6 +220,17 @@ double energy_error(const StatesInput& input, const RestRow& row, const RestStar
   const double energy =
       surface3d::energy(input.material.with_L1(row.L), *other.mesh, other.state).total();
   return std::abs(energy - energy_of(row));
+}
+
+double energy_error_on_path(const StatesInput& input, const RestRow& row, const SeenState& seen) {
+  const model::Material material = input.material.with_L1(seen.at.L);
+  double error = not_known;
+  for (const int share : {4, 2})
+    if (std::isnan(error) && !interrupt_signal())
+      error = energy_error(
+          input, row, remeshed_start(*seen.mesh, seen.state, material, seen.mesh->count() / share),
+          true);
+  return error;
 }
 
 RestRow rest_row(const StatesInput& input, const StatePlace& place, const fs::path& folder) {

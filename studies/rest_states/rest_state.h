@@ -21,7 +21,12 @@ struct RestState {
   std::string failure{};  ///< why there is none
 };
 RestState rest_state_from(const StatesInput& input, const axisym::PlanePoint& at,
-                          const RestStart& start);
+                          const RestStart& start,
+                          const surface3d::NewtonOptions& options = {.keeps_factors = true});
+
+/// A state that its triangles do not resolve, on new ones that do: about as many, or more of them, up to twice as many.
+RestState on_new_triangles(const StatesInput& input, const axisym::PlanePoint& at,
+                           const RestState& state);
 
 /// A state at which the system is linearised, on a mesh that lives on.
 struct SeenState {
@@ -49,6 +54,9 @@ RestRow row_at(const StatesInput& input, const StatePlace& place);
 /// directions, or, `on_path`, farther away than another branch next to its branching point would be.
 double energy_error(const StatesInput& input, const RestRow& row, const RestStart& coarser,
                     bool on_path = false);
+
+/// The same on a path, with a quarter of the state's own triangles, or half of them where these have no such state.
+double energy_error_on_path(const StatesInput& input, const RestRow& row, const SeenState& seen);
 
 /// The whole row of a place, and its files.
 RestRow rest_row(const StatesInput& input, const StatePlace& place,

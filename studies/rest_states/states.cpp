@@ -5,6 +5,7 @@
 #include "studies/io/progress.h"
 #include "studies/io/stopwatch.h"
 #include "studies/rest_states/coarser_triangles.h"
+#include "studies/rest_states/pass_crossing.h"
 #include "studies/rest_states/rest_branch.h"
 #include "studies/rest_states/rest_search.h"
 #include "studies/rest_states/rest_state.h"
@@ -16,8 +17,6 @@
 namespace sbeh::studies {
 
 namespace {
-
-using RestTable = GrowingTable<RestRow>;
 
 void compute_places(const StatesInput& input, const OutputFolder& folder, RestTable& table,
                     StatesSummary& summary) {
@@ -61,19 +60,15 @@ class RowsInOrder {
     row.path = found.path;
     row.point = found.kind;
     if (found.from > 0) row.from = found.from;
-    const surface3d::Triangulation& mesh = *found.mesh;
-    const auto system = found.system
-                          ? found.system
-                          : std::make_shared<surface3d::NewtonSystem>(mesh, material, input_.model);
+    const auto system = found.system ? found.system
+                                     : std::make_shared<surface3d::NewtonSystem>(
+                                         *found.mesh, material, input_.model);
     system->set_material(material);
     if (system->linearise(found.point, found.point.normals, {{}, found.point.phase})) {
-      measure(here, {*system, found.mesh, found.point, found.point.normals, at}, folder_.path(),
-              row);
+      const SeenState seen{*system, found.mesh, found.point, found.point.normals, at};
+      measure(here, seen, folder_.path(), row);
       if (!interrupt_signal()) row.energy_error = energy_error(here, row, coarser, true);
-      for (const int share : {4, 2})
-        if (std::isnan(row.energy_error) && !interrupt_signal())
-          row.energy_error = energy_error(
-              here, row, remeshed_start(mesh, found.point, material, mesh.count() / share), true);
+      if (std::isnan(row.energy_error)) row.energy_error = energy_error_on_path(here, row, seen);
     } else {
       row.stop_reason = "the matrix is singular";
     }
@@ -129,10 +124,17 @@ StatesSummary run_states(const StatesInput& input, const std::filesystem::path& 
   const Columns<RestRow> columns = rest_columns(input);
   RestTable table(folder / "states.csv", columns, "states", "that state computed again");
   StatesSummary summary;
-  if (input.follow || input.search)
-    compute_from_one(input, folder, table, summary);
-  else
-    compute_places(input, folder, table, summary);
+  if (!passes_begun(folder)) {
+    if (input.follow || input.search)
+      compute_from_one(input, folder, table, summary);
+    else
+      compute_places(input, folder, table, summary);
+  }
+  if (input.passes && !interrupt_signal()) {
+    const auto there = int(table.rows().size());
+    summary.passes = cross_passes(input, folder, table);
+    summary.computed += int(table.rows().size()) - there;
+  }
   for (const auto& [number, row] : table.rows()) summary.rows.push_back(row);
   summary.interrupted = interrupt_signal() != 0;
   summary.seconds = watch.seconds();

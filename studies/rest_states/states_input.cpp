@@ -212,6 +212,7 @@ StatesInput states_in(const TomlTable& file) {
   input.symmetry = read_symmetry(states, "symmetry");
   input.eigenpairs = states.integer("eigenpairs", 0, most_eigenpairs, input.eigenpairs);
   input.rates = states.integer("rates", 0, most_eigenpairs, input.rates);
+  input.passes = states.boolean("passes", input.passes);
   states.reject_unknown_keys();
   material.measured_by(lengths_of(input.units));
   input.material =
@@ -222,6 +223,9 @@ StatesInput states_in(const TomlTable& file) {
   if (input.rates > 0 && input.material.order == model::OrderDynamics::diffusive)
     states.fail("rates", "must be 0 with order = \"diffusive\": its rates are not known");
   if (file.has("follow")) input.follow = read_follow(follow, input);
+  if (input.passes && input.follow && input.follow->most_negative == 0)
+    follow.fail("most_negative",
+                "must be >= 1 with passes = true: a branch of saddles would end at the first one");
   if (file.has("search")) {
     if (input.follow)
       file.refuse(
@@ -239,7 +243,9 @@ StatesInput states_in(const TomlTable& file) {
 double seconds_of(const StatesInput& input, int triangles) {
   return double(places_of(input).size()) * 1.3 * std::pow(triangles / 320., 1.15)
        * (input.search ? 10. * input.search->most_states : 1.)
-       * (1 + input.eigenpairs / 20. + (input.rates > 0 ? 3 : 0)) * (input.follow ? 30 : 1);
+       * (1 + input.eigenpairs / 20. + (input.rates > 0 ? 3 : 0)
+          + (input.passes ? 12 : 0))  // two ways of 10 to 30 s for every other state
+       * (input.follow ? 30 : 1);
 }
 
 std::string describe(const StatesInput& input, std::string_view version) {
@@ -257,6 +263,7 @@ std::string describe(const StatesInput& input, std::string_view version) {
   if (!input.symmetry.is_trivial()) toml.value("symmetry", input.symmetry.symbol());
   toml.value("eigenpairs", input.eigenpairs);
   toml.value("rates", input.rates);
+  if (input.passes) toml.value("passes", input.passes);
   if (input.follow) {
     toml.table("follow");
     toml.value("parameter", input.follow->parameter);

@@ -67,6 +67,7 @@ struct StatesInput {
   meshing::PointGroup symmetry{};  ///< of the triangles, new ones included
   int eigenpairs = 6;              ///< lowest of the second variation, 0 … 50
   int rates = 0;                   ///< largest of the linearised flow, 0 … 50
+  bool passes = false;             ///< to which states those with one negative direction lead
   model::Material material;        ///< its L1 gives way to L
   axisym::Numerics numerics;
   std::optional<FollowInput> follow{};

@@ -78,10 +78,9 @@ Rest flow_to_rest(const StationaryCase& of, const SurfaceMethod& method,
                             return interrupt_signal() == 0;
                           });
   if (run.stop == surface3d::FlowStop::interrupted) throw Interrupted("interrupted");
-  const std::string stop =
-      fmt::format("{} triangles, {} at t = {:.4g} after {} steps, speed {:.1e}",
-                  rest.mesh.triangle_count(), surface3d::describe(run.stop), run.last.time,
-                  run.steps, run.last.speed());
+  const std::string stop = fmt::format(
+      "{} triangles, {} at t = {:.4g} after {} steps, speed {:.1e}", rest.mesh.triangle_count(),
+      surface3d::describe(run.stop), run.last.time, run.steps, run.last.speed());
   rest.mesh.nodes = run.state.X;
   rest.beta = run.state.beta;
   rest.lambda = run.last.lambda;

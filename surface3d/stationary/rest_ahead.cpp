@@ -15,8 +15,7 @@ namespace {
 
 // Of a run that begins it is not known.
 double speed(const model::FlowRecord& record) {
-  return record.time_step == 0 ? std::numeric_limits<double>::infinity()
-                               : record.speed();
+  return record.time_step == 0 ? std::numeric_limits<double>::infinity() : record.speed();
 }
 
 }  // namespace

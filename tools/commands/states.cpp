@@ -12,8 +12,9 @@ int states(const Study& study) {
   const studies::StatesInput input = studies::read_states(study.input);
   const std::filesystem::path folder = study.results();
   const studies::StatesSummary s = studies::run_states(input, folder, SBEH_VERSION);
-  fmt::print("{}{} states in {}; {} computed in {:.1f} s\n", studies::table_of(input, s.rows),
-             s.rows.size(), (folder / "states.csv").string(), s.computed, s.seconds);
+  fmt::print("{}{}{} states in {}; {} computed in {:.1f} s\n", studies::table_of(input, s.rows),
+             studies::table_of(input, s.passes), s.rows.size(), (folder / "states.csv").string(),
+             s.computed, s.seconds);
   return finish(study, studies::ResultsKind::states, s.interrupted);
 }
 

@@ -24,6 +24,7 @@ TEST(StatesInput, has_the_documented_defaults) {
   EXPECT_EQ(input.triangles, 320);
   EXPECT_EQ(input.eigenpairs, 6);
   EXPECT_EQ(input.rates, 0);
+  EXPECT_FALSE(input.passes);
   EXPECT_EQ(input.material, model::Material{});
   EXPECT_EQ(input.numerics, axisym::Numerics{});
 }
@@ -49,7 +50,8 @@ TEST(StatesInput, reads_back_from_its_description_as_the_same_input) {
               "0.1\nswitch = false\n"
               "[units]\nradius_um = 10\nbending_rigidity_kT = 20\n",
         small_states
-            + "mesh = \"a.stl\"\nmodel = 'SSH'\neigenpairs = 0\nrates = 3\n[search]\nreach = 0.2\n",
+            + "mesh = \"a.stl\"\nmodel = 'SSH'\neigenpairs = 0\nrates = 3\npasses = "
+              "true\n[search]\nreach = 0.2\n",
         small_states
             + "branch = 'prolate'\ntriangles = 1280\n[material]\nresidual_stiffness = 0.01\n"
               "[numerics]\nelements = 96\n"}) {
@@ -77,6 +79,11 @@ TEST(StatesInput, that_is_wrong_is_refused_with_line_key_and_value) {
       {{"rates = 3\n[material]\norder = 'diffusive'\nmean_order = 0.6",
         ":4: [states] rates = 3: must be 0 with order = 'diffusive': its rates are not known"},
        {"rates = -1", ":4: [states] rates = -1: must be >= 0 and <= 50"},
+       {"passes = 1", ":4: [states] passes = 1: must be true or false"},
+       {"passes = true\n[follow]\nto = 0.6\nmost_negative = 0",
+        ":7: [follow] most_negative = 0: must be >= 1 with passes = true: a branch of saddles "
+        "would "
+        "end at the first one"},
        {"eigenpairs = 51", ":4: [states] eigenpairs = 51: must be >= 0 and <= 50"},
        {"[search]\nreach = 0", ":5: [search] reach = 0: must be > 0 and <= 1"},
        {"[follow]\nto = 0.6\n[search]",

@@ -25,8 +25,8 @@ Paths read_paths(const std::filesystem::path& folder, const studies::StatesInput
   Paths paths;
   std::map<int, RestRow> by_number;
   for (RestRow& row : studies::read_rows(studies::rest_columns(input), folder / "states.csv")) {
-    if (!row.measures) continue;
-    std::vector<RestRow>& path = paths[row.path];
+    if (!row.measures || !row.path) continue;
+    std::vector<RestRow>& path = paths[*row.path];
     if (path.empty() && row.from && by_number.contains(*row.from)) {
       path.push_back(by_number.at(*row.from));
       path.back().measures->negative_directions = row.measures->negative_directions;

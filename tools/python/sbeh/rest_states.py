@@ -35,6 +35,11 @@ class RestStates(InUnits):
         `class`, `eigenvalue_1`, ..."""
         return read_table(self.folder / "states.csv")
 
+    @cached_property
+    def passes(self) -> pandas.DataFrame:
+        """With `passes` a row of passes.csv for each state with one negative direction: `kind`, `end_1`, `barrier_1`, ..."""
+        return read_table(self.folder / "passes.csv")
+
     def frame(self, number: int) -> Frame:
         """The surface of the state of that number."""
         return read_frame(self.folder / f"frames/state_{number:04d}.vtu")
@@ -47,19 +52,20 @@ class RestStates(InUnits):
 def rest_states(*, branch: str | None = None, scan: str | Path | None = None, frame: str | Path | None = None,
                 mesh: str | Path | None = None, reduced_volume: Any = None, L: Any = None, model: str | None = None,
                 perturbation: Any = None, triangles: int | None = None, eigenpairs: int = 6, rates: int = 0,
-                follow: Mapping[str, Any] | None = None, search: Mapping[str, Any] | None = None,
+                passes: bool = False, follow: Mapping[str, Any] | None = None, search: Mapping[str, Any] | None = None,
                 material: MaterialLike = None, numerics: Mapping[str, Any] | None = None,
                 units: Mapping[str, Any] | None = None, folder: str | Path | None = None) -> RestStates:
     """Minima and saddles in 3D, as `sbeh states`; `follow` and `search`: its tables [follow], such as
     {"parameter": "reduced_volume", "to": 0.7}, and [search], such as {"most_states": 5}.
 
-    From the axisymmetric state of a `branch` or of a `scan`, from a `frame` or a `mesh`. Warns of states that are not
-    found or not resolved; `status` and `stop_reason` of the table say why. Raises InputError, OutputError.
+    From the axisymmetric state of a `branch` or of a `scan`, from a `frame` or a `mesh`. With `passes` on from each with one
+    negative direction to the states between which it lies. Warns of states that are not found or not resolved; `status`
+    and `stop_reason` of the table say why. Raises InputError, OutputError.
     """
     results = ResultsFolder(folder)
     table = {"model": model, "branch": branch, "scan": scan, "frame": frame, "mesh": mesh,
              "reduced_volume": reduced_volume, "L": L, "perturbation": perturbation, "triangles": triangles,
-             "eigenpairs": eigenpairs, "rates": rates}
+             "eigenpairs": eigenpairs, "rates": rates, "passes": passes or None}
     with input_file("rest_states", {"states": table, "follow": follow, "search": search,
                                     "material": material_table(material, without_L=True), "numerics": numerics,
                                     "units": units}) as path:

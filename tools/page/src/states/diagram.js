@@ -5,7 +5,7 @@ import { colour_list } from "../colour_bar.js";
 import { element, svg } from "../dom.js";
 import { axis_titles, height_for, margin, scale_of, short } from "../scan/axis.js";
 import { drawing_for, label_of, nearest_point, ring_at } from "../scan/drawing.js";
-import { is_minimum, numeric, pieces_of } from "./table.js";
+import { is_minimum, no_path, numeric, pieces_of } from "./table.js";
 
 // What a state is on its path, by its mark.
 const marks = {
@@ -56,7 +56,7 @@ export class BranchDiagram {
     select(up).call(quantity.classes ? axisLeft(this.y) : axisLeft(this.y).ticks(6).tickFormat(short));
     const { units } = this.states, titles = axis_titles(width, height, units.titled(...parameter), units.titled(quantity.name));
     this.ring = svg("g", { class: "chosen" });
-    const lines = this.states.follows ? paths.map((path) => this.line(path)) : [];
+    const lines = this.states.follows ? paths.filter(({ name }) => name !== no_path).map((path) => this.line(path)) : [];
     this.drawing.replaceChildren(...lines, ...paths.map((path) => this.marks(path)), across, up, ...titles, this.ring);
     this.draw_chosen();
   }
@@ -100,8 +100,12 @@ export class BranchDiagram {
     const sign = (name, text) => element("span", {}, element("i", { class: `sign ${name}` }), text);
     const drawn = ([kind, [shape, size, text]]) =>
       element("span", {}, svg("svg", { class: "mark", viewBox: "-7 -7 14 14" }, svg("path", { d: symbol(shape, size)() })), text);
-    const title = (path) => (follows ? `path ${path.name}: ${path.points.findLast(({ rests }) => rests)?.row.class ?? "no state"}` : "states");
-    const pieces = follows ? paths.flatMap(pieces_of) : [];
+    const title = (path) => {
+      if (!follows) return "states";
+      if (path.name === no_path) return "ends of passes";
+      return `path ${path.name}: ${path.points.findLast(({ rests }) => rests)?.row.class ?? "no state"}`;
+    };
+    const pieces = follows ? paths.filter(({ name }) => name !== no_path).flatMap(pieces_of) : [];
     return [
       colour_list(units.titled(this.shown.quantity.name), paths.map((path) => [this.colour(path), title(path)])),
       element(

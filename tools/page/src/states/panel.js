@@ -116,6 +116,7 @@ export class StatePanel {
 function remark_on({ row, frame }) {
   const status = row.status === "stationary" ? row.status : `${row.status}: ${row.stop_reason || "no reason is given"}`;
   const place = { first: "first", fold: "a fold", branching: "others leave here", joins: "joins states with an axis", last: "last" }[row.point];
+  if (row.point === "end") return `${status}; an end of the pass ${row.from}${frame ? "" : "; its shape is not in this page"}`;
   const path = row.path ? `; path ${row.path}${place ? `: ${place}` : ""}` : "";
   return status + path + (frame ? "" : "; its shape is not in this page");
 }

@@ -54,13 +54,17 @@ function modes_of(row, shapes) {
 
 export const is_minimum = ({ row }) => row.negative_directions === "0";
 
+// The name of what lies on no path: ends of passes.
+export const no_path = "";
+
 // Of each its states, and all that its line goes through: what leaves another path begins at the state where it leaves.
 function paths_of(points) {
   const by_number = new Map(points.map((point) => [point.row.number, point]));
   const paths = new Map();
   for (const point of points) {
-    const { path: name = "" } = point.row;
-    if (!paths.has(name)) paths.set(name, { name, points: [], start: by_number.get(point.row.from) ?? null });
+    const { path: name = no_path } = point.row;
+    const start = name === no_path ? null : (by_number.get(point.row.from) ?? null);
+    if (!paths.has(name)) paths.set(name, { name, points: [], start });
     paths.get(name).points.push(point);
     point.path = paths.get(name);
   }
