@@ -36,7 +36,7 @@ concept FlowIntegrator = requires(I integrator, const State& old, const FlowStep
 // member guards_energy.
 
 /// Runs a flow. A step is rejected and tried with a smaller τ when it could not be made or when
-/// StepControl finds fault with it; rejection leaves no trace but the count.
+/// StepControl finds fault with it; rejection leaves no trace but the count, and the step after it no longer.
 template <FlowSolver Solver, FlowIntegrator<typename Solver::State> Integrator>
 class Flow {
  public:

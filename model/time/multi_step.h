@@ -4,6 +4,7 @@
 #include "model/time/step_control.h"
 #include "model/time/step_doubling.h"
 
+#include <algorithm>
 #include <array>
 #include <cstddef>
 #include <vector>

@@ -103,16 +103,16 @@ PointOutcome without_ssh(const StationaryCase& of, const PointOutcome& ssh, doub
     PointOutcome same = ssh;  // no shape of SSH depends on L
     same.row.wall_seconds = 0;
     double v = of.reduced_volume;
-    if (!ssh.row.diagnostics) return same;
-    if (is_symmetric(of.branch)) {
-      v = ssh.row.diagnostics->volume / axisym::target_of(1).volume;
-    }
-    if (of.L() == computed_at) return same;
+    const bool has_values = ssh.row.diagnostics.has_value();
+    if ((is_symmetric(of.branch) && !has_values) || (has_values && of.L() == computed_at))
+      return same;
+    if (is_symmetric(of.branch)) v = ssh.row.diagnostics->volume / axisym::target_of(1).volume;
     std::optional<axisym::TouchingSpheres>
         spheres;  // with an area difference the shapes of two L differ
     if (!of.material.area_difference.is_there()) {
       spheres = limit_of(of.branch, v, int(std::lround(1 / (v * v))));
-      if (!spheres) spheres = axisym::closing_shape(of.material, *same.row.diagnostics);
+      if (!spheres && has_values)
+        spheres = axisym::closing_shape(of.material, *same.row.diagnostics);
     }
     same.row.diagnostics.reset();
     same.row.error.reset();
@@ -232,7 +232,7 @@ PointOutcome first_of_branch(const StationaryCase& of) {
 PointOutcome branch_point(const StationaryCase& of) {
   StationaryCase classical = of;
   classical.model = Model::SSH;
-  const PointOutcome ssh = first_of_branch(classical);
+  PointOutcome ssh = first_of_branch(classical);
   if (of.model == Model::SSH) return ssh;
   return has_state_here(ssh) ? order_from(of, *ssh.state) : without_ssh(of, ssh, of.L());
 }

@@ -133,6 +133,7 @@ std::vector<BranchState> TracedStates::at(Branch branch, double reduced_volume) 
   std::ranges::stable_sort(
       found, {}, [](const auto& one) { return std::pair(std::get<0>(one), std::get<1>(one)); });
   std::vector<BranchState> states;
+  states.reserve(found.size());
   for (auto& one : found) states.push_back(std::move(std::get<2>(one)));
   return states;
 }

@@ -61,6 +61,8 @@ void read_surface(const TomlTable& table, StabilityInput& input) {
 }  // namespace
 
 StabilityInput::StabilityInput() {
+  // Perturbations are hardly larger than the tolerance: what is left of a rate is the error of steps that it lets be long.
+  numerics_3d.integrator = surface3d::Integrator::two_step;
   numerics_3d.tolerance = 1e-3;
   numerics_3d.largest_step = 0.1;
 }

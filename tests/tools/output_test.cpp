@@ -16,9 +16,10 @@ const std::string small =
 const std::string map =
     "[scan]\nreduced_volume = {from = 0.65, to = 0.95, count = 15}\n"
     "L = {from = 0.005, to = 0.06, count = 5}\n[numerics]\nelements = 16\n";
-const std::string evolution =
+const std::string without_times =
     "model = \"SSH\"\n[start]\nshape = \"ellipsoid\"\nreduced_volume = 0.8\n"
-    "[time]\nend = 0.01\n[numerics]\nelements = 16\n";
+    "[numerics]\nelements = 16\n";
+const std::string evolution = without_times + "[time]\nend = 0.01\n";
 
 TEST_F(Output, into_what_is_no_folder_is_refused) {
   write("scan.toml", small);
@@ -135,7 +136,9 @@ TEST_F(Output, on_a_disk_without_any_room_ends_with_a_sentence_and_starts_when_t
 }
 
 TEST_F(Output, of_an_evolution_on_a_full_disk_keeps_what_is_written) {
-  write("in.toml", evolution);
+  write("in.toml", without_times
+                       + "[time]\nend = 0.01\n"
+                         "output = { from = 1e-5, to = 0.01, count = 200, spacing = \"log\" }\n");
   must(into("whole", "relax"));
   Surroundings full = here();
   full.largest_file = 30000;

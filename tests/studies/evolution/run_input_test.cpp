@@ -330,8 +330,9 @@ TEST(RunInput, with_wrong_numerics_is_refused_with_line_key_and_value) {
   std::vector<Case> cases{
       {"extrapolate = 1", ":7: [numerics] extrapolate = 1: must be true or false"},
       {"extrapolate = false",
-       ":7: [numerics] extrapolate = false: must be true with integrator = 'two-step', which is of "
-       "second order"},
+       ":7: [numerics] extrapolate = false: must be true with integrator = 'multi-step', which is "
+       "of "
+       "second order at least"},
       {"scheme = 'spilt'", ":7: [numerics] scheme = 'spilt': must be one of 'split', 'monolithic'"},
       {"scheme = 1", ":7: [numerics] scheme = 1: must be one of 'split', 'monolithic'"},
       {"solver_tolerance = 1", ":7: [numerics] solver_tolerance = 1: must be in 1e-12 ... 0.01"},

@@ -142,8 +142,7 @@ TEST(Modes, that_are_unstable_grow_in_3D) {
   RunInput input;
   input.start = ModeStart{(path_of("growing") / "modes/m2_even_1.vtu").string(), 0.01};
   static_cast<Physics&>(input) = *origin_of(std::get<ModeStart>(input.start)).physics;
-  input.numerics.tolerance = 1e-3;
-  input.numerics.largest_step = 0.5;
+  input.numerics.tolerance = 1e-5;  // steps of 0.5 make the rate half a percent too small
   const FlowMoment start = start_of(input).moment;
   std::vector<AmplitudeAt> history;
   surface3d::run_flow(input.material, input.model, start, input.numerics,
@@ -155,8 +154,8 @@ TEST(Modes, that_are_unstable_grow_in_3D) {
                       });
   const auto growth = fit_growth(history);
   ASSERT_TRUE(growth);
-  EXPECT_NEAR(growth->rate, find(summary, 2, Parity::even).rate, growth->error);
-  EXPECT_LT(growth->error, 0.01 * growth->rate);
+  EXPECT_NEAR(growth->rate, find(summary, 2, Parity::even).rate, 0.002 * growth->rate);
+  EXPECT_LT(growth->error, 0.001 * growth->rate);
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ TEST(PathIn3d, turns_back_where_the_stomatocytes_end) {
   const auto volume_at = [&](double mu) { return 0.655 + 0.07 * mu; };
   const axisym::BranchState exact = with_axis(first);
   OrderTable volumes("reduced volume of the fold", "h"), energies("energy there", "h");
-  for (const int triangles : {320, 1280}) {
+  for (const int triangles : {720, 2880}) {
     const Surface start = revolved(exact, triangles);
     const Path path(
         *start.mesh, first.model, [&](double) { return paper_material(first.L); },
@@ -87,13 +87,12 @@ TEST(PathIn3d, turns_back_where_the_stomatocytes_end) {
     const double h = 1 / std::sqrt(start.mesh->count());
     volumes.add(h, volume_at(fold.mu) - 0.66085032652);
     EXPECT_NEAR(volume_at(fold.mu), 0.66085032652, 5e-4);
-    EXPECT_NEAR(reduced, 1.9630527849, triangles == 320 ? 1e-4 : 1e-5);
+    EXPECT_NEAR(reduced, 1.9630527849, triangles == 720 ? 1e-4 : 1e-6);
     energies.add(h, reduced - 1.9630527849);
   }
-  // The triangulations are no refinements of each other, and the coarse one has 324 or 326 triangles, as the profile's rounding has it:
-  // the order, of four at best, scatters by one half, and the coarse energy, whose parts nearly cancel, tells none.
-  EXPECT_GT(volumes.print(), 2.7);
-  energies.print();
+  // The triangulations are no refinements of each other, so that the order scatters; from 320 to 720 the neck is hardly resolved.
+  EXPECT_GT(volumes.print(), 3.5);
+  EXPECT_GT(energies.print(), 3.5);
 }
 
 // The smooth ordered oblate loses its stability to m = 1 before m = 2 and before its fold: of the two, which lie next to each other,
