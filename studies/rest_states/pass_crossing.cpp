@@ -99,12 +99,12 @@ class Crossing {
   // From where a flow nearly rests Newton's method goes not far, but slowly next to a branching point.
   static inline const surface3d::NewtonOptions far{.most_iterations = 40, .far = 10};
 
-  // Resolved, or a failure.
+  // Resolved, or a failure. On new triangles where there are any: a flow has drawn its own along.
   RestState state_near(const Descent& flow) const {
-    RestState there = rest_state_from(input_, at_, {flow.mesh, flow.state, {}, {}}, far);
-    return there.failure.empty() && !resolved_by(*there.mesh, there.state.X)
-             ? on_new_triangles(input_, at_, there)
-             : there;
+    const RestState there = rest_state_from(input_, at_, {flow.mesh, flow.state, {}, {}}, far);
+    if (!there.failure.empty()) return there;
+    const RestState anew = on_new_triangles(input_, at_, there);
+    return anew.failure.empty() || !resolved_by(*there.mesh, there.state.X) ? anew : there;
   }
 
   surface3d::State start(double by) const {

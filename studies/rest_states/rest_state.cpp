@@ -240,7 +240,8 @@ RestRow rest_row(const StatesInput& input, const StatePlace& place, const fs::pa
     row.stop_reason = found.failure;
     return row;
   }
-  measure(input, {*found.system, found.mesh, found.state, found.normals, place.at}, folder, row);
+  const SeenState seen{*found.system, found.mesh, found.state, found.normals, place.at};
+  measure(input, seen, folder, row);
   const bool has_axis = !brings_its_mesh(input.start) && input.perturbation.empty();
   if (has_axis && found.moved > far_from_start) {
     row.status = PointStatus::unresolved;
@@ -250,6 +251,8 @@ RestRow rest_row(const StatesInput& input, const StatePlace& place, const fs::pa
   if (interrupt_signal()) return row;
   row.energy_error =
       energy_error(input, row, coarser_start(input, place.at, row.measures->triangles / 4));
+  if (std::isnan(row.energy_error) && brings_its_mesh(input.start))
+    row.energy_error = energy_error_on_path(input, row, seen);
   if (std::isnan(row.energy_error) && row.status == PointStatus::stationary) {
     row.status = PointStatus::unresolved;
     row.stop_reason =

@@ -76,6 +76,12 @@ TEST_F(Passes, of_a_classical_membrane_lead_to_the_oblate_and_to_the_prolate) {
   expect_oblate_and_prolate("SSH", "0.7");
 }
 
+// A quarter of the triangles of this saddle have none; half of them have one next to it.
+TEST_F(Passes, of_an_ordered_membrane_lead_to_the_oblate_and_to_the_prolate) {
+  find_passes("SBEH", far_from_the_oblate("SBEH", "0.69"));
+  expect_oblate_and_prolate("SBEH", "0.69");
+}
+
 // As after kill -9 once the second end had its row, and the pass only its first end.
 TEST_F(Passes, that_were_cut_short_are_completed_as_if_they_had_not_been) {
   find_passes("SSH");
