@@ -47,6 +47,18 @@ const Columns<EventRow>& event_columns() {
   return columns;
 }
 
+namespace {
+// Resolved again is what would be by a twentieth more: a run along a limit would say so with each step.
+surface3d::Indicators nearer_to_limits(surface3d::Indicators r) {
+  constexpr double share = 1.05;
+  r.resolution *= share;
+  r.curvature_gap *= share;
+  r.mesh_quality /= share;
+  r.min_angle /= share;
+  return r;
+}
+}  // namespace
+
 EventLog::EventLog(const OutputFolder& folder, bool remesh, double until, ProgressLine& line)
     : table_(folder / "events.csv", header_of(event_columns()), until),
       remesh_(remesh),
@@ -69,7 +81,7 @@ void EventLog::see(const surface3d::FlowRecord& record, const surface3d::StepVie
   if (view.remeshed) see_new_mesh(t, r, *view.remeshed);
   if (view.remeshed && view.remeshed->mesh) return;
   const bool may_change = remesh_ && !view.memory.remeshing_over;
-  const bool resolved = surface3d::resolved(r);
+  const bool resolved = surface3d::resolved(resolved_ ? r : nearer_to_limits(r));
   if (resolved == resolved_ || (may_change && !resolved)) return;
   resolved_ = resolved;
   append({t, resolved ? "resolved" : "unresolved", view.mesh->count(), r, {}});

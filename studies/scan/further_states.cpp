@@ -94,7 +94,9 @@ class FurtherState {
 std::vector<FurtherRow> find_further(const ScanInput& input, const ScanTable& table,
                                      const std::filesystem::path& folder) {
   const double L = input.L.front();
-  const TracedStates traced(input.material.with_L1(L), input.numerics);
+  TracedStates traced(input.material.with_L1(L), input.numerics);
+  for (const double volume : input.reduced_volume)
+    if (volume != 1) traced.begin_at(volume);
   const std::size_t volumes = input.reduced_volume.size();
   auto rows = collect<FurtherRow>(volumes * input.branches.size(), [&](std::size_t k) {
     const PointKey key{input.reduced_volume[k % volumes], L, Model::SSH,

@@ -2,6 +2,7 @@
 
 #include "axisym/curvature.h"
 #include "axisym/shape_class.h"
+#include "axisym/stationary/arclength.h"
 #include "axisym/stationary/stability.h"
 #include "studies/io/interrupt.h"
 #include "studies/io/stopwatch.h"
@@ -11,8 +12,10 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <tuple>
+#include <utility>
 
 namespace sbeh::studies {
 
@@ -96,39 +99,73 @@ std::string place_of(const std::vector<TracedBranch>& branches, Branch of) {
         low = std::min(low, volume_of(branch, point));
         high = std::max(high, volume_of(branch, point));
       }
-  return high == 0 ? fmt::format("none is between V_r = {} and the sphere", least_volume)
+  return high == 0 ? fmt::format("none was met between V_r = {} and the sphere", least_volume)
                    : fmt::format("they are between V_r = {:.6g} and {:.6g}", low, high);
+}
+
+// Symmetry losses alone are looked for, and only to go on from.
+axisym::TraceOptions trace_options() {
+  return {.largest_m = 0, .stops = [] { return interrupt_signal() != 0; }, .promised = 1e-6};
 }
 
 }  // namespace
 
 TracedStates::TracedStates(const model::Material& material, const axisym::Numerics& numerics)
-    : material_(material), numerics_(numerics) {
-  const axisym::Line line{.material = material,
-                          .model = Model::SSH,
-                          .from = {axisym::nearly_round, material.L1},
-                          .to = {least_volume, material.L1}};
-  // Symmetry losses alone are looked for, and only to go on from.
-  const axisym::TraceOptions options{
-      .largest_m = 0, .stops = [] { return interrupt_signal() != 0; }, .promised = 1e-6};
-  branches_ = traced_from_sphere(line, numerics, options);
-  add_leaving(branches_, numerics, options);
+    : material_(material),
+      numerics_(numerics),
+      line_{.material = material,
+            .model = Model::SSH,
+            .from = {axisym::nearly_round, material.L1},
+            .to = {least_volume, material.L1}},
+      symmetric_{axisym::SshBranch(Branch::prolate, material, numerics),
+                 axisym::SshBranch(Branch::oblate, material, numerics)} {
+  branches_ = traced_from_sphere(line_, numerics, trace_options());
+  add_leaving(branches_, numerics, trace_options());
+}
+
+void TracedStates::begin_at(double reduced_volume) {
+  if (!material_.area_difference.is_there()) return;
+  axisym::Line line = line_;
+  line.symmetric = true;
+  const double mu = (reduced_volume - line.from.reduced_volume)
+                  / (line.to.reduced_volume - line.from.reduced_volume);
+  std::vector<TracedBranch> begun;
+  for (const bool prolate : {true, false}) {
+    const Branch branch = prolate ? Branch::prolate : Branch::oblate;
+    const auto found = symmetric_[prolate ? 0 : 1].at(reduced_volume);
+    if (!found || found->arrival != axisym::Arrival::reached) continue;
+    const auto known = at(branch, reduced_volume);
+    if (std::ranges::any_of(known, [&](const auto& one) { return is_same(one, found->state); }))
+      continue;
+    const auto start = axisym::with_tangent(line, {found->state, mu});
+    if (!start) continue;
+    axisym::Trace trace = axisym::trace_both_ways(line, *start, numerics_, trace_options());
+    if (trace.points.empty()) continue;
+    const double first = line.at(trace.points.front().state.mu).reduced_volume;
+    begun.push_back({name(branch), "", first, {}, line, std::move(trace)});
+  }
+  add_leaving(begun, numerics_, trace_options());
+  std::ranges::move(begun, std::back_inserter(branches_));
+}
+
+bool TracedStates::is_same(const BranchState& a, const BranchState& b) const {
+  constexpr double same = 1e-9;
+  const double one = axisym::energy(material_, a, a.H).total(),
+               other = axisym::energy(material_, b, b.H).total();
+  return std::abs(one - other) < same * (1 + std::abs(one));
 }
 
 std::vector<BranchState> TracedStates::at(Branch branch, double reduced_volume) const {
-  constexpr double same = 1e-9;
   std::vector<std::tuple<int, double, BranchState>> found;
   for (const TracedBranch& traced : branches_)
     for (const TracePoint* near : points_near(traced, reduced_volume)) {
       const auto state = state_near(traced, *near, reduced_volume, numerics_);
       if (!state || !is_of(branch, state->X)) continue;
-      const double energy = axisym::energy(material_, *state, state->H).total();
-      const bool is_known = std::ranges::any_of(found, [&](const auto& one) {
-        return std::abs(std::get<1>(one) - energy) < same * (1 + std::abs(energy));
-      });
+      const bool is_known = std::ranges::any_of(
+          found, [&](const auto& one) { return is_same(std::get<2>(one), *state); });
       if (is_known) continue;
-      found.emplace_back(axisym::negative_directions(material_, Model::SSH, *state), energy,
-                         *state);
+      found.emplace_back(axisym::negative_directions(material_, Model::SSH, *state),
+                         axisym::energy(material_, *state, state->H).total(), *state);
     }
   std::ranges::stable_sort(
       found, {}, [](const auto& one) { return std::pair(std::get<0>(one), std::get<1>(one)); });
@@ -138,8 +175,9 @@ std::vector<BranchState> TracedStates::at(Branch branch, double reduced_volume) 
   return states;
 }
 
-PointOutcome TracedStates::point(const StationaryCase& of) const {
+PointOutcome TracedStates::point(const StationaryCase& of) {
   const Stopwatch watch;
+  begin_at(of.reduced_volume);
   const auto states = at(of.branch, of.reduced_volume);
   PointOutcome point;
   if (!states.empty()) {

@@ -82,6 +82,41 @@ TEST_F(Passes, of_an_ordered_membrane_lead_to_the_oblate_and_to_the_prolate) {
   expect_oblate_and_prolate("SBEH", "0.69");
 }
 
+// Between two pears, one of which is the other upside down: with so stiff an area difference they leave the prolate gently. Their
+// energy is that of the axisymmetric solver.
+TEST_F(Passes, of_a_prolate_lead_to_one_pear_both_ways) {
+  const std::string material = "[material]\narea_difference = { stiffness = 10, W2 = -28.6 }\n";
+  write("in.toml",
+        "[states]\nmodel = \"SSH\"\nbranch = \"prolate\"\nreduced_volume = 0.8\nL = 0.05\n"
+        "eigenpairs = 0\npasses = true\n"
+            + material);
+  must(into("out", "states"));
+  write("scan.toml",
+        "[scan]\nreduced_volume = 0.8\nL = 0.05\nmodels = [\"SSH\"]\n"
+        "branches = [\"prolate\", \"pear\"]\nmethod = \"newton\"\n"
+            + material);
+  must(into("scan", "scan", "scan.toml"));
+  const Table passes = table("out/passes.csv"), states = table("out/states.csv"),
+              axisymmetric = table("scan/scan.csv");
+  ASSERT_EQ(passes.rows.size(), 1u);
+  ASSERT_EQ(states.rows.size(), 2u);
+  EXPECT_EQ(passes.text(0, "kind"), "one state");
+  EXPECT_EQ(passes.text(0, "remark"), "a symmetry of the pass turns the one way into the other");
+  for (const std::string side : {"1", "2"}) {
+    EXPECT_EQ(passes.text(0, "end_" + side), "2");
+    EXPECT_EQ(passes.text(0, "class_" + side), "Coov");
+  }
+  EXPECT_EQ(states.text(1, "negative_directions"), "0");
+  ASSERT_EQ(axisymmetric.rows.size(), 2u);
+  for (const std::size_t row : {0u, 1u}) {
+    EXPECT_EQ(axisymmetric.text(row, "branch"), row == 0 ? "prolate" : "pear");
+    EXPECT_EQ(axisymmetric.text(row, "status"), "stationary");
+    EXPECT_NEAR(states.number(row, "energy"), axisymmetric.number(row, "energy"),
+                states.number(row, "energy_error"));
+    EXPECT_LT(states.number(row, "energy_error"), 1e-4);
+  }
+}
+
 // As after kill -9 once the second end had its row, and the pass only its first end.
 TEST_F(Passes, that_were_cut_short_are_completed_as_if_they_had_not_been) {
   find_passes("SSH");

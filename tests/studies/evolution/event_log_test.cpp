@@ -64,6 +64,14 @@ TEST_F(EventsOfResolution, say_when_it_is_lost_and_when_it_comes_back) {
   EXPECT_EQ(log.unresolved_from(), 1);
 }
 
+TEST_F(EventsOfResolution, are_few_along_a_limit) {
+  Indicators within = coarse, beyond = coarse;
+  within.resolution = 0.99;
+  beyond.resolution = 1.01;
+  seen({within, beyond, within, beyond, within, fine, within, beyond}, 0, -1);
+  EXPECT_EQ(events(), "unresolved 1, resolved 5, unresolved 7, ");
+}
+
 TEST_F(EventsOfResolution, go_on_from_what_an_interrupted_run_had_said) {
   seen({fine, coarse, coarse, fine, coarse}, 0, -1);
   EXPECT_EQ(seen({coarse, fine}, 3, 2).unresolved_from(), 1);  // what is later than 2 is run again

@@ -26,7 +26,7 @@ axisym::StationaryCase pear_at(double v) {
 
 TEST(Pears, are_where_shooting_and_a_spectral_calculation_have_them) {
   const axisym::StationaryCase of = pear_at(0.8);
-  const TracedStates traced(of.material, of.numerics);
+  TracedStates traced(of.material, of.numerics);
   EXPECT_EQ(traced.at(Branch::pear, fold - 1e-4).size(), 2U);  // a minimum and a saddle
   EXPECT_EQ(traced.at(Branch::pear, fold + 1e-6).size(), 0U);
   EXPECT_EQ(traced.at(Branch::pear, loss + 5e-3).size(), 2U);
