@@ -12,6 +12,8 @@
 #include <map>
 #include <mutex>
 #include <span>
+#include <string>
+#include <string_view>
 #include <type_traits>
 #include <vector>
 
@@ -99,7 +101,8 @@ struct Library<float> {
 // MUMPS's jobs.
 constexpr int begin = -1, end = -2, analyse = 1, decompose = 2, solve_with = 3;
 
-// What the first rank tells the others of a job that they are to join.
+// What the first rank tells the others of a job that they are to join: this word, and the call.
+constexpr std::string_view factors_word = "factors";
 struct Call {
   int number, job, workspace;
   Symmetry symmetry;
@@ -166,7 +169,9 @@ class DirectSolver::Mumps : public Factors {
   void call_helpers(int job) {
     const Call call{number_, job, control(14), symmetric_ ? Symmetry::symmetric : Symmetry::general,
                     std::is_same_v<Number, double> ? Precision::full : Precision::single};
-    send_to_others(helpers_, {reinterpret_cast<const char*>(&call), sizeof call});
+    std::string message(factors_word);
+    message.append(reinterpret_cast<const char*>(&call), sizeof call);
+    send_to_others(helpers_, message);
   }
   bool stored(Eigen::Index row, Eigen::Index column) const { return !symmetric_ || column <= row; }
   void set_structure(const SparseMatrix& A);
@@ -274,7 +279,7 @@ SharedFactors::~SharedFactors() { helpers_of_one = {}; }
 void SharedFactors::serve(const std::string& message) {
   static std::map<int, std::unique_ptr<DirectSolver::Factors>> known;
   Call call;
-  std::memcpy(&call, message.data(), sizeof call);
+  std::memcpy(&call, message.data() + factors_word.size(), sizeof call);
   if (call.job == begin)
     known[call.number] = DirectSolver::factors(call.symmetry, call.precision, {}, Ranks::all());
   else if (call.job == end)
@@ -283,6 +288,8 @@ void SharedFactors::serve(const std::string& message) {
     known.at(call.number)->join(call.job, call.workspace);
 }
 
-bool SharedFactors::is_meant(const std::string& message) { return message.size() == sizeof(Call); }
+bool SharedFactors::is_meant(const std::string& message) {
+  return message.starts_with(factors_word);
+}
 
 }  // namespace sbeh::surface3d
