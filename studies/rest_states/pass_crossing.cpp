@@ -75,7 +75,13 @@ class Crossing {
       end.stop_reason = flow.reason;
       if (!flow.rests || interrupt_signal()) return end;
       const RestState there = state_near(flow);
-      if (there.failure.empty()) return take(there, end), end;
+      const bool is_saddle = there.failure.empty() && there.system->negative_directions() > 0;
+      if (there.failure.empty() && !(is_saddle && tries < most_tries)) return take(there, end), end;
+      if (is_saddle) {
+        mesh = there.mesh;
+        from = beyond(there, side);
+        continue;
+      }
       end.stop_reason = there.failure;
       // The way on to the state was too far for these triangles.
       const RestStart on =
@@ -109,6 +115,21 @@ class Crossing {
 
   surface3d::State start(double by) const {
     return displaced(membrane_, {*from_.mesh, from_.state, from_.normals}, mode_, by);
+  }
+  // From another saddle, or the same on other triangles, where a flow was slow: the way that is nearer to its beginning.
+  surface3d::State beyond(const RestState& saddle, double side) const {
+    const auto modes = surface3d::lowest_modes(*saddle.system, saddle.state, saddle.normals, 1);
+    if (!modes || modes->empty()) return saddle.state;
+    const surface3d::StateMarks begun = marks_of(*from_.mesh, guess(start(side * amplitude_)));
+    const auto way = [&](double by) {
+      return displaced(membrane_, {*saddle.mesh, saddle.state, saddle.normals}, modes->front(), by);
+    };
+    const auto distance = [&](double by) {
+      const surface3d::StationaryState there =
+          surface3d::guess_from(*saddle.mesh, membrane_.material, membrane_.model, way(by));
+      return (marks_of(*saddle.mesh, there) - begun).norm();
+    };
+    return way(distance(amplitude_) < distance(-amplitude_) ? amplitude_ : -amplitude_);
   }
   surface3d::StationaryState guess(const surface3d::State& shape) const {
     return surface3d::guess_from(*from_.mesh, membrane_.material, membrane_.model, shape);
