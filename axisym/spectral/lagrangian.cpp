@@ -1,10 +1,11 @@
 #include "axisym/spectral/lagrangian.h"
 
-#include "model/terms.h"
+#include "axisym/spectral/point_density.h"
 
 #include <Eigen/QR>
 #include <ceres/jet.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <numbers>
@@ -15,68 +16,9 @@ using Eigen::MatrixXd;
 using Eigen::VectorXd;
 using std::numbers::pi;
 
+using namespace point;
+
 namespace {
-
-// The fields that the pointwise density reads, in this order everywhere.
-enum Field { psi, dpsi, radius, order, dorder, length, fields };
-template <class T>
-using Point = std::array<T, fields>;
-
-template <class T>
-struct Curvatures {
-  T H, K;
-};
-template <class T>
-Curvatures<T> curvatures(const Point<T>& q) {
-  const T turn = sin(q[psi]) / q[radius];
-  return {.H = -(q[dpsi] + turn) / q[length], .K = q[dpsi] * turn / (q[length] * q[length])};
-}
-
-template <class T>
-model::EnergyDensity<T> density(const model::Material& material, const Point<T>& q) {
-  const T slope = q[dorder] / q[length];
-  const auto [H, K] = curvatures(q);
-  return model::energy_density(material, q[order], T(slope * slope), H, K);
-}
-
-// dA per σ.
-template <class T>
-T area_density(const Point<T>& q) {
-  return 2 * pi * q[length] * q[length] * q[radius];
-}
-
-// Derivatives of dU by the fields: the chain rule through H, K and |∇β|².
-template <class T>
-Point<T> energy_gradient(const model::Material& m, const Point<T>& q) {
-  using std::cos, std::sin;
-  const T &l = q[length], &r = q[radius], &beta = q[order];
-  const T slope = q[dorder] / l, turn = sin(q[psi]) / r, turn_psi = cos(q[psi]) / r;
-  const auto [H, K] = curvatures(q);
-  const T e = density(m, q).total();
-  const T e_H = m.moment(beta, H), e_K = m.kappa_gauss(beta);
-  const T e_beta = model::order_force(m, beta, H, K);
-  const T e_slope = m.l1() * slope;
-  const T e_turn = -e_H / l + e_K * q[dpsi] / (l * l);
-  const T dA = area_density(q);
-  return {dA * e_turn * turn_psi,
-          dA * (-e_H / l + e_K * turn / (l * l)),
-          dA * (e / r - e_turn * turn / r),
-          dA * e_beta,
-          dA * e_slope / l,
-          dA / l * (2. * e - e_slope * slope - e_H * H - 2. * e_K * K)};
-}
-
-// Derivatives of dA, dV and of the closure.
-template <class T>
-std::array<Point<T>, 3> measure_gradients(const Point<T>& q) {
-  using std::cos, std::sin;
-  const T &l = q[length], &r = q[radius];
-  const T s = sin(q[psi]), zero(0.);
-  return {{{zero, zero, 2 * pi * l * l, zero, zero, 4 * pi * l * r},
-           {pi * l * l * l * r * r * cos(q[psi]), zero, 2 * pi * l * l * l * r * s, zero, zero,
-            3 * pi * l * l * r * r * s},
-           {-s, zero, zero, zero, zero, zero}}};
-}
 
 // Fields on all points with their Jacobians by the unknowns.
 struct Sampled {
@@ -134,12 +76,49 @@ struct Sampled {
 
 }  // namespace
 
+namespace {
+
+bool is_couple(const model::AreaDifference& ad) { return ad.is_there() && ad.compliance() == 0; }
+
+// Whether the area difference adds to the energy, by W₂.
+bool has_moment(const model::Material& m) {
+  return m.area_difference.is_there() && !is_couple(m.area_difference);
+}
+
+// The closure is even about the poles, all other densities are odd.
+const VectorXd& weights(const Basis& basis, std::size_t measure) {
+  return measure == std::size_t(Measure::closure) ? basis.even : basis.odd;
+}
+
+}  // namespace
+
+std::vector<Measure> Problem::held() const {
+  std::vector<Measure> all{Measure::area, Measure::volume};
+  if (basis->symmetry == Symmetry::none) all.push_back(Measure::closure);
+  if (is_couple(material.area_difference)) all.push_back(Measure::W2);
+  if (with_order && material.conserves_order()) all.push_back(Measure::excess_order);
+  return all;
+}
+
+int Problem::place_of(Measure measure) const {
+  const std::vector<Measure> all = held();
+  const auto at = std::ranges::find(all, measure);
+  return at == all.end() ? -1 : int(at - all.begin());
+}
+
 Problem Problem::classical(std::shared_ptr<const Basis> basis) {
   Problem p{.material = {}, .basis = std::move(basis), .with_order = false};
   p.material.L1 = 0;
   p.material.residual_stiffness = 1;
   p.material.potential = model::Potential({0.});
   return p;
+}
+
+Problem Problem::of(const model::Material& material, model::Model model,
+                    std::shared_ptr<const Basis> basis) {
+  const bool is_free = has_free_order(model);
+  return {is_free ? material : material.without_gaussian().with_uniform_order(), std::move(basis),
+          is_free};
 }
 
 VectorXd pack(const Curve& curve, const VectorXd& c) {
@@ -154,43 +133,99 @@ VectorXd order_of(const Problem& problem, const VectorXd& y) {
   return y.tail(problem.order_modes());
 }
 
+namespace {
+
+// All measures and their gradients, one row each.
+struct Measured {
+  VectorXd values = VectorXd::Zero(Eigen::Index(measures));
+  MatrixXd gradients;
+};
+Measured measure(const Problem& problem, const Sampled& sampled) {
+  const Basis& B = *problem.basis;
+  Measured out;
+  std::array<MatrixXd, measures> g;
+  g.fill(MatrixXd(B.points(), fields));
+  for (Eigen::Index j = 0; j < B.points(); ++j) {
+    const Point<double> q = sampled.at(j);
+    const auto values = measure_densities(problem.material, q);
+    const auto gradients = measure_gradients(problem.material, q);
+    for (std::size_t i = 0; i < measures; ++i) {
+      const double w = weights(B, i)[j];
+      out.values[Eigen::Index(i)] += w * values[i];
+      for (std::size_t f = 0; f < fields; ++f) g[i](j, Eigen::Index(f)) = w * gradients[i][f];
+    }
+  }
+  out.gradients.resize(Eigen::Index(measures), problem.unknowns());
+  for (std::size_t i = 0; i < measures; ++i)
+    out.gradients.row(Eigen::Index(i)) = sampled.pull_back(g[i]).transpose();
+  return out;
+}
+
+// The area difference's share of energy and gradient.
+void add_moment(const model::AreaDifference& ad, const Measured& all, Expansion& out) {
+  constexpr auto A = Eigen::Index(Measure::area), W = Eigen::Index(Measure::W2);
+  const double area = all.values[A], k = ad.compliance();
+  out.moment = (all.values[W] - ad.W2) / (area * k);
+  out.energy += ad.energy(area, all.values[W]);
+  const VectorXd dA = all.gradients.row(A), dW = all.gradients.row(W);
+  out.gradient += out.moment * (dW - out.moment * k / 2 * dA);
+  out.of_moment = (dW - out.moment * k * dA) / std::sqrt(area * k);
+}
+
+}  // namespace
+
 std::optional<Expansion> expand(const Problem& problem, const VectorXd& y) {
   const Sampled sampled(problem, y);
   if (!(y[0] > 0 && sampled.value[radius].minCoeff() > 0)) return {};
   const Eigen::Index N = problem.basis->points();
-  Expansion out{.energy = 0, .gradient = {}, .measures = VectorXd::Zero(3), .jacobian = {}};
+  Expansion out{.energy = 0, .gradient = {}, .measures = {}, .jacobian = {}, .of_moment = {}};
   MatrixXd g(N, fields);
-  std::array<MatrixXd, 3> m{MatrixXd(N, fields), MatrixXd(N, fields), MatrixXd(N, fields)};
   for (Eigen::Index j = 0; j < N; ++j) {
     const Point<double> q = sampled.at(j);
     const double w = problem.basis->odd[j];
-    const double dA = w * area_density(q), rho = q[length] * q[radius];
-    out.energy += dA * density(problem.material, q).total();
-    out.measures[0] += dA;
-    out.measures[1] += w * pi * rho * rho * q[length] * std::sin(q[psi]);
-    out.measures[2] += problem.basis->even[j] * std::cos(q[psi]);
+    out.energy += w * area_density(q) * density(problem.material, q).total();
     const auto energy = energy_gradient(problem.material, q);
-    const auto measures = measure_gradients(q);
-    for (std::size_t f = 0; f < fields; ++f) {
-      g(j, Eigen::Index(f)) = w * energy[f];
-      for (std::size_t i = 0; i < 3; ++i)
-        m[i](j, Eigen::Index(f)) = (i == 2 ? problem.basis->even[j] : w) * measures[i][f];
-    }
+    for (std::size_t f = 0; f < fields; ++f) g(j, Eigen::Index(f)) = w * energy[f];
   }
   out.gradient = sampled.pull_back(g);
-  const int count = problem.constraints();
-  out.measures = out.measures.head(count).eval();
-  out.jacobian.resize(count, problem.unknowns());
-  for (int i = 0; i < count; ++i)
-    out.jacobian.row(i) = sampled.pull_back(m[std::size_t(i)]).transpose();
+  const Measured all = measure(problem, sampled);
+  const std::vector<Measure> held = problem.held();
+  out.measures.resize(Eigen::Index(held.size()));
+  out.jacobian.resize(Eigen::Index(held.size()), problem.unknowns());
+  for (std::size_t i = 0; i < held.size(); ++i) {
+    out.measures[Eigen::Index(i)] = all.values[Eigen::Index(held[i])];
+    out.jacobian.row(Eigen::Index(i)) = all.gradients.row(Eigen::Index(held[i]));
+  }
+  if (has_moment(problem.material)) add_moment(problem.material.area_difference, all, out);
   return out;
 }
+
+namespace {
+
+// What multiplies each measure in the Lagrangian, the area difference's share in it.
+std::array<double, measures> factors(const Problem& problem, const Multipliers& multipliers,
+                                     double moment) {
+  std::array<double, measures> all{};
+  const std::vector<Measure> held = problem.held();
+  for (std::size_t i = 0; i < held.size(); ++i)
+    all[std::size_t(held[i])] = multipliers[Eigen::Index(i)];
+  if (has_moment(problem.material)) {
+    all[std::size_t(Measure::W2)] += moment;
+    all[std::size_t(Measure::area)] -=
+        moment * moment * problem.material.area_difference.compliance() / 2;
+  }
+  return all;
+}
+
+}  // namespace
 
 MatrixXd hessian(const Problem& problem, const VectorXd& y, const Multipliers& multipliers) {
   using Jet = ceres::Jet<double, fields>;
   const Basis& B = *problem.basis;
   const Sampled sampled(problem, y);
   const Eigen::Index N = B.points(), n = B.modes(), U = problem.unknowns();
+  const auto at = has_moment(problem.material) ? expand(problem, y) : std::nullopt;
+  const auto factor = factors(problem, multipliers, at ? at->moment : 0);
 
   // First and second derivatives of the pointwise Lagrangian.
   VectorXd g_radius(N);
@@ -200,11 +235,11 @@ MatrixXd hessian(const Problem& problem, const VectorXd& y, const Multipliers& m
     Point<Jet> q;
     for (std::size_t f = 0; f < fields; ++f) q[f] = Jet(sampled.value[f][j], int(f));
     Point<Jet> g = energy_gradient(problem.material, q);
-    const auto measures = measure_gradients(q);
+    const auto gradients = measure_gradients(problem.material, q);
     for (std::size_t f = 0; f < fields; ++f) {
       g[f] *= B.odd[j];
-      for (Eigen::Index i = 0; i < multipliers.size(); ++i)
-        g[f] += multipliers[i] * (i == 2 ? B.even[j] : B.odd[j]) * measures[std::size_t(i)][f];
+      for (std::size_t i = 0; i < measures; ++i)
+        if (factor[i] != 0) g[f] += factor[i] * weights(B, i)[j] * gradients[i][f];
       for (std::size_t h = 0; h < fields; ++h) second[f][h][j] = g[f].v[Eigen::Index(h)];
     }
     g_radius[j] = g[radius].a;
@@ -241,6 +276,7 @@ MatrixXd hessian(const Problem& problem, const VectorXd& y, const Multipliers& m
   // r = M cos ψ is curved in b.
   const VectorXd bend = sampled.value[psi].array().cos() * (B.M.transpose() * g_radius).array();
   result.block(1, 1, n, n).noalias() -= B.S.transpose() * (bend.asDiagonal() * B.S);
+  if (at) result.noalias() += at->of_moment * at->of_moment.transpose();
   return result;
 }
 
@@ -276,7 +312,12 @@ Eigen::Vector2d pole_curvatures(const Curve& curve) {
 }
 
 VectorXd target_of(const Problem& problem, double reduced_volume) {
-  return Eigen::Vector3d(4 * pi, 4 * pi / 3 * reduced_volume, 0).head(problem.constraints());
+  const std::vector<Measure> held = problem.held();
+  VectorXd target = VectorXd::Zero(Eigen::Index(held.size()));
+  target.head(2) << 4 * pi, 4 * pi / 3 * reduced_volume;
+  if (const int at = problem.place_of(Measure::W2); at >= 0)
+    target[at] = problem.material.area_difference.W2;
+  return target;
 }
 
 Multipliers estimate_multipliers(const Expansion& at) {

@@ -11,6 +11,7 @@
 #include "model/energy_density.h"
 #include "model/numerics/profile.h"
 
+#include <array>
 #include <optional>
 #include <span>
 #include <vector>
@@ -31,24 +32,28 @@ std::vector<ClassicalShape> minimise_branch(Branch branch, std::span<const doubl
 /// Two resolutions; the errors are their difference and a bound on rounding.
 SpecialPoints minimise_special_points();
 
-/// A minimum of U over shape and order; oblates and prolates among those symmetric top to bottom.
-struct OrderedMinimum {
+/// A minimum of U over shape and order, or of SSH over shape; oblates and prolates among those symmetric top to bottom.
+struct EnergyMinimum {
   double reduced_volume;
   double energy;                       ///< U
-  model::EnergyDensity<double> parts;  ///< integrated over the surface; their sum is U
-  double order_min;                    ///< smallest β
-  double H_abs_max;                    ///< largest |H|
-  double pressure;                     ///< P = ∂U/∂V at fixed area
-  double tension;                      ///< Σ = −∂U/∂A at fixed volume
-  double stiffness;                    ///< smallest eigenvalue of the second variation, > 0
-  model::Profile profile;              ///< along the whole curve
+  model::EnergyDensity<double> parts;  ///< integrated over the surface
+  double area_difference;         ///< (k_ad π/(2A))(W₂ − W₂⁰)²; with the parts it is U
+  double order_min;               ///< smallest β
+  double H_abs_max;               ///< largest |H|
+  std::array<double, 2> H_poles;  ///< H at the first and the last pole
+  double pressure;                ///< P = ∂U/∂V at fixed area
+  double tension;                 ///< Σ = −∂U/∂A at fixed volume; of lipids at full order
+  double moment;                  ///< c = −∂U/∂W₂⁰
+  double chemical_potential;      ///< μ_β of a conserved order, else 0
+  double stiffness;               ///< smallest eigenvalue of the second variation, > 0
+  model::Profile profile;         ///< along the whole curve
 };
 
-/// The minimum next to the classical shape of the branch with β = 2/3, directly or in steps of the elastic
-/// constants. Empty where there is none that is smooth: beyond the fold.
-/// Throws std::invalid_argument unless 0 < V_r < 1 and the material is valid.
-std::optional<OrderedMinimum> minimise_ordered(const model::Material& material,
-                                               double reduced_volume,
-                                               Branch start = Branch::oblate);
+/// The minimum to which the classical shape of the branch leads: of SSH in steps of H₀, f and W₂⁰, whose way begins where no
+/// moment acts; of SBEH from there with β = 2/3, or the mean order where that is conserved, directly or in steps of all that is
+/// elastic. Empty where there is none on the way that is smooth, or resolved: beyond a fold, or with a narrow neck.
+/// `model` is SBEH or SSH. Throws std::invalid_argument unless 0 < V_r < 1, the material is valid, and the branch is not that of pears.
+std::optional<EnergyMinimum> minimise_energy(const model::Material& material, model::Model model,
+                                             double reduced_volume, Branch start = Branch::oblate);
 
 }  // namespace sbeh::axisym

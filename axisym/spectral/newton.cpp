@@ -4,6 +4,7 @@
 
 #include <Eigen/Cholesky>
 #include <Eigen/Eigenvalues>
+#include <Eigen/LU>
 
 #include <algorithm>
 #include <cmath>
@@ -42,34 +43,55 @@ double largest_force(const Problem& problem, const VectorXd& lagrangian_gradient
   return largest;
 }
 
+// Lagrangian and second variation at y, with the multipliers that balance best.
+struct Balance {
+  Multipliers multipliers;
+  VectorXd gradient, miss;
+  double residual;
+  model::TangentSplit split;
+  MatrixXd H;  // rotated
+
+  Balance(const Problem& problem, const VectorXd& target, const VectorXd& y, const Expansion& at)
+      : multipliers(estimate_multipliers(at)),
+        gradient(at.gradient + at.jacobian.transpose() * multipliers),
+        miss(at.measures - target),
+        residual(std::max(largest_force(problem, gradient), miss.cwiseAbs().maxCoeff())),
+        split(at.jacobian.transpose()),
+        H(split.rotated(hessian(problem, y, multipliers))) {}
+
+  // Whether it is to rounding what steps can do; `before` is the residual one step ago.
+  bool is_critical(double before) const {
+    return residual < rounding || (residual < tolerance && residual > 0.1 * before);
+  }
+  Critical critical(const VectorXd& y, const Expansion& at) const {
+    const VectorXd eigenvalues = split.tangential_eigenvalues(H);
+    return {.y = y,
+            .multipliers = multipliers,
+            .energy = at.energy,
+            .residual = residual,
+            .stiffness = eigenvalues[0],
+            .negative_directions = int((eigenvalues.array() < 0).count())};
+  }
+};
+
 }  // namespace
 
 std::optional<Critical> minimise(const Problem& problem, const VectorXd& target, VectorXd y) {
   std::optional<Expansion> at = expand(problem, y);
   double before = std::numeric_limits<double>::infinity();
   for (int iteration = 0; at && iteration < most_iterations; ++iteration) {
-    const Multipliers lambda = estimate_multipliers(*at);
-    const VectorXd gradient = at->gradient + at->jacobian.transpose() * lambda;
-    const VectorXd miss = at->measures - target;
-    const double residual = std::max(largest_force(problem, gradient), miss.cwiseAbs().maxCoeff());
-
-    const model::TangentSplit split(at->jacobian.transpose());
-    const MatrixXd H = split.rotated(hessian(problem, y, lambda));
-    if (residual < rounding || (residual < tolerance && residual > 0.1 * before)) {
-      const double lowest = split.tangential_eigenvalues(H)[0];
-      if (!(lowest > 0)) return {};
-      return Critical{.y = y,
-                      .multipliers = lambda,
-                      .energy = at->energy,
-                      .residual = residual,
-                      .stiffness = lowest};
+    const Balance balance(problem, target, y, *at);
+    if (balance.is_critical(before)) {
+      const Critical found = balance.critical(y, *at);
+      return found.stiffness > 0 ? std::optional(found) : std::nullopt;
     }
-    before = residual;
+    before = balance.residual;
 
-    const VectorXd step = split.newton_step(H, gradient, miss, descend);
+    const VectorXd step =
+        balance.split.newton_step(balance.H, balance.gradient, balance.miss, descend);
     const auto merit = [&](const Expansion& e) {
       const VectorXd off = e.measures - target;
-      return e.energy + lambda.dot(off) + penalty / 2 * off.squaredNorm();
+      return e.energy + balance.multipliers.dot(off) + penalty / 2 * off.squaredNorm();
     };
     const double accepted = merit(*at) + 1e-11 * (1 + std::abs(at->energy));
     double part = 1;
@@ -79,6 +101,25 @@ std::optional<Critical> minimise(const Problem& problem, const VectorXd& target,
       at = expand(problem, y + part * step);
     }
     y += part * step;
+  }
+  return {};
+}
+
+std::optional<Critical> critical_point(const Problem& problem, const VectorXd& target, VectorXd y,
+                                       double far) {
+  const VectorXd start = y;
+  const model::TangentSplit::Solve solve = [](const MatrixXd& H, const VectorXd& force) {
+    return VectorXd(H.partialPivLu().solve(force));
+  };
+  double before = std::numeric_limits<double>::infinity();
+  for (int iteration = 0; iteration < most_iterations; ++iteration) {
+    const std::optional<Expansion> at = expand(problem, y);
+    if (!at) return {};
+    const Balance balance(problem, target, y, *at);
+    if (balance.is_critical(before)) return balance.critical(y, *at);
+    before = balance.residual;
+    y += balance.split.newton_step(balance.H, balance.gradient, balance.miss, solve);
+    if (!((y - start).cwiseAbs().maxCoeff() < far)) return {};
   }
   return {};
 }

@@ -1,10 +1,8 @@
 // The five special points of the classical diagram, on two resolutions.
 #include "axisym/spectral/classical.h"
 #include "axisym/spectral/minimiser.h"
-#include "model/numerics/constrained_newton.h"
+#include "axisym/spectral/special.h"
 #include "model/numerics/root.h"
-
-#include <Eigen/LU>
 
 #include <cmath>
 #include <numbers>
@@ -15,7 +13,6 @@ namespace sbeh::axisym {
 namespace {
 
 using namespace spectral;
-using Eigen::Index, Eigen::MatrixXd, Eigen::VectorXd;
 using std::numbers::pi;
 
 // Bounds what rounding does to the five volumes: beyond 40 modes they change by at most 2e-13.
@@ -59,69 +56,15 @@ SpecialPoint equal_energies(Sweep& one, Sweep& other, double guess) {
   return {v, energy, 0};
 }
 
-// Smallest eigenvalue of the second variation against shapes which are odd under reflection. The
-// multiplier of the closure vanishes on symmetric shapes, its derivative against odd ones does not.
-double odd_stiffness(const ClassicalMinimum& symmetric) {
-  const Basis& half = *symmetric.problem.basis;
-  const Problem whole = Problem::classical(basis(Symmetry::none, half.cutoff, half.grading));
-  const VectorXd y = pack(on_basis(symmetric.curve(), whole.basis));
-  const VectorXd multipliers = Eigen::Vector3d(symmetric.tension(), -symmetric.pressure(), 0);
-  const auto odd = Eigen::seq(1, Eigen::last, 2);  // y[k] is b_k
-  const VectorXd closure = expand(whole, y)->jacobian.row(2);
-  const VectorXd odd_closure = closure(odd);
-  const model::TangentSplit split(odd_closure);
-  return split.tangential_eigenvalues(split.rotated(hessian(whole, y, multipliers)(odd, odd)))[0];
-}
-
-// A critical point of the Lagrangian where it crosses the plane direction·y = t: volume is an unknown
-// there, and the branch goes on through its fold.
-struct Crossing {
-  VectorXd y, multipliers;
-  double volume, energy;
-  double slope;  // of the volume along the branch, by t
-};
-void cross(const Problem& problem, const VectorXd& direction, double t, Crossing& at) {
-  const Index U = at.y.size();
-  for (int i = 0; i < 20; ++i) {
-    const std::optional<Expansion> e = expand(problem, at.y);
-    if (!e) lost("stomatocyte fold");
-    MatrixXd bordered(U + 3, U + 3);
-    bordered.setZero();
-    bordered.topLeftCorner(U, U) = hessian(problem, at.y, at.multipliers);
-    bordered.topRightCorner(U, 3) = e->jacobian.transpose();
-    bordered.bottomLeftCorner(3, U) = e->jacobian;
-    bordered.block(U + 1, 0, 1, U) = direction.transpose();  // in place of the volume
-    VectorXd residual(U + 3);
-    residual << e->gradient + e->jacobian.transpose() * at.multipliers, e->measures[0] - 4 * pi,
-        direction.dot(at.y) - t, e->measures[2];
-    const Eigen::PartialPivLU<MatrixXd> lu(bordered);
-    const VectorXd step = lu.solve(-residual);
-    const VectorXd tangent = lu.solve(VectorXd::Unit(U + 3, U + 1));
-    at.volume = e->measures[1], at.energy = e->energy;
-    at.slope = e->jacobian.row(1).dot(tangent.head(U));
-    if (step.head(U).norm() < 1e-12) return;
-    at.y += step.head(U), at.multipliers += step.tail(3);
-  }
-  lost("stomatocyte fold");
+double odd_stiffness_of(const ClassicalMinimum& symmetric) {
+  return odd_stiffness(symmetric.problem, symmetric.state);
 }
 
 SpecialPoint largest_volume(Sweep& stomatocyte) {
   const ClassicalMinimum before = stomatocyte.at(0.65), after = stomatocyte.at(0.654);
-  VectorXd direction = after.state.y - before.state.y;
-  const double step = direction.norm() / 2;
-  direction.normalize();
-  Crossing at{.y = after.state.y,
-              .multipliers = after.state.multipliers,
-              .volume = 0,
-              .energy = 0,
-              .slope = 0};
-  const double t = direction.dot(at.y);
-  const auto slope = [&](double plane) {
-    cross(after.problem, direction, plane, at);
-    return at.slope;
-  };
-  model::root_near(t + step, t + 2 * step, slope, last_change);
-  return {at.volume / (4 * pi / 3), at.energy / (8 * pi), 0};
+  const auto found = fold(after.problem, before.state, after.state);
+  if (!found) lost("stomatocyte fold");
+  return {found->reduced_volume, found->state.energy / (8 * pi), 0};
 }
 
 SpecialPoints points_with(int symmetric_cutoff, int stomatocyte_cutoff) {
@@ -143,7 +86,7 @@ SpecialPoints points_with(int symmetric_cutoff, int stomatocyte_cutoff) {
     const double v = model::root_near(0.52, 0.515, at, last_change);
     return SpecialPoint{v, energy, 0};
   };
-  points.oblate_symmetry_loss = zero(odd_stiffness);
+  points.oblate_symmetry_loss = zero(odd_stiffness_of);
   points.oblate_self_contact =
       zero([](const ClassicalMinimum& shape) { return pole_distance(shape.curve()); });
   return points;

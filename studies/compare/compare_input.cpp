@@ -107,17 +107,27 @@ void require_histories(const TomlTable& tolerance_3d, const CompareInput& input)
                       "needs the methods \"flow\" and \"surface3d\", both from an ellipsoid");
 }
 
-// With a spontaneous curvature, or one by f, the classical shapes are others.
+// With a spontaneous curvature, or one by f, the shapes of these are others.
 void refuse_spontaneous_curvature(const TomlTable& material, const CompareInput& input) {
   const model::Material& m = input.state.material;
   if (input.state.model != model::Model::SSH) return;
-  for (const Witness witness : {Witness::shooting, Witness::minimiser, Witness::harmonics}) {
+  for (const Witness witness : {Witness::shooting, Witness::harmonics}) {
     if (!input.has(witness)) continue;
     const std::string reason =
         fmt::format("must be 0 for the method \"{}\" of model = \"SSH\"", name(witness));
     if (m.spontaneous_curvature != 0) material.fail("spontaneous_curvature", reason);
     if (!m.flexoelectric.vanishes()) material.fail("flexoelectric", reason);
   }
+}
+
+// What newton and minimiser know and no other method.
+void refuse_known_to_two(const TomlTable& material, const CompareInput& input) {
+  for (const Witness witness : input.methods)
+    if (witness != Witness::newton && witness != Witness::minimiser)
+      for (const char* key : {"area_difference", "lipid_density"})
+        material.refuse(key, fmt::format("must not be given for the method \"{}\": newton and "
+                                         "minimiser alone know it",
+                                         name(witness)));
 }
 
 void write_surface_method(TomlText& toml, const SurfaceMethod& method) {
@@ -264,9 +274,7 @@ CompareInput read_compare(const fs::path& path) {
         "tolerance_3d",
         "has no place without \"surface3d\", \"states\" or \"harmonics\" among the methods");
   material.measured_by(lengths_of(input.units));
-  material.refuse("area_difference",
-                  "must not be given in a comparison: most methods do not know it");
-  material.refuse("lipid_density", "must not be given in a comparison: most methods keep the area");
+  refuse_known_to_two(material, input);
   input.state.material = read_material_without_L(material, {input.state.L()},
                                                  "a comparison, where L comes from [compare]")
                              .with_L1(input.state.L());

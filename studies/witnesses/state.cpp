@@ -133,16 +133,10 @@ WitnessState shooting_state(const StationaryCase& of) {
 }
 
 WitnessState minimiser_state(const StationaryCase& of) {
-  const std::string none = "there is no smooth minimum of this branch, or it is not resolved";
-  const axisym::Branch branch = of.branch;
-  if (of.model == Model::SSH) {
-    const auto shape = axisym::minimise_classical(branch, of.reduced_volume);
-    if (!shape) return failed(Witness::minimiser, none);
-    return classical_state(of.material, Witness::minimiser, *shape,
-                           Meridian(shape->profile, full_order_on(shape->profile)));
-  }
-  const auto minimum = axisym::minimise_ordered(of.material, of.reduced_volume, branch);
-  if (!minimum) return failed(Witness::minimiser, none);
+  const auto minimum = axisym::minimise_energy(of.material, of.model, of.reduced_volume, of.branch);
+  if (!minimum)
+    return failed(Witness::minimiser,
+                  "there is no smooth minimum of this branch, or it is not resolved");
   const Meridian curve(minimum->profile.X, minimum->profile.beta);
   WitnessState found{
       .witness = Witness::minimiser,
@@ -155,7 +149,7 @@ WitnessState minimiser_state(const StationaryCase& of) {
                    .order_min = minimum->order_min,
                    .order_mean = curve.mean_order(),
                    .order_max = curve.largest_order()}};
-  take_curve(found, curve, curve.pole_curvatures());
+  take_curve(found, curve, minimum->H_poles);
   return found;
 }
 

@@ -13,7 +13,7 @@ namespace sbeh::studies {
 enum class Witness {
   newton,        ///< Newton's method on finite elements of the generating curve
   shooting,      ///< shape equations by Boost.Odeint; SSH without spontaneous curvature
-  minimiser,     ///< spectral curves, Ceres and Newton; SBEH, or SSH without spontaneous curvature
+  minimiser,     ///< spectral curves, Ceres and Newton; SBEH or SSH
   flow,          ///< the axisymmetric solver, in time from an ellipsoid to rest
   surface3d,     ///< the 3D solver, in time, to rest
   states,        ///< Newton's method in 3D, from the revolved state of `newton`

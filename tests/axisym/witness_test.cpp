@@ -76,7 +76,7 @@ TEST(ThreeWitnesses, agree_on_the_special_points_within_their_errors_and_to_five
 TEST(TwoWitnesses, agree_on_the_ordered_oblates_of_the_paper) {
   for (const double v : {0.6, 0.7, 0.8})
     for (const double L : {0.01, 0.03, 0.05, 0.07}) {
-      const auto minimum = minimise_ordered(paper_material(L), v);
+      const auto minimum = minimise_energy(paper_material(L), Model::SBEH, v);
       ASSERT_TRUE(minimum) << v << " " << L;
       const BranchState b = oblate(model::Model::SBEH, {v, L}, Numerics{}.elements);
       const double U = energy_of(paper_material(L), b).total();

@@ -252,8 +252,15 @@ TEST_F(Compare, refuses_what_is_wrong_with_file_line_and_reason) {
        "in.toml: [surface3d] start: must be \"revolved\" for branch = \"stomatocyte\""},
       {head + two + "[material]\nL = 1\n",
        "in.toml:7: [material] L = 1: must not be given in a comparison"},
-      {head + two + "[material]\nspontaneous_curvature = 1\n",
-       "in.toml:7: [material] spontaneous_curvature = 1: must be 0 for the method \"minimiser\""},
+      {head + "methods = [\"newton\", \"shooting\"]\n[material]\nspontaneous_curvature = 1\n",
+       "in.toml:7: [material] spontaneous_curvature = 1: must be 0 for the method \"shooting\""},
+      {head
+           + "methods = [\"minimiser\", \"flow\"]\n[material]\n"
+             "area_difference = { stiffness = 0.1, W2 = -26 }\n",
+       "in.toml:7: [material] area_difference = { W2 = -26, stiffness = 0.1 }: must not be given "
+       "for the method \"flow\": newton and minimiser alone know it"},
+      {head + "methods = [\"newton\", \"shooting\"]\n[material]\nlipid_density = [1, 0.5]\n",
+       "in.toml:7: [material] lipid_density = "},
       {head + "methods = [\"newton\", \"surface3d\"]\n[surface3d]\ntriangles = 80\nrun = \"a\"\n",
        "in.toml:7: [surface3d] triangles = 80: must not be given together with run"},
       {head + "methods = [\"newton\", \"surface3d\"]\n[surface3d]\nrest_speed = -1\n",

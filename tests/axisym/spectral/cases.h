@@ -27,9 +27,9 @@ inline ClassicalShape classical(Branch branch, double reduced_volume) {
   EXPECT_TRUE(shape) << name(branch) << " at " << reduced_volume;
   return shape.value();
 }
-inline OrderedMinimum ordered(const Material& material, double reduced_volume,
-                              Branch start = Branch::oblate) {
-  const auto minimum = minimise_ordered(material, reduced_volume, start);
+inline EnergyMinimum ordered(const Material& material, double reduced_volume,
+                             Branch start = Branch::oblate) {
+  const auto minimum = minimise_energy(material, model::Model::SBEH, reduced_volume, start);
   EXPECT_TRUE(minimum) << "L1 = " << material.L1 << " at " << reduced_volume;
   return minimum.value();
 }

@@ -1,6 +1,7 @@
 // Spectral curves, and exact derivatives of the energy on them.
 #include "tests/axisym/spectral/cases.h"
 
+#include <limits>
 #include <random>
 
 namespace sbeh::axisym {
@@ -74,6 +75,7 @@ struct Case {
   Problem problem;
   VectorXd y, multipliers;
 };
+using Vector5d = Eigen::Vector<double, 5>;
 // No solutions of anything: start shapes and an order that have nothing to do with each other.
 std::vector<Case> cases() {
   Material general;
@@ -85,6 +87,18 @@ std::vector<Case> cases() {
   const auto whole = basis(Symmetry::none, 16, {.a = 0.6, .x0 = 0.4});
   const auto half = basis(Symmetry::top_bottom, 16, {.a = 0.5});
   const Curve cup = invaginated_sphere(0.6, whole), oblate = spheroid(0.7, false, half);
+  // Bumps on the cup, as high as a curve of these modes bears.
+  Curve bumpy = cup;
+  for (Eigen::Index i = 0; i < bumpy.b.size(); ++i) bumpy.b[i] += 0.03 * std::sin(2.3 * double(i));
+  // Area difference, conserved order, area per lipid, and functions that are given.
+  Material stretched = general, coupled = general, packed = general;
+  stretched.area_difference = {0.7, -21.};
+  stretched.kappa_powers = model::Polynomial({0.4, -0.3, 0.2, 0.5});
+  stretched.kappa_gauss_powers = model::Polynomial({-0.1, 0.2, -0.6});
+  coupled.area_difference = {std::numeric_limits<double>::infinity(), -23.};
+  coupled.order = model::OrderDynamics::conserved;
+  coupled.mean_order = 0.37;
+  packed.lipid_density = model::Polynomial({0.8, 0.4, -0.1});
   const auto wavy = [](int n) {
     VectorXd c(n);
     for (int k = 0; k < n; ++k) c[k] = 0.5 * std::cos(3. * k) / (1 + k * k);
@@ -97,7 +111,15 @@ std::vector<Case> cases() {
       {"ordered, no symmetry", Problem{general, whole}, pack(cup, wavy(whole->modes() + 1)),
        Eigen::Vector3d(1.3, 2.1, -0.4)},
       {"ordered, symmetric", Problem{Material{}, half}, pack(oblate, wavy(half->modes() + 1)),
-       Eigen::Vector2d(1.3, 2.1)}};
+       Eigen::Vector2d(1.3, 2.1)},
+      {"area difference", Problem{stretched, whole}, pack(bumpy, wavy(whole->modes() + 1)),
+       Eigen::Vector3d(1.3, 2.1, -0.4)},
+      {"area difference, uniform order", Problem::of(stretched, model::Model::SSH, half),
+       pack(oblate), Eigen::Vector2d(1.3, 2.1)},
+      {"bilayer couple of conserved order", Problem{coupled, whole},
+       pack(bumpy, wavy(whole->modes() + 1)), Vector5d(1.3, 2.1, -0.4, 0.6, -1.7)},
+      {"area per lipid", Problem{packed, whole}, pack(bumpy, wavy(whole->modes() + 1)),
+       Eigen::Vector3d(1.3, 2.1, -0.4)}};
 }
 
 VectorXd random_direction(Eigen::Index size, unsigned seed) {
@@ -106,6 +128,41 @@ VectorXd random_direction(Eigen::Index size, unsigned seed) {
   VectorXd v(size);
   for (Eigen::Index i = 0; i < size; ++i) v[i] = uniform(generator) / double(1 + i % 17);
   return v;
+}
+
+// By sums over the polygon of a curve that closes: another rule, and other formulas.
+TEST(SpectralLagrangian, has_the_measures_of_its_polygon) {
+  Material material;
+  material.area_difference = {std::numeric_limits<double>::infinity(), -23.};
+  material.order = model::OrderDynamics::conserved;
+  material.mean_order = 0.37;
+  const Problem problem{material, basis(Symmetry::none, 64)};
+  Curve curve = spheroid(0.7, false, problem.basis);
+  for (Eigen::Index i = 1; i < 16; i += 2) curve.b[i] += 0.05 / double(i);  // even k
+  VectorXd order = VectorXd::Zero(problem.order_modes());
+  order.head(4) << 0.5, 0.1, -0.2, 0.05;
+  const auto sums = [&](int intervals) {
+    Eigen::Vector3d sum = Eigen::Vector3d::Zero();  // A, W₂, ∫β dS
+    double r = 0;
+    const double ds = curve.length / intervals;
+    for (int j = 0; j < intervals; ++j) {
+      const double x = (j + 0.5) / intervals, half = 0.5 / intervals;
+      const double psi = angle(curve, x), middle = r + ds / 2 * std::cos(psi);
+      double beta = 0;
+      for (int k = 0; k < 4; ++k) beta += order[k] * std::cos(k * pi * x);
+      const double turn = (angle(curve, x + half) - angle(curve, x - half)) / ds;
+      sum += 2 * pi * middle * ds * Eigen::Vector3d(1, -turn - std::sin(psi) / middle, beta);
+      r += ds * std::cos(psi);
+    }
+    return sum;
+  };
+  const auto square = [&](int n) -> Eigen::Vector3d { return (4 * sums(2 * n) - sums(n)) / 3; };
+  const Eigen::Vector3d sum = (16 * square(2000) - square(1000)) / 15;  // orders 2 and 4 taken out
+  const VectorXd measures = expand(problem, pack(curve, order)).value().measures;
+  ASSERT_EQ(measures.size(), 5);
+  EXPECT_NEAR(measures[0], sum[0], 1e-9);
+  EXPECT_NEAR(measures[3], sum[1], 1e-9);
+  EXPECT_NEAR(measures[4], sum[2] - 0.37 * sum[0], 1e-9);
 }
 
 // h = 1e-4: the next term of the series is (kh)⁴ ≈ 1e-11, rounding 1e-16/h = 1e-12 of the values.

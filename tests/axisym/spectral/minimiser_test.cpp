@@ -129,9 +129,10 @@ TEST(SpectralMinimiser, never_returns_another_branch) {
 TEST(SpectralMinimiser, refuses_impossible_volumes) {
   for (const double v : {-0.1, 0., 1., 1.2, std::nan("")}) {
     EXPECT_THROW(minimise_classical(Branch::oblate, v), std::invalid_argument) << v;
-    EXPECT_THROW(minimise_ordered(Material{}, v), std::invalid_argument) << v;
+    EXPECT_THROW(minimise_energy(Material{}, model::Model::SBEH, v), std::invalid_argument) << v;
   }
-  EXPECT_THROW(minimise_ordered(Material{}.with_L(-1), 0.6), std::invalid_argument);
+  EXPECT_THROW(minimise_energy(Material{}.with_L(-1), model::Model::SBEH, 0.6),
+               std::invalid_argument);
 }
 
 // --- special points
@@ -214,7 +215,7 @@ TEST(OrderedMinimiser, pressure_and_tension_balance_under_scaling) {
   general.L1 = 0.04, general.L2 = 0.02, general.L3 = -0.01;
   general.residual_stiffness = 0.02;
   for (const Material& material : {Material{}, general}) {
-    const OrderedMinimum m = ordered(material, 0.65);
+    const EnergyMinimum m = ordered(material, 0.65);
     // All parts but u are the same at every size.
     EXPECT_NEAR(3 * m.pressure * 4 * pi / 3 * 0.65 - 2 * m.tension * 4 * pi,
                 2 * m.parts.thermotropic, 1e-10);
@@ -227,7 +228,7 @@ TEST(OrderedMinimiser, order_lowers_the_energy_and_is_smallest_where_the_shape_b
     const ClassicalShape fixed = classical(Branch::oblate, v);
     double gap_before = 0;
     for (const double L : some_L) {
-      const OrderedMinimum m = ordered(Material{}.with_L(L), v);
+      const EnergyMinimum m = ordered(Material{}.with_L(L), v);
       // β = 2/3: κ = 2L, ∫κ_G K = −8πL, u = −1.
       const double gap = 16 * pi * L * fixed.energy - 8 * pi * L - 4 * pi - m.energy;
       EXPECT_GT(gap, gap_before) << v << " " << L;
@@ -243,7 +244,7 @@ TEST(OrderedMinimiser, order_lowers_the_energy_and_is_smallest_where_the_shape_b
 TEST(OrderedMinimiser, small_L_leaves_the_classical_shape) {
   const ClassicalShape fixed = classical(Branch::oblate, 0.7);
   const auto miss = [&](double L) {
-    const OrderedMinimum m = ordered(Material{}.with_L(L), 0.7);
+    const EnergyMinimum m = ordered(Material{}.with_L(L), 0.7);
     return (m.energy + 4 * pi) / (16 * pi * L) + 0.5 - fixed.energy;
   };
   EXPECT_NEAR(miss(1e-3) / miss(5e-4), 2, 0.02);  // linear in L
@@ -271,13 +272,15 @@ TEST(OrderedMinimiser, of_stomatocytes_ends_in_the_fold_that_the_finite_elements
   ASSERT_EQ(end.arrival, Arrival::fold);
   std::printf("  L* = %.8f by the stiffness, %.8f by 96 elements\n", fold, end.state.at.L);
   EXPECT_NEAR(end.state.at.L / fold, 1, 2e-4);  // the elements' error falls with their number: 3e-5
-  EXPECT_TRUE(minimise_ordered(Material{}.with_L(0.9999 * fold), v, Branch::stomatocyte));
-  EXPECT_FALSE(minimise_ordered(Material{}.with_L(1.001 * fold), v, Branch::stomatocyte));
+  EXPECT_TRUE(minimise_energy(Material{}.with_L(0.9999 * fold), model::Model::SBEH, v,
+                              Branch::stomatocyte));
+  EXPECT_FALSE(
+      minimise_energy(Material{}.with_L(1.001 * fold), model::Model::SBEH, v, Branch::stomatocyte));
 }
 
 TEST(OrderedMinimiser, is_empty_beyond_the_fold) {
-  EXPECT_TRUE(minimise_ordered(Material{}.with_L(0.0706), 0.6));
-  EXPECT_FALSE(minimise_ordered(Material{}.with_L(0.072), 0.6));
+  EXPECT_TRUE(minimise_energy(Material{}.with_L(0.0706), model::Model::SBEH, 0.6));
+  EXPECT_FALSE(minimise_energy(Material{}.with_L(0.072), model::Model::SBEH, 0.6));
 }
 
 }  // namespace

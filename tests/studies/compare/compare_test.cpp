@@ -59,6 +59,25 @@ TEST(TwoMethods, agree_on_ordered_shapes) {
   }
 }
 
+// What both know of a material, beyond that of the classical shapes.
+TEST(TwoMethods, agree_with_all_that_a_material_may_have) {
+  int k = 0;
+  for (const auto& [model, volume, material] :
+       {std::tuple{"SSH", "0.8", "spontaneous_curvature = -1"},
+        {"SSH", "0.7", "flexoelectric = [0, 0.05]"},
+        {"SSH", "0.8", "area_difference = { stiffness = 0.14, delta_a0 = 1.05 }"},
+        {"SSH", "0.8", "area_difference = { stiffness = inf, delta_a0 = 1.036 }"},
+        {"SBEH", "0.8", "area_difference = { stiffness = 0.14, delta_a0 = 1.05 }"},
+        {"SBEH", "0.8", "spontaneous_curvature = -1\nflexoelectric = [0, -0.1]"},
+        {"SBEH", "0.8", "lipid_density = [0.77, 0.27, 0.2]"}}) {
+    SCOPED_TRACE(material);
+    expect_agreement(compared(fmt::format("material_{}", ++k),
+                              fmt::format("[compare]\nmodel = '{}'\nL = 0.05\nreduced_volume = {}\n"
+                                          "methods = ['newton', 'minimiser']\n[material]\n{}\n{}",
+                                          model, volume, material, tolerances)));
+  }
+}
+
 // 80 triangles leave 4e-5 of the energy, four times as many less than a tenth of it.
 TEST(Surface, relaxed_from_an_ellipsoid_agrees_with_the_three_other_methods) {
   expect_agreement(compared(
