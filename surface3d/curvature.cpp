@@ -3,6 +3,7 @@
 #include "model/numerics/area_volume.h"
 #include "surface3d/linear/conjugate_gradient.h"
 #include "surface3d/parallel.h"
+#include "surface3d/point_tables.h"
 
 #include <Eigen/IterativeLinearSolvers>
 
@@ -27,43 +28,42 @@ Field solve_curvature(const SparseMatrix& matrix, const Field& rhs) {
   return H;
 }
 
-// Integrals over a triangle, row: test function.
+// Integrals over a triangle.
 struct Sums {
-  using Scalar = Eigen::Matrix<double, 10, 10>;
-  Scalar mass = Scalar::Zero();     // (φ_b, φ_a)
-  Scalar cosines = Scalar::Zero();  // (φ_b ν, φ_a n_a)
-  /// (ν, φ_a), then −(∇_C x, ∇_C φ_a n_a) of each of the positions x.
-  Eigen::Matrix<double, 10, 5> rhs = Eigen::Matrix<double, 10, 5>::Zero();
+  PointTables<32>::Sums<10> mass;     // (φ_b, φ_a), row: b
+  PointTables<32>::Sums<10> cosines;  // (φ_b ν, φ_a n_a), row: a
+  PointTables<32>::Sums<3> normals;   // (ν, φ_a)
+  /// −(∇_C x, ∇_C φ_a n_a) of each of the positions x.
+  std::array<ElementField, 2> bending;
 };
 
 using Positions = std::span<const Nodes* const>;  // one or two
 
+// (∇_C x, ∇_C φ) is gⁱʲ ∂_i x ∂_j φ.
 Sums sums_on(const Triangulation& mesh, int e, const Nodes& X, const Nodes& node_normals,
              Positions positions) {
-  const ElementNodes local = on_element(mesh, e, X), n = on_element(mesh, e, node_normals);
-  std::array<ElementNodes, 2> places, forces;
-  for (std::size_t k = 0; k < positions.size(); ++k) {
-    places[k] = on_element(mesh, e, *positions[k]);
-    forces[k].setZero();
-  }
+  using Tables = PointTables<32>;
+  const Tables& tables = assembly_tables();
+  const TrianglePoints p(tables, on_element(mesh, e, X));
+  const ElementNodes n = on_element(mesh, e, node_normals);
   Sums sums;
-  for (const ShapeValues& s : assembly_points()) {
-    const SurfacePoint p = surface_point(local, s);
-    const Shapes phi(s.phi.data());
-    const ElementField weighted = p.dS * phi,
-                       test = phi.cwiseProduct(n.transpose() * (p.dS * p.nu()));
-    sums.mass.noalias() += weighted * phi.transpose();
-    sums.rhs.leftCols<3>().noalias() += weighted * p.nu().transpose();
-    sums.cosines.noalias() += test * phi.transpose();  // (H1)
-    for (std::size_t k = 0; k < positions.size(); ++k) {
-      const Eigen::Matrix<double, 3, 2> slope = p.dS * gradient_at(places[k], p);
-      for (int i = 0; i < 2; ++i)
-        forces[k].noalias() -=
-            slope.col(i) * Shapes(p.grad[std::size_t(i)].data()).transpose();  // (H1)
-    }
+  sums.mass = tables.against(Tables::Functions(tables.phi * p.dS.matrix().asDiagonal()));
+  const Tables::Vectors weighted = p.normal * tables.weights.matrix().asDiagonal();
+  sums.normals = tables.against(weighted);
+  const Tables::Functions along = n.transpose().lazyProduct(weighted);
+  sums.cosines = tables.against(Tables::Functions(along.cwiseProduct(tables.phi)));  // (H1)
+  const Tables::Row g_11 = p.dS * p.inverse_11, g_12 = p.dS * p.inverse_12,
+                    g_22 = p.dS * p.inverse_22;
+  for (std::size_t k = 0; k < positions.size(); ++k) {
+    const ElementNodes place = on_element(mesh, e, *positions[k]);
+    const Tables::Vectors x1 = tables.slopes(place, 0), x2 = tables.slopes(place, 1);
+    const Tables::Vectors first = x1 * g_11.matrix().asDiagonal() + x2 * g_12.matrix().asDiagonal(),
+                          second =
+                              x1 * g_12.matrix().asDiagonal() + x2 * g_22.matrix().asDiagonal();
+    const Tables::Sums<3> force =
+        tables.against_slopes(first, 0) + tables.against_slopes(second, 1);
+    sums.bending[k] = -n.cwiseProduct(force.leftCols<10>()).colwise().sum().transpose();  // (H1)
   }
-  for (std::size_t k = 0; k < positions.size(); ++k)
-    sums.rhs.col(3 + Eigen::Index(k)) = n.cwiseProduct(forces[k]).colwise().sum().transpose();
   return sums;
 }
 
@@ -87,7 +87,11 @@ std::optional<Curvature> curvature_of(const Triangulation& mesh, const Nodes& X,
         sums_on(mesh, e, X, c.node_normals, Positions(positions).first(std::size_t(count)));
     mesh.scalars.add(e, sums.mass, c.mass);
     mesh.scalars.add(e, sums.cosines, cosines);
-    for (int a = 0; a < 10; ++a) rhs.row(mesh.triangles(a, e)) += sums.rhs.row(a);
+    for (int a = 0; a < 10; ++a) {
+      auto row = rhs.row(mesh.triangles(a, e));
+      row.leftCols<3>() += sums.normals.col(a).transpose();
+      for (int k = 0; k < count; ++k) row[3 + k] += sums.bending[std::size_t(k)][a];
+    }
   });
   sum_over_ranks(mesh, c.mass);
   sum_over_ranks(mesh, cosines);
@@ -141,17 +145,20 @@ bool correct_area_volume(const Triangulation& mesh, Nodes& X, const Field& H, do
     return {now.area / area_asked - 1, now.volume / volume_asked - 1};
   };
   const auto slope = [&](const Eigen::Vector2d& c) -> Eigen::Matrix2d {
-    const Eigen::Array4d sum = integrate<4>(mesh, moved(c), assembly_points(), [&](int e) {
-      return [=, directions = std::array{on_element(mesh, e, n), on_element(mesh, e, shift)}](
-                 const ShapeValues& s, const SurfacePoint& p) {
-        Eigen::Array4d rates;  // of A and V
-        int k = 0;
-        for (const ElementNodes& W : directions) {
-          rates[k++] = p.frame.leftCols<2>().cwiseProduct(gradient_at(W, p)).sum() / area_asked;
-          rates[k++] = value_at(W, s).dot(p.nu()) / volume_asked;
-        }
-        return rates;
-      };
+    const Nodes place = moved(c);
+    const Eigen::Array4d sum = sum_over_triangles<4>(mesh, [&](int e) {
+      const auto& tables = assembly_tables();
+      const TrianglePoints p(tables, on_element(mesh, e, place));
+      Eigen::Array4d rates;  // of A and V
+      int k = 0;
+      for (const Nodes* direction : {&n, &shift}) {
+        const ElementNodes W = on_element(mesh, e, *direction);
+        const auto W_1 = tables.slopes(W, 0), W_2 = tables.slopes(W, 1);
+        const PointTables<32>::Row mixed = (dot(p.a[0], W_2) + dot(p.a[1], W_1)) / 2;
+        rates[k++] = (p.dS * p.trace(dot(p.a[0], W_1), mixed, dot(p.a[1], W_2))).sum() / area_asked;
+        rates[k++] = (tables.weights * dot(tables.values(W), p.normal)).sum() / volume_asked;
+      }
+      return rates;
     });
     return Eigen::Map<const Eigen::Matrix2d>(sum.data());
   };

@@ -4,6 +4,7 @@
 #include "surface3d/domains.h"
 #include "surface3d/gaussian_energy.h"
 #include "surface3d/parallel.h"
+#include "surface3d/point_tables.h"
 
 #include <algorithm>
 #include <cmath>
@@ -14,20 +15,40 @@ namespace sbeh::surface3d {
 
 namespace {
 
-// `gauss_curvature` of shape functions, point, normals and H of the triangle.
+using Tables = PointTables<56>;
+using Row = Tables::Row;
+using Points = TrianglePoints<56>;
+
+// H²/4 less the square of what is traceless in −sym(∇_C n): det B, see shape_operator.
+Row gauss_curvature(const Points& p, const ElementNodes& normals, const Row& H) {
+  const Tables& tables = diagnostic_tables();
+  const Tables::Vectors n_1 = tables.slopes(normals, 0), n_2 = tables.slopes(normals, 1);
+  const Row slope_11 = dot(p.a[0], n_1), slope_22 = dot(p.a[1], n_2),
+            slope_12 = (dot(p.a[0], n_2) + dot(p.a[1], n_1)) / 2;
+  const Row trace = p.trace(slope_11, slope_12, slope_22);
+  return H * H / 4 - trace * trace / 4 + p.determinant(slope_11, slope_12, slope_22);
+}
+
+// `gauss_curvature` of points, normals and H of the triangle.
 Energy integrated(const Triangulation& mesh, const model::Material& material, const State& state,
                   const Curvature& curvature, auto gauss_curvature) {
-  const auto sum = integrate<5>(mesh, state.X, diagnostic_points(), [&](int e) {
-    return [&material, gauss_curvature, H_nodes = on_element(mesh, e, curvature.H),
-            normals = on_element(mesh, e, curvature.normals),
-            beta = on_element(mesh, e, state.beta)](const ShapeValues& s, const SurfacePoint& p) {
-      const double H = value_at(H_nodes, s);
-      const auto density =
-          model::energy_density(material, value_at(beta, s), gradient_at(beta, p).squaredNorm(), H,
-                                gauss_curvature(p, normals, H));
-      return Eigen::Array<double, 5, 1>{density.distortion, density.bending + density.gaussian,
-                                        density.thermotropic, 1, H};
-    };
+  const auto sum = sum_over_triangles<5>(mesh, [&](int e) {
+    const Tables& tables = diagnostic_tables();
+    const Points p(tables, on_element(mesh, e, state.X));
+    const ElementField beta_nodes = on_element(mesh, e, state.beta);
+    const Row H = tables.values(on_element(mesh, e, curvature.H)), beta = tables.values(beta_nodes),
+              beta_1 = tables.slopes(beta_nodes, 0), beta_2 = tables.slopes(beta_nodes, 1),
+              slope = p.trace(beta_1 * beta_1, beta_1 * beta_2, beta_2 * beta_2),
+              K = gauss_curvature(p, on_element(mesh, e, curvature.normals), H);
+    Eigen::Array<double, 5, 1> part = decltype(part)::Zero();
+    for (std::size_t q = 0; q < diagnostic_points().size(); ++q) {
+      const auto i = Eigen::Index(q);
+      const auto density = model::energy_density(material, beta[i], slope[i], H[i], K[i]);
+      part += p.dS[i]
+            * Eigen::Array<double, 5, 1>{density.distortion, density.bending + density.gaussian,
+                                         density.thermotropic, 1, H[i]};
+    }
+    return part;
   });
   return {.distortion = sum[0],
           .bending = sum[1],
@@ -39,18 +60,16 @@ Energy integrated(const Triangulation& mesh, const model::Material& material, co
 
 Energy energy(const Triangulation& mesh, const model::Material& material, const State& state,
               const Curvature& curvature) {
-  Energy energy = integrated(mesh, material, state, curvature,
-                             [](const SurfacePoint&, const ElementNodes&, double) { return 0.; });
+  Energy energy =
+      integrated(mesh, material, state, curvature,
+                 [](const Points&, const ElementNodes&, const Row&) -> Row { return Row::Zero(); });
   energy.bending += gaussian_energy(material, mesh, state);
   return energy;
 }
 
 Energy energy_by_shape_operator(const Triangulation& mesh, const model::Material& material,
                                 const State& state, const Curvature& curvature) {
-  return integrated(mesh, material, state, curvature,
-                    [](const SurfacePoint& p, const ElementNodes& normals, double H) {
-                      return model::gauss_curvature(shape_operator(p, normals, H));
-                    });
+  return integrated(mesh, material, state, curvature, gauss_curvature);
 }
 
 double mesh_quality(const Triangulation& mesh, const Nodes& X) {

@@ -3,6 +3,7 @@
 #include "model/numerics/lagrange.h"
 #include "model/numerics/quadrature.h"
 #include "surface3d/parallel.h"
+#include "surface3d/point_tables.h"
 
 #include <metis.h>
 
@@ -181,15 +182,11 @@ SurfacePoint surface_point(const ElementNodes& X, const ShapeValues& s) {
 
 Target area_and_volume(const Triangulation& mesh, const Nodes& X) {
   const auto sum = sum_over_triangles<2>(mesh, [&](int e) {
+    const auto& tables = diagnostic_tables();
     const ElementNodes local = on_element(mesh, e, X);
-    Eigen::Array2d part = Eigen::Array2d::Zero();
-    for (const ShapeValues& s : diagnostic_points()) {
-      const Eigen::Vector3d a1 = local * Shapes(s.dphi[0].data()),
-                            a2 = local * Shapes(s.dphi[1].data()), normal = a1.cross(a2);
-      part[0] += s.weight * normal.norm();
-      part[1] += s.weight * value_at(local, s).dot(normal) / 3;
-    }
-    return part;
+    const auto normal = cross(tables.slopes(local, 0), tables.slopes(local, 1));
+    return Eigen::Array2d((tables.weights * normal.colwise().norm().array()).sum(),
+                          (tables.weights * dot(tables.values(local), normal)).sum() / 3);
   });
   return {sum[0], sum[1]};
 }

@@ -1,6 +1,8 @@
 // The discrete curvature of spheres and ellipsoids against closed forms, under refinement.
 #include "surface3d/curvature.h"
 
+#include "model/energy_density.h"
+#include "surface3d/diagnostics.h"
 #include "tests/surface3d/cases.h"
 
 #include <vector>
@@ -104,6 +106,33 @@ TEST(Curvature, of_the_sphere_converges) {
 
 TEST(Curvature, of_an_ellipsoid_converges) {
   expect_orders({{1.2, 1.2, 0.8}}, {80, 320, 1280, 5120}, spheroid_willmore(1.2, 0.8));
+}
+
+// The energies that are computed at all points of a triangle at once, against the plain loop over points.
+TEST(Curvature, and_order_have_the_energy_of_the_densities_summed_up_point_by_point) {
+  Surface s = surface_of(meshing::ellipsoid({1, 0.8, 0.6}, {.triangles = 80}));
+  s.state.beta = (0.5 + 0.1 * s.state.X.row(0).array() * s.state.X.row(2).array()).matrix();
+  const model::Material material;
+  const auto curvature = curvature_of(*s.mesh, s.state.X);
+  ASSERT_TRUE(curvature.has_value());
+  Energy plain{};
+  for_each_point(*s.mesh, s.state.X, diagnostic_points(),
+                 [&](int e, const ShapeValues& v, const SurfacePoint& p) {
+                   const ElementField beta = on_element(*s.mesh, e, s.state.beta);
+                   const double H = value_at(on_element(*s.mesh, e, curvature->H), v);
+                   const ElementNodes normals = on_element(*s.mesh, e, curvature->normals);
+                   const auto density = model::energy_density(
+                       material, value_at(beta, v), gradient_at(beta, p).squaredNorm(), H,
+                       model::gauss_curvature(shape_operator(p, normals, H)));
+                   plain.distortion += p.dS * density.distortion;
+                   plain.bending += p.dS * (density.bending + density.gaussian);
+                   plain.thermotropic += p.dS * density.thermotropic;
+                 });
+  const Energy at_once = energy_by_shape_operator(*s.mesh, material, s.state, *curvature);
+  EXPECT_GT(plain.distortion, 0);
+  EXPECT_NEAR(at_once.distortion, plain.distortion, 1e-12 * plain.distortion);
+  EXPECT_NEAR(at_once.bending, plain.bending, 1e-12 * plain.bending);
+  EXPECT_NEAR(at_once.thermotropic, plain.thermotropic, 1e-12 * std::abs(plain.thermotropic));
 }
 
 TEST(Curvature, of_a_degenerate_surface_is_refused) {
