@@ -95,7 +95,7 @@ Command add_modes(CLI::App& program) {
        {app.add_option("--scan", w.scan, "folder of a scan, whose row is the state"),
         app.add_option("--model", w.model, "SBEH or SSH (SBEH)")
             ->check(one_of(studies::rest_models)),
-        app.add_option("--branch", w.branch, "oblate, prolate or stomatocyte (oblate)")
+        app.add_option("--branch", w.branch, "oblate, prolate, stomatocyte or pear (oblate)")
             ->check(one_of(values_of(axisym::Branch{}))),
         app.add_option("--reduced-volume", w.reduced_volume, "of the state, < 1")
             ->check(in(studies::reduced_volumes)),
