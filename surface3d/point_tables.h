@@ -53,7 +53,7 @@ struct PointTables {
   }
   template <int Rows, int Options>
   Sums<Rows> against_slopes(const Eigen::Matrix<double, Rows, Points, Options>& f, int k) const {
-    return f.lazyProduct(by_points_[std::size_t(k + 1)]);
+    return f.lazyProduct(by_points_[std::size_t(k) + 1]);
   }
 
  private:

@@ -177,8 +177,8 @@ model::Material partly_curved(const model::Material& whole, double t, double fir
   return part;
 }
 
-std::optional<Resolved> minimum_of_SSH(const model::Material& material, double reduced_volume,
-                                       Branch branch) {
+std::optional<Resolved> uniform_minimum(const model::Material& material, double reduced_volume,
+                                        Branch branch) {
   const auto classical = minimum(branch, reduced_volume);
   if (!classical) return {};
   const Curve start = classical->curve();
@@ -220,7 +220,7 @@ std::optional<EnergyMinimum> minimise_energy(const model::Material& material, mo
   material.validate();
   if (start == Branch::pear)
     throw std::invalid_argument("branch pear: none that a classical shape leads to");
-  const auto uniform = minimum_of_SSH(material, reduced_volume, start);
+  const auto uniform = uniform_minimum(material, reduced_volume, start);
   if (!uniform) return {};
   if (!has_free_order(model)) return report(material, reduced_volume, *uniform);
   const VectorXd order = VectorXd::Constant(1, material.mean_order.value_or(model::full_order));
