@@ -107,9 +107,9 @@ class Crossing {
 
   // Resolved, or a failure. On new triangles where there are any: a flow has drawn its own along.
   RestState state_near(const Descent& flow) const {
-    const RestState there = rest_state_from(input_, at_, {flow.mesh, flow.state, {}, {}}, far);
+    RestState there = rest_state_from(input_, at_, {flow.mesh, flow.state, {}, {}}, far);
     if (!there.failure.empty()) return there;
-    const RestState anew = on_new_triangles(input_, at_, there);
+    RestState anew = on_new_triangles(input_, at_, there);
     return anew.failure.empty() || !resolved_by(*there.mesh, there.state.X) ? anew : there;
   }
 

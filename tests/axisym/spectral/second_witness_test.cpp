@@ -26,7 +26,7 @@ const TraceOptions no_modes{.largest_m = 0};
 // Unknowns of a problem near the elements' state: to the square of the distance of its nodes.
 VectorXd near(const Problem& problem, const State& state) {
   const Basis& B = *problem.basis;
-  const VectorXd curve = pack(curve_through(state.X, problem.basis));
+  VectorXd curve = pack(curve_through(state.X, problem.basis));
   if (!problem.with_order) return curve;
   VectorXd s = VectorXd::Zero(state.X.cols()), order(B.points());
   for (Index i = 1; i < s.size(); ++i)
@@ -73,7 +73,7 @@ Loss loss_of(const Line& line, const PathState& from) {
   EXPECT_EQ(lost.size(), 1U);
   return {line, lost.at(0)};
 }
-Loss loss_of_SSH(double c0) {
+Loss uniform_loss(double c0) {
   const Line line = down_to(0.72, bare(-c0), true);
   return loss_of(line, round(line, c0 > 0, elements));
 }
@@ -113,7 +113,7 @@ void expect_loss(const Loss& of) {
 
 TEST(SecondWitness, loses_the_symmetry_where_another_spectral_calculation_does) {
   for (const auto& [c0, v] : {std::pair{3., 0.752601896165}, {-2.4, 0.731398942384}}) {
-    const Loss of = loss_of_SSH(c0);
+    const Loss of = uniform_loss(c0);
     expect_loss(of);
     EXPECT_NEAR(loss_by_curves(of, 60), v, 2e-12) << c0;
   }
@@ -122,7 +122,7 @@ TEST(SecondWitness, loses_the_symmetry_where_another_spectral_calculation_does) 
 // α = 1.4, and the bilayer couple.
 TEST(SecondWitness, loses_the_symmetry_with_an_area_difference_where_the_elements_do) {
   for (const double c0 : {3., -2.4}) {
-    const Loss curved = loss_of_SSH(c0);
+    const Loss curved = uniform_loss(c0);
     const double W2 = diagnose(curved.line.material, curved.state.state).W2;
     for (const double stiffness : {1.4, infinite}) {
       // A little off what has the moment c₀.
@@ -178,7 +178,7 @@ void expect_fold(const Further& branch) {
 }
 
 TEST(SecondWitness, has_the_folds_of_pears_and_stomatocytes) {
-  for (const double c0 : {3., -2.4}) expect_fold(branch_from(loss_of_SSH(c0)));
+  for (const double c0 : {3., -2.4}) expect_fold(branch_from(uniform_loss(c0)));
 }
 
 // SBEH with H₀ = −3, L = 0.001.
@@ -255,7 +255,7 @@ void expect_pear(const Further& branch, const PathState& s, int falls) {
 }
 
 TEST(SecondWitness, has_the_pears_on_both_legs_and_their_lowest_eigenvalues) {
-  const Further branch = branch_from(loss_of_SSH(3));
+  const Further branch = branch_from(uniform_loss(3));
   expect_pear(branch, (branch.beyond() - 2)->state, 1);
   expect_pear(branch, (branch.beyond() + 1)->state, 0);
 }
@@ -286,14 +286,15 @@ void expect_same(const Material& material, const StationaryState& s,
   EXPECT_LT(difference("moment", s.moment, found->moment), 1e-7);
 }
 
-BranchState of_SSH(Branch branch, const Material& material, double v) {
+BranchState uniform_state(Branch branch, const Material& material, double v) {
   const auto ssh = SshBranch(branch, material, with_elements(elements)).at(v);
   EXPECT_TRUE(ssh && ssh->arrival == Arrival::reached);
   return ssh.value().state;
 }
-BranchState of_SBEH(Branch branch, const Material& material, double v) {
-  const auto found = solve_at(material, Model::SBEH, {v, material.L1}, of_SSH(branch, material, v),
-                              {.most_iterations = 30, .symmetric = is_symmetric(branch)});
+BranchState ordered_state(Branch branch, const Material& material, double v) {
+  const auto found =
+      solve_at(material, Model::SBEH, {v, material.L1}, uniform_state(branch, material, v),
+               {.most_iterations = 30, .symmetric = is_symmetric(branch)});
   EXPECT_TRUE(found);
   return found.value();
 }
@@ -307,13 +308,13 @@ TEST(SecondWitness, has_the_shapes_with_H0_and_with_an_area_difference) {
     stiff.area_difference = {infinite, -8 * pi * (branch == Branch::oblate ? 1.036 : 1.13)};
     for (const Material& material : {curved, strained, stiff}) {
       std::printf("%s\n", name(branch));
-      expect_same(material, of_SSH(branch, material, 0.8),
+      expect_same(material, uniform_state(branch, material, 0.8),
                   minimise_energy(material, Model::SSH, 0.8, branch));
     }
   }
   Material cup = paper_material(0.05);
   cup.spontaneous_curvature = 0.4;
-  expect_same(cup, of_SSH(Branch::stomatocyte, cup, 0.6),
+  expect_same(cup, uniform_state(Branch::stomatocyte, cup, 0.6),
               minimise_energy(cup, Model::SSH, 0.6, Branch::stomatocyte));
 }
 
@@ -321,7 +322,7 @@ TEST(SecondWitness, has_the_flexoelectric_shapes) {
   Material material = paper_material(0.05);
   material.flexoelectric = model::Polynomial({0, -0.1});
   for (const Branch branch : {Branch::oblate, Branch::prolate})
-    expect_same(material, of_SBEH(branch, material, 0.8),
+    expect_same(material, ordered_state(branch, material, 0.8),
                 minimise_energy(material, Model::SBEH, 0.8, branch));
 }
 
@@ -329,7 +330,7 @@ TEST(SecondWitness, has_the_shapes_whose_lipids_have_other_areas) {
   Material material = paper_material(0.05);
   material.lipid_density = model::Polynomial({1 / 1.3, 1.2 * (1 - 1 / 1.3), 0.2});
   for (const Branch branch : {Branch::oblate, Branch::prolate})
-    expect_same(material, of_SBEH(branch, material, 0.8),
+    expect_same(material, ordered_state(branch, material, 0.8),
                 minimise_energy(material, Model::SBEH, 0.8, branch));
 }
 
