@@ -75,9 +75,9 @@ class Crossing {
       end.stop_reason = flow.reason;
       if (!flow.rests || interrupt_signal()) return end;
       const RestState there = state_near(flow);
-      const bool is_saddle = there.failure.empty() && there.system->negative_directions() > 0;
-      if (there.failure.empty() && !(is_saddle && tries < most_tries)) return take(there, end), end;
-      if (is_saddle) {
+      if (there.failure.empty()) {
+        if (there.system->negative_directions() == 0 || tries == most_tries)
+          return take(there, end), end;
         mesh = there.mesh;
         from = beyond(there, side);
         continue;
@@ -158,7 +158,9 @@ class Crossing {
     end.negative_directions = row.measures->negative_directions;
     end.energy = energy_of(row);
     end.barrier = energy_of(pass_) - end.energy;
-    end.stop_reason = row.status == PointStatus::stationary ? at_rest : row.stop_reason;
+    end.stop_reason = row.status != PointStatus::stationary ? row.stop_reason
+                    : negative > 0                          ? "it stays at a saddle"
+                                                            : at_rest;
   }
 
   // Of the same state where the table has it, else of its new row; none after an interrupt.
